@@ -237,7 +237,7 @@ TEST(best_against_a_dense_search)
 {
     uint64_t seed = 52;
     int found = 0, wrong = 0;
-    const int pairs = 4; /* 5 s each */
+    const int pairs = 2; /* 5 s each */
     for (int i = 0; i < pairs; i++) {
         struct dom_train train = dom_train_default();
         struct dom_best best = {.s = 0};
@@ -266,30 +266,121 @@ TEST(best_against_a_dense_search)
     assert_true(wrong == 0 && found * 2 > pairs);
 }
 
-/* Checks trains close to the separation of a jump: the side of it decides. */
+/*
+ * Returns a number that is negative if the train surely stops before the growth R: the margin at R or, if
+ * that is positive, the smallest margin at growths below R, dips included.
+ */
+static double spare_at(double s, double d, double q, double R)
+{
+    const double at_R = R * s < 1 ? plain_share_double(s, d, q, R) : -1;
+    double least = at_R;
+    const int n = (int)ceil(log(R) / log(1.1)) + 1;
+    if (!(at_R > 0))
+        return at_R;
+    for (int k = 0; k < n; k++)
+        least = fmin(least, plain_share_double(s, d, q, pow(R, (double)k / n)));
+    if (least < 0)
+        return least;
+    const double r_max = plain_rmax(s, d, q, 1.02);
+    return r_max < R ? r_max / R - 1 : least;
+}
+
+/* Returns the largest spare_at of all separations: samples, and golden sections around the three largest. */
+static double most_spare(double d, double q, double R, double *where)
+{
+    enum { SAMPLES = 1000, TOPS = 3 };
+    static double at[SAMPLES];
+    const double ratio = 0.99, part = 0.6180339887498949;
+    double most = -1;
+    for (int k = 0; k < SAMPLES; k++)
+        at[k] = spare_at(pow(ratio, k), d, q, R);
+    for (int pass = 0; pass < TOPS; pass++) {
+        int top = 0;
+        for (int k = 1; k < SAMPLES; k++)
+            if (at[k] > at[top] && at[k] >= at[k - 1] && (k + 1 == SAMPLES || at[k] >= at[k + 1]))
+                top = k;
+        double lo = pow(ratio, top + 1), hi = fmin(pow(ratio, top - 1), 1), best = at[top];
+        double a = hi - part * (hi - lo), b = lo + part * (hi - lo), at_a = spare_at(a, d, q, R),
+               at_b = spare_at(b, d, q, R);
+        while (hi - lo > 1e-8 * hi && best <= 0) {
+            const bool left = at_a > at_b;
+            *(left ? &hi : &lo) = left ? b : a;
+            *(left ? &b : &a) = left ? a : b;
+            *(left ? &at_b : &at_a) = left ? at_a : at_b;
+            *(left ? &a : &b) = left ? hi - part * (hi - lo) : lo + part * (hi - lo);
+            *(left ? &at_a : &at_b) = spare_at(left ? a : b, d, q, R);
+            best = fmax(best, fmax(at_a, at_b));
+        }
+        if (best > most) {
+            most = best;
+            *where = (lo + hi) / 2;
+        }
+        at[top] = -1;
+    }
+    return most;
+}
+
+/*
+ * Checks that no separation allows a growth that is larger by 1e-8, and that the best train goes on. For thin
+ * dominoes the growths differ by more, because sums in double are less certain: by 1e-6 at d = 1e-3. For even
+ * thinner dominoes this search would be the weaker witness.
+ */
+TEST(no_separation_is_better)
+{
+    uint64_t seed = 53;
+    int found = 0, wrong = 0;
+    const int pairs = (int)ceil(150 * sweep_size());
+    for (int i = 0; i < pairs; i++) {
+        struct dom_train train = dom_train_default();
+        struct dom_best best = {.s = 0};
+        train.d = random_log(&seed, 1e-3, 0.6);
+        train.q = random_log(&seed, 0.3, 6);
+        const enum dom_status status = dom_limit_best(&train, NULL, &best);
+        const double by = 1e-8 + 1e-12 / (train.d * train.d),
+                     R = (status == DOM_OK ? best.r_max : 1) * (1 + by);
+        double where = 0;
+        const double spare = most_spare(train.d, train.q, R, &where);
+        bool bad = (status != DOM_OK && status != DOM_NO_GROWTH) || spare > 0;
+        found += status == DOM_OK;
+        if (status == DOM_OK)
+            bad = bad || spare_at(best.s, train.d, train.q, best.r_max * (1 - by)) < 0;
+        if (bad && ++wrong)
+            print_error("d %.17g q %.17g: %s, s %.15g r %.15g +- %.2g; better by %.3g near s %.15g\n",
+                        train.d, train.q, dom_status_text(status), best.s, best.r_max, best.r_uncertainty,
+                        spare, where);
+    }
+    print_message("# %d of %d have a best separation, %d wrong\n", found, pairs, wrong);
+    assert_true(wrong == 0 && found * 3 > pairs);
+}
+
+/* Checks trains close to the separation at which a dip touches 0. The side of it decides. */
 TEST(trains_beside_a_jump)
 {
+    enum { TRAINS = 100, SCENES = 3 };
     uint64_t seed = 7;
-    int wrong = 0;
-    const int trains = (int)ceil(60 * sweep_size());
-    struct scene at = {0};
-    domq_real slope, s = 0, r;
-    for (int i = 0; i < trains; i++) {
-        if (i % 60 == 0) {
-            at = scenes[i / 60];
-            s = touching(&at, &slope);
+    int wrong = 0, stop = 0;
+    const int trains = (int)ceil(TRAINS * sweep_size());
+    for (int k = 0; k < (sweep_size() < 1 ? 1 : SCENES); k++) {
+        const struct scene *at = &scenes[k];
+        domq_real slope, r;
+        const domq_real s = touching(at, &slope);
+        depth(at, s, &r);
+        for (int i = 0; i < trains; i++) {
+            struct dom_train train = dom_train_default();
+            struct dom_limit limit;
+            const double by = random_log(&seed, 1e-15, 1e-4) * (random_unit(&seed) < 0.5 ? -1 : 1);
+            train.d = at->d;
+            train.q = at->q;
+            train.s = (double)s * (1 + by);
+            /* rounded to a double, the separation may be on the other side */
+            const bool stops = ((domq_real)train.s - s) * slope < 0;
+            const enum dom_status status = dom_limit_rmax(&train, NULL, &limit);
+            stop += stops;
+            if ((status != DOM_OK || stops != (limit.r_max < (double)r * 1.015)) && ++wrong)
+                print_error("s %.17g d %.17g q %.17g: %s, r_max %.15g, off by %.3g\n", train.s, train.d,
+                            train.q, dom_status_text(status), limit.r_max, (double)(train.s - s));
         }
-        struct dom_train train = dom_train_default();
-        struct dom_limit limit;
-        const double by = random_log(&seed, 1e-15, 1e-4) * (random_unit(&seed) < 0.5 ? -1 : 1);
-        train.d = at.d;
-        train.q = at.q;
-        train.s = (double)s * (1 + by);
-        const domq_real deep = depth(&at, train.s, &r);
-        const enum dom_status status = dom_limit_rmax(&train, NULL, &limit);
-        if ((status != DOM_OK || (deep < 0) != (limit.r_max < (double)r * 1.015)) && ++wrong)
-            print_error("s %.17g d %.17g q %.17g: %s, r_max %.15g, depth %.3g\n", train.s, train.d, train.q,
-                        dom_status_text(status), limit.r_max, (double)deep);
     }
-    assert_int_equal(wrong, 0);
+    print_message("# %d trains stop in the dip\n", stop);
+    assert_true(wrong == 0 && stop > 0);
 }
