@@ -58,25 +58,16 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count)
 {
-    /*
-     * In quad precision, one call of pow takes as long as computing the motion of a domino. So the height and
-     * the mass of each domino are computed from the height and the mass of the domino before, by
-     * multiplication. The rounding errors of the products are too small to affect a row.
-     */
-    const bool by_products = sizeof(dom_real) > sizeof(double);
-    const dom_real heavier = by_products ? pow(train->r, train->q - 1) : DOM_NAN;
-    for (size_t k = 0; k < count; k++) {
-        const bool product = by_products && k > 0;
-        dom_real height = product ? train->r * domino[k - 1].height : scale->h * pow(train->r, (dom_real)k);
+    const dom_real heavier = pow(train->r, train->q - 1);
+    dom_real height = scale->h;
+    for (size_t k = 0; k < count; k++, height *= train->r, mass *= heavier)
         domino[k] = (struct dom_domino){
             .height = height,
             .thickness = train->d * height,
             .gap = k == 0 ? 0 : train->s * height,
             .width = train->width * height,
-            .mass =
-                product ? heavier * domino[k - 1].mass : mass * pow(train->r, (train->q - 1) * (dom_real)k),
+            .mass = mass,
         };
-    }
 }
 
 void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real rho, dom_real lean[2])

@@ -62,9 +62,6 @@ struct contact_law {
     struct tilt (*leader)(const struct geometry *geometry, struct tilt follower);
     /* Returns h(0) - h(theta_f), the paper's fuel (25; c7). */
     real (*paper_fuel)(const struct geometry *geometry);
-    /* Returns r s for the smallest growth at which domino 1 tips over by itself before it hits the next
-     * domino (5; b0). */
-    real (*tips_at)(const struct geometry *geometry);
     /* Returns tau_1^2 omega_1c^2. Here omega_1c is the angular velocity that domino 1 has at theta_c after it
      * has tipped over by itself, so theta_c must be at least theta_u. With sharp edges, the result is
      * h(theta_u) - h(theta_c), by equation (9; b5). */

@@ -182,7 +182,8 @@ KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct 
         const real i = inertia_of(link, rolls), slope = link->slope,
                    half_i1 = rolls ? geometry_inertia_slope(self, link->tilt) / 2 : 0;
         series_add(&A, link->inertia * S * i * slope);
-        series_add(&B, link->inertia * S * (i * k.second_derivative + (half_i1 + self->drag) * slope * slope));
+        series_add(&B,
+                   link->inertia * S * (i * k.second_derivative + (half_i1 + self->drag) * slope * slope));
         series_add(&C, -link->weight * S * lift_of(link, rolls) / 2);
         if (link->i + 1 >= geometry->n || !link->leads)
             break;

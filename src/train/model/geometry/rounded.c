@@ -400,12 +400,6 @@ static real rounded_paper_fuel(const struct geometry *geometry)
     return rounded_fall(geometry, geometry->f);
 }
 
-static real rounded_tips_at(const struct geometry *geometry)
-{
-    real theta = geometry_theta_u(geometry);
-    return geometry->rounded.rho * theta + geometry->rounded.tall * sin(theta);
-}
-
 static real rounded_tipped_omegasq(const struct geometry *geometry)
 {
     return fmax(rounded_fall(geometry, geometry->c) + geometry_rise_u(geometry), 0) /
@@ -451,7 +445,6 @@ static const struct contact_law rounded_edges = {
     .hit = rounded_hit,
     .leader = rounded_leader,
     .paper_fuel = rounded_paper_fuel,
-    .tips_at = rounded_tips_at,
     .tipped_omegasq = rounded_tipped_omegasq,
     .turns = rounded_turns,
     .begin = rounded_begin,

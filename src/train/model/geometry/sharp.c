@@ -65,11 +65,6 @@ static real sharp_paper_fuel(const struct geometry *geometry)
            (geometry->L * (y * s + x * geometry->L * geometry->inf.x));
 }
 
-static real sharp_tips_at(const struct geometry *geometry)
-{
-    return geometry->h.x / geometry->steepest;
-}
-
 static real sharp_tipped_omegasq(const struct geometry *geometry)
 {
     real sine, cosine;
@@ -129,7 +124,6 @@ static const struct contact_law sharp_edges = {
     .hit = sharp_hit,
     .leader = sharp_leader,
     .paper_fuel = sharp_paper_fuel,
-    .tips_at = sharp_tips_at,
     .tipped_omegasq = sharp_tipped_omegasq,
     .turns = sharp_turns,
     .begin = sharp_begin,
