@@ -293,12 +293,13 @@ static double spare_at(double s, double d, double q, double R)
     enum { NEAR = 60, MOST = 400 };
     double r[MOST], f[MOST], least = R * s < 1 ? plain_share_double(s, d, q, R) : -1;
     const double from = fmin(R, 0.6 / s), x = sqrt(fmax(1 - from * s, 0)), x_R = sqrt(fmax(1 - R * s, 0));
-    int n = 0;
-    for (double at = 1; at < from && n < MOST - NEAR - 1; at *= 1.04)
+    int n = 1;
+    r[0] = 1;
+    for (double at = 1.04; at < from && n < MOST - NEAR - 1; at *= 1.04)
         r[n++] = at;
     for (int k = 0; k < NEAR; k++) {
         const double u = x + (x_R - x) * k / NEAR;
-        if ((1 - u * u) / s >= 1)
+        if ((1 - u * u) / s > 1)
             r[n++] = (1 - u * u) / s;
     }
     r[n++] = R;
