@@ -20,9 +20,13 @@ KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT]
 
 KERNEL void dynamics_of_domino(const struct row_request *row, size_t k, dom_real effect[DOM_DYNAMICS_COUNT])
 {
-    for (int i = 0; i < DOM_DYNAMICS_COUNT; i++)
-        effect[i] =
-            dynamics_on(row->effect[i]) && terms[i]->of_domino ? terms[i]->of_domino(row, k) : row->effect[i];
+/* without a loop, so that effects of which all dominoes have the same value cost nothing */
+#define DYNAMICS_VALUE(name, member, status)                                                                 \
+    effect[DOM_EFFECT_##name] = row->effect[DOM_EFFECT_##name];                                              \
+    if (name##_terms.of_domino && dynamics_on(effect[DOM_EFFECT_##name]))                                    \
+        effect[DOM_EFFECT_##name] = name##_terms.of_domino(row, k);
+    DOM_DYNAMICS(DYNAMICS_VALUE)
+#undef DYNAMICS_VALUE
 }
 
 KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry)
