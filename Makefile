@@ -107,7 +107,6 @@ all: $(P)/domino $(P)/libdomino.a $(if $(PART),,$(B)/libdomino.so $(B)/domino.pc
 
 DEPS_run      := libgsl-dev libreadline-dev $(if $(filter engine,$(BUILT)),libchipmunk-dev)
 DEPS_deb      := dpkg-dev binutils
-NEEDED         = $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 deps:
 	@.packaging/deps $(NEEDED)
@@ -266,6 +265,9 @@ run: all
 # ---- Tests, checks, fuzzing, speed ----
 
 include tests/tests.mk
+
+# All that the goals of this call need, for 'deps'.
+NEEDED := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 # ---- Installation ----
 
