@@ -108,6 +108,8 @@ TEST(long_rows)
     assert_int_equal(session.errors, 0);
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         line_stops(lines[i]);
+    checks_of("change all gap +1 mm", 0);
+    assert_int_equal(session.errors, 1);
 }
 
 /* Writes a line into a new file, several times. Puts the name of the file, which the caller removes, into

@@ -156,7 +156,8 @@ static bool row_change(struct scene *scene, const struct scene_row *row, const s
     for (int i = 0; i < ranges; i++)
         for (size_t k = range[i].first - 1; good && k < range[i].last; k++)
             good = domino_change(scene, change, row, k, row_measure_at(&next.change[k].to, change->measure),
-                                 problem);
+                                 problem) &&
+                   (!dom_raised(scene->compute.interrupt) || problem_status(problem, scene, DOM_INTERRUPTED));
     return edit_end(scene, &next, good, problem);
 }
 
