@@ -109,9 +109,9 @@ END
 foo|unknown command 'foo'; 'help' lists the commands
 ba|'ba' is ambiguous: barrier, back
 friction 0.2|'friction' is an effect; enter 'set friction MU'
-plot foo|plot: unknown picture 'foo'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, climb, omega, inertia, chain, cost, fit
+plot foo|plot: unknown picture 'foo'; use one of: growth, marginal, energy, climb, omega, inertia, chain, cost, placement, fit, fall, speed, gaps, sweep
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
-plot c|plot: unknown picture 'c'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, climb, omega, inertia, chain, cost, fit
+plot c|plot: unknown picture 'c'; use one of: growth, marginal, energy, climb, omega, inertia, chain, cost, placement, fit, fall, speed, gaps, sweep
 goto lanch|goto: unknown event 'lanch'; did you mean 'launch'?
 END
 }

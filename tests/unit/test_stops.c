@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows chance sweeps */
 /*
  * ^C in the shell, without a clock. The library's check of the flag and the shell's function for the lean of
  * a domino are replaced by functions that count their calls, and that raise the flag at the k-th. Whatever k
