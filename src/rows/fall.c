@@ -59,13 +59,11 @@ static domq_real foot_slid(const struct scene_row *scene, size_t k)
 static void all_fall_say(struct answer *a, const struct falling *f)
 {
     const size_t count = f->run.scene.row.count;
-    const bool pushed = !isnan(f->run.scene.row.push);
     const struct words fall = all_fall_words(count);
-    if (count == 1 && !pushed)
+    if (count == 1 && isnan(f->run.scene.row.push))
         answer_say(a, "%s.", fall.text);
     else if (isfinite(f->run.verdict.seconds))
-        answer_say(a, "%s%s lies flat %s after the %s.", fall.text, count == 1 ? ", and" : "; the last one",
-                   measured(f->run.verdict.seconds, "s", 4).text, pushed ? "push" : "first hit");
+        answer_say(a, "%s in %s.", fall.text, measured(f->run.verdict.seconds, "s", 4).text);
     else
         answer_say(a, "%s, but one domino almost stops, so the duration of the fall cannot be computed.",
                    fall.text);
@@ -82,7 +80,8 @@ static const char *end_reason(const struct row_run *run)
     return dom_row_end_text(v->end);
 }
 
-/* Says how the fall ends. Beside the table of 'fall', the weakest domino is left to the details. */
+/* Says how the fall ends. The weakest domino is left to the details beside the table of 'fall', and if the
+ * row does not fall. */
 static void verdict_say(struct answer *a, const struct falling *f, bool listed)
 {
     const struct domq_verdict *v = &f->run.verdict;
@@ -91,11 +90,10 @@ static void verdict_say(struct answer *a, const struct falling *f, bool listed)
         all_fall_say(a, f);
     else if (v->end == DOM_ROW_STOPS && isfinite(v->short_by))
         answer_say(a, "The row stops at domino %zu of %zu, which %s.%s", v->domino, count,
-                   energy_words(fall_share(&f->last)).text,
-                   count > 1 ? " 'mend' looks for a change that saves the row." : "");
+                   energy_words(fall_share(&f->last)).text, count > 1 ? " 'mend' looks for a change." : "");
     else
         answer_say(a, "The fall ends at domino %zu of %zu: %s.", v->domino, count, end_reason(&f->run));
-    weakest_say(a, v, listed);
+    weakest_say(a, v, listed || v->end != DOM_ROW_FALLS);
 }
 
 /* Prints which foot slides farthest relative to the height of its domino. */

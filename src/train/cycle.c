@@ -3,6 +3,7 @@
 #include "language/quad.h"
 #include "session/parameters.h"
 #include "train/train.h"
+#include <ctype.h>
 
 /* Returns a message that explains why a cycle releases no energy. */
 static const char *no_fuel(const struct query *query)
@@ -19,9 +20,9 @@ static const char *no_fuel(const struct query *query)
 }
 
 static const struct column thetac_columns[] = {
-    {"theta_c", "rad", "tilt at which the head hits the next domino: sin theta_c = r s (2; a2)", 0},
-    {"theta_u", "rad", "tilt at which a single domino just tips over: tan theta_u = d (4; b1)", 0},
-    {"theta_inf", "rad", "tilt of followers far behind the head: cos theta_inf = d/(s+d) (40; A16)", 0},
+    {"theta_c", "rad", "the head hits the next domino: sin theta_c = r s (2; a2)", 0},
+    {"theta_u", "rad", "a single domino just tips over: tan theta_u = d (4; b1)", 0},
+    {"theta_inf", "rad", "followers far behind the head: cos theta_inf = d/(s+d) (40; A16)", 0},
     {"theta_f", "rad", "the largest tilt of a follower: (42; A18) if it detaches, otherwise theta_inf", 0},
     {"theta_leave", "rad", "tilt of a domino when its follower detaches", 0},
     {"detaches", "", "whether followers become too short to lean on their leaders, and detach (41; A17)", 9},
@@ -34,16 +35,15 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
     if (!query_status(query, problem, domq_angles_find(&query->scene->train, query_compute(query), &angles)))
         return false;
     if (query->scene->train.rho != 0) {
-        answer_describe(
-            a, "theta_c", NULL,
-            "tilt at which the head hits the next domino: rho theta_c + (1 - 2 rho) sin theta_c = r s");
-        answer_describe(a, "theta_u", NULL,
-                        "tilt at which a single domino with its rounded foot just tips over");
-        answer_describe(a, "theta_inf", NULL, "tilt of followers far behind the head");
+        answer_describe(a, "theta_c", NULL,
+                        "the head hits the next domino: rho theta_c + (1 - 2 rho) sin theta_c = r s");
+        answer_describe(a, "theta_u", NULL, "a single domino with its rounded foot just tips over");
+        answer_describe(a, "theta_inf", NULL, "followers far behind the head");
     } else if (query->scene->train.alpha != 0)
-        answer_describe(
-            a, "theta_u", NULL,
-            "tilt at which a single domino just tips over: tan(theta_u + alpha) = d, with the slope alpha");
+        answer_describe(a, "theta_u", NULL,
+                        "a single domino just tips over: tan(theta_u + alpha) = d, with the slope alpha");
+    if (angles.detaches) /* only then is theta_f another angle than theta_inf */
+        a->details.brief = "*";
     return answer_cells(a, cell_computed(angles.theta_c), cell_computed(angles.theta_u),
                         cell_computed(angles.theta_inf), cell_computed(angles.theta_f),
                         cell_computed(angles.theta_leave), cell_flag(angles.detaches));
@@ -227,9 +227,8 @@ static bool run_omega(const struct query *query, struct answer *a, struct proble
 
 static const struct column barrier_columns[] = {
     {"theta_m", "rad", "tilt of the head at the top of the barrier", 0},
-    {"barrier", "mgh/2", "the energy that the train needs; without friction, the maximum of H(theta) - H(0)",
-     0},
-    {"kinetic", "mgh/2", "the energy that the train has: the kinetic energy J(0) tau^2 omega(0)^2", 0},
+    {"barrier", "mgh/2", "the energy that the train needs (26; c8)", 0},
+    {"kinetic", "mgh/2", "the energy that the train has (24; c6)", 0},
     {"margin", "mgh/2", "kinetic - barrier; not negative if the train keeps falling (26; c8, corrected)", 0},
     {"verdict", "", "'goes on', 'stops', 'locks' (by friction) or 'no fuel' (no energy is released)", 7},
     {NULL, NULL, NULL, 0},
@@ -246,10 +245,13 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
         return false;
     answer_set_verdict(a, status == DOM_OK);
     verdict_train_say(query, a, status, &b);
-    return answer_row(a,
-                      ROW(cell_computed(b.theta_m), cell_computed(b.barrier), cell_computed(b.kinetic),
-                          cell_computed(b.margin), verdict_cell(status)),
-                      why);
+    const bool good = answer_row(a,
+                                 ROW(cell_computed(b.theta_m), cell_computed(b.barrier),
+                                     cell_computed(b.kinetic), cell_computed(b.margin), verdict_cell(status)),
+                                 answer_for_people(a) ? NULL : why);
+    if (why && *why)
+        answer_detail(a, "%c%s.", toupper((unsigned char)*why), why + 1);
+    return good;
 }
 
 static const struct column duration_columns[] = {
@@ -287,6 +289,7 @@ const struct command cycle_commands[] = {
      .example = "thetac",
      .see = "theta1 chain",
      .principal = "theta_c",
+     .brief = "theta_c theta_u theta_inf",
      ANSWER(thetac)},
     {.name = "theta1",
      .has_errors = true,

@@ -165,18 +165,21 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
         return problem_limit(problem, query->scene, status, &limit);
     if (limit.ends != DOM_END_NONE)
         answer_say(a,
-                   "With a gap of %.6g times the height of the larger domino, a %s that just tips over can "
-                   "topple one that is %s times as large. %s.",
-                   (double)train.s, dominoes_words(train.q, "domino").text, limit_words(limit.r_max, 6).text,
-                   limit.ends == DOM_END_REACH ? "It falls past a larger one without touching it"
-                                               : "For a larger one it has too little energy");
-    return answer_row(
+                   "A %s that just tips over can topple one %s times as large, across a gap of %.6g times "
+                   "the larger height.",
+                   dominoes_words(train.q, "domino").text, limit_words(limit.r_max, 6).text, (double)train.s);
+    const bool good = answer_row(
         a,
         ROW(cell_real(train.s), cell_uncertain(limit.r_max, limit.uncertainty),
             cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE
             ? "no growth possible: at this s and d, a domino that just tips over does not topple the next one"
             : NULL);
+    if (limit.ends != DOM_END_NONE)
+        answer_detail(a, "%s.",
+                      limit.ends == DOM_END_REACH ? "The domino falls past a larger one without touching it"
+                                                  : "For a larger one the domino has too little energy");
+    return good;
 }
 
 static const struct column best_columns[] = {
@@ -192,11 +195,8 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return query_status(query, problem, status);
     if (status == DOM_OK)
-        answer_say(
-            a,
-            "The best gap is %.4g times the height: %s can then each be %s times as large as the one before.",
-            (double)best.s, dominoes_words(query->scene->train.q, "dominoes").text,
-            limit_words(best.r_max, 4).text);
+        answer_say(a, "The best gap, %.4g times the height, lets %s grow by %s each.", (double)best.s,
+                   dominoes_words(query->scene->train.q, "dominoes").text, limit_words(best.r_max, 4).text);
     return answer_row(
         a, ROW(cell_uncertain(best.s, best.s_uncertainty), cell_uncertain(best.r_max, best.r_uncertainty)),
         status == DOM_OK ? NULL

@@ -33,7 +33,7 @@ rest() { "$DOMINO" -e "$1 > /dev/null; details"; }
 # bats test_tags=rows
 @test "below the table of 'fall' one sentence is enough; the weakest domino is a detail" {
     same sentences 1 "$("$DOMINO" -e 'set row 12; fall' | grep -c '\.$')"
-    same rest 'Domino 2 has the least energy to spare: it needs 42 % of the energy that it has.' "$(rest 'set row 12; fall')"
+    same rest 'The weakest, domino 2, needs 42 % of the energy that it has.' "$(rest 'set row 12; fall')"
 }
 
 # bats test_tags=rows
@@ -57,7 +57,7 @@ rest() { "$DOMINO" -e "$1 > /dev/null; details"; }
 }
 
 @test "the word belongs to the command of the line, and other commands take it as a word" {
-    wrong 'thetac details' "thetac: 'details' is one argument too many; usage: thetac"
+    wrong 'fuel details' "fuel: 'details' is one argument too many; usage: fuel"
     wrong 'rmax details 0.3' "rmax: '0.3' is one argument too many"
     same echo details "$("$DOMINO" -e 'echo details')"
     wrong 'let details = 3' "'details' is a command"
