@@ -272,8 +272,8 @@ enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_co
 /* ---- Collision ---- */
 
 struct dom_launch {
-    /* The fuel P that train->fuel selects. With friction, this member is instead the kinetic energy that a
-     * cycle would have at its end if it had none at its start. */
+    /* The fuel P that train->fuel selects. With friction or air, this member is instead the kinetic energy
+     * that a cycle would have at its end if it had none at its start. */
     dom_real fuel;
     dom_real J0; /* J(0) */
     /* omega(0) just after the collision, divided by omega_1(theta_c) just before the collision. By equation
@@ -299,8 +299,9 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
 
 struct dom_barrier {
     dom_real theta_m; /* the tilt at the top of the barrier, 0 <= theta_m <= theta_c */
-    /* The energy that the train must climb in a cycle: the maximum of H(theta) - H(0), >= 0. With friction,
-     * it is instead the kinetic energy that the train needs just after the collision to pass every tilt. */
+    /* The energy that the train must climb in a cycle: the maximum of H(theta) - H(0), >= 0. With friction
+     * or air, it is instead the kinetic energy that the train needs just after the collision to pass every
+     * tilt. */
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
@@ -386,7 +387,7 @@ struct dom_state {
     dom_real before;       /* kinetic energy just before the collision */
     /* The energy that is lost in the collision. By equation (22; c4) it is `before` / J(0). */
     dom_real lost;
-    dom_real friction_work; /* energy lost to friction since the launch */
+    dom_real friction_work; /* energy lost to friction and to the air since the launch */
 };
 
 /* Finds the state at theta. The status is DOM_STOPS if the train stops before theta, and DOM_NO_FUEL if it

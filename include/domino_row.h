@@ -180,10 +180,11 @@ struct dom_fall {
     dom_real kinetic; /* kinetic energy of all moving dominoes just after the hit, in J */
     /* the kinetic energy, in J, needed to pass the barrier; infinite if friction locks the row */
     dom_real barrier;
-    dom_real margin;        /* kinetic - barrier, in J */
-    dom_real lost;          /* energy lost in the collision, in J */
-    dom_real friction_work; /* energy lost to friction after the hit, in J; NaN if the fall ends here */
-    dom_real theta_m;       /* tilt of the domino at the top of the barrier, in rad */
+    dom_real margin; /* kinetic - barrier, in J */
+    dom_real lost;   /* energy lost in the collision, in J */
+    dom_real
+        friction_work; /* energy lost to friction and air after the hit, in J; NaN if the fall ends here */
+    dom_real theta_m;  /* tilt of the domino at the top of the barrier, in rad */
     /* the last tilt in rad: at the next hit, on the floor, or at rest */
     dom_real theta;
     size_t moving; /* the number of dominoes that move just after the hit, this one included */
