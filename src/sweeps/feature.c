@@ -2,6 +2,7 @@
 #include "interpreter/feature.h"
 #include "sweeps/sweep.h"
 #include "sweeps/sweeps.h"
+#include "train/train.h"
 
 /* The list is empty, because the columns depend on the arguments. */
 static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
@@ -28,6 +29,18 @@ static const struct command sweep_commands[] = {
      .columns = sweep_answers,
      .sweep.refusal = "name all parameters in one grid, as in 'sweep s 0.1 0.5 3 q hollow, solid : rmax'",
      .rows = true,
+     .run = run_sweep},
+    {.name = "curve",
+     .synonyms = "graph figure table",
+     .train = true,
+     .argument = {{.name = "FROM", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
+                  {.name = "TO", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
+                  {.name = "N", .kind = ARGUMENT_COUNT, .bind = curve_bind}},
+     .summary = "the largest growth at N separations from FROM to TO",
+     .example = "set q hollow; curve 0.1 0.9 5",
+     .see = "rmax pair best",
+     .rows = true,
+     .columns = growths_columns,
      .run = run_sweep},
     {.name = "solve",
      .has_errors = true,

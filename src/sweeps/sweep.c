@@ -6,6 +6,7 @@
 #include "language/text.h"
 #include "parallel/points.h"
 #include "sweeps/point.h"
+#include "train/train.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,8 +18,14 @@ struct sweep_parsed {
 
 struct sweep {
     struct grid grid;
-    const struct sweep_parsed *parsed;
-    domq_real listed[]; /* the values of all lists of the grid */
+    const struct point_question *question;
+    const char *typed;
+};
+
+/* The sweep that 'curve' stands for. */
+struct curve {
+    struct sweep sweep;
+    struct point_question question;
 };
 
 /* ---- Parsing ---- */
@@ -127,21 +134,45 @@ bool sweep_bind(const struct question *q, const struct query *query, struct argu
                 struct problem *problem)
 {
     const struct sweep_parsed *parsed = q->parsed;
+    /* the values of all lists of the grid follow the sweep */
     struct sweep *s =
-        arguments_take(given, sizeof *s + parsed->grid.listed * sizeof *s->listed, query, problem);
+        arguments_take(given, sizeof *s + parsed->grid.listed * sizeof(domq_real), query, problem);
     if (!s)
         return false;
-    s->parsed = parsed;
-    return grid_bind(&parsed->grid, q->text, query, s->listed, &s->grid, problem);
+    s->question = &parsed->question;
+    s->typed = parsed->typed;
+    return grid_bind(&parsed->grid, q->text, query, (domq_real *)(s + 1), &s->grid, problem);
+}
+
+bool curve_bind(const struct question *q, const struct query *query, struct arguments *given,
+                struct problem *problem)
+{
+    const domq_real from = given->number[0], to = given->number[1], n = given->number[2];
+    struct curve *c = arguments_take(given, sizeof *c, query, problem);
+    if (!c)
+        return false;
+    c->question.question = (struct question){.command = &growths_command, .key = -1, .text = q->text};
+    c->sweep = (struct sweep){
+        .grid = {.axis = {{.parameter = parameter_find("s"), .count = (size_t)n, .from = from, .to = to}},
+                 .axes = 1,
+                 .points = (size_t)n},
+        .question = &c->question,
+        .typed = "curve"};
+    problem->place = 0;
+    return n > 1 || from == to ||
+           problem_error(
+               problem,
+               "one value of s cannot cover %g to %g; N must be at least 2, for example 'curve 0.1 0.9 5'",
+               (double)from, (double)to);
 }
 
 struct sweep_shape sweep_shape(const struct arguments *given)
 {
     const struct sweep *s = given->bound;
     size_t answers = 1;
-    for (const struct point_question *q = s->parsed->question.next; q; q = q->next)
+    for (const struct point_question *q = s->question->next; q; q = q->next)
         answers++;
-    return (struct sweep_shape){&s->grid, s->parsed->question.question.command, s->parsed->typed, answers};
+    return (struct sweep_shape){&s->grid, s->question->question.command, s->typed, answers};
 }
 
 /* ---- The answer ---- */
@@ -215,7 +246,7 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
     if (!w)
         return query_status(query, problem, DOM_NO_MEMORY);
     w->grid = &s->grid;
-    w->question = &s->parsed->question;
+    w->question = s->question;
     w->query = query;
     w->command = problem->command;
     w->run_context = *query->run_context;

@@ -11,6 +11,9 @@ bool sweep_parse_grid(struct reader *reader, struct question *question);
 bool sweep_parse_answers(struct reader *reader, struct question *question);
 bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
                 struct problem *problem);
+/* The argument N of 'curve FROM TO N', which is a sweep over s of what growths_command answers. */
+bool curve_bind(const struct question *question, const struct query *query, struct arguments *given,
+                struct problem *problem);
 
 struct sweep_shape {
     const struct grid *grid;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands that find how much dominoes can grow from one to the next: rmax, pair, best and curve. */
+/* Commands that find how much dominoes can grow from one to the next: rmax, pair and best. */
 #include "language/quad.h"
-#include "parallel/points.h"
 #include "train/falling.h"
 #include "train/row_start.h"
 #include "train/train.h"
@@ -203,7 +202,7 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
                          : "no growth possible: dominoes this thick do not topple larger ones at any s");
 }
 
-static const struct column curve_columns[] = {
+const struct column growths_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
     {"exact", "", "r_max if the fuel is computed from the energy balance", 0},
     {"paper", "", "r_max if the fuel is computed with the paper's closed form", 0},
@@ -213,78 +212,36 @@ static const struct column curve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The data of one worker thread: the task, which all workers share, and the worker's results. */
-struct curve {
-    domq_real from, to, n;
-    struct domq_train train;
-    struct domq_compute compute;
-    struct answer answer;
-    bool has_missing; /* true if no growth is possible at one or more of the points */
-    bool has_open;    /* true if a limit is open at one or more of the points */
-    enum dom_status status;
-};
-
 /* Returns the cell of a limit. If the limit is open, the cell is empty. */
-static struct cell curve_cell(struct curve *c, const struct domq_limit *limit)
+static struct cell limit_cell(const struct domq_limit *limit)
 {
-    c->has_open = c->has_open || !isnan(limit->open);
     return cell_uncertain(isnan(limit->open) ? limit->r_max : DOMQ_NAN, limit->uncertainty);
 }
 
-static bool curve_point(void *context, size_t k, FILE *out)
+static bool run_growths(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct curve *c = context;
+    const struct domq_train *train = &query->scene->train;
     struct domq_limit exact, paper, pair;
-    struct answer a = answer_part(&c->answer, out, k);
-    domq_real f = c->n > 1 ? (domq_real)k / (c->n - 1) : 0;
-    c->train.s = (1 - f) * c->from + f * c->to;
-    c->status = limits_find(c->train, &c->compute, &exact, &paper);
-    if (c->status == DOM_OK || c->status == DOM_OPEN)
-        c->status = domq_limit_pair(&c->train, &c->compute, &pair);
-    if (c->status != DOM_OK && c->status != DOM_OPEN)
-        return false;
-    answer_cells(&a, cell_real(c->train.s), curve_cell(c, &exact), curve_cell(c, &paper),
-                 curve_cell(c, &pair), cell_real(domq_train_reach(&c->train)));
-    c->has_missing = c->has_missing || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
-    return true;
+    enum dom_status status = limits_find(*train, query_compute(query), &exact, &paper);
+    bool is_open = status == DOM_OPEN;
+    if (status == DOM_OK || is_open)
+        status = domq_limit_pair(train, query_compute(query), &pair);
+    is_open = is_open || status == DOM_OPEN;
+    if (status != DOM_OK && status != DOM_OPEN)
+        return query_status(query, problem, status);
+    return answer_row(a,
+                      ROW(cell_real(train->s), limit_cell(&exact), limit_cell(&paper), limit_cell(&pair),
+                          cell_real(domq_train_reach(train))),
+                      is_open ? "a limit is open: at some growth, which 'rmax' or 'pair' names, the margin "
+                                "is 0 within rounding errors"
+                      : exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE
+                          ? "no growth possible; 'rmax' and 'pair' explain why"
+                          : NULL);
 }
 
-static void curve_gather(void *context, const void *worker)
-{
-    struct curve *c = context;
-    const struct curve *w = worker;
-    c->has_missing = c->has_missing || w->has_missing;
-    c->has_open = c->has_open || w->has_open;
-}
-
-static bool run_curve(const struct query *query, struct answer *a, struct problem *problem)
-{
-    struct curve c = {.from = query->given->number[0],
-                      .to = query->given->number[1],
-                      .n = query->given->number[2],
-                      .train = query->scene->train,
-                      .compute = query->scene->compute};
-    struct cell number = cell_real(0);
-    bool by_point;
-    if (c.n == 1 && c.from != c.to)
-        return problem_error(
-            problem,
-            "one value of s cannot cover %g to %g; N must be at least 2, for example 'curve 0.1 0.9 5'",
-            (double)c.from, (double)c.to);
-    answer_plan(a, ROW(number, number, number, number, number));
-    c.answer = *a;
-    const struct workers workers = {
-        .points = (size_t)c.n, .point = curve_point, .context = &c, .size = sizeof c, .merge = curve_gather};
-    if (!points_answer(query, problem, a, workers, &by_point))
-        return by_point ? query_status(query, problem, c.status) : false;
-    if (c.has_missing)
-        answer_say(
-            a, "'-' under exact or pair means that no growth is possible; 'rmax S' and 'pair S' explain why");
-    if (c.has_open)
-        answer_say(a, "At one or more points a limit is open: there '-' means that the margin is 0 within "
-                      "rounding errors at some growth, which 'rmax S' or 'pair S' names.");
-    return true;
-}
+/* Not in a table: only 'curve' runs this command. */
+const struct command growths_command = {
+    .name = "curve", .has_errors = true, .train = true, .sweep.echo = "s", ANSWER(growths)};
 
 #define SEPARATION .name = "S", .kind = ARGUMENT_VALUE_OF, .parameter = "s", .optional = true
 
@@ -334,18 +291,6 @@ const struct command limit_commands[] = {
      .principal = "s",
      .brief = "",
      ANSWER(best)},
-    {.name = "curve",
-     .has_errors = true,
-     .synonyms = "graph figure table",
-     .train = true,
-     .argument = {{.name = "FROM", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
-                  {.name = "TO", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
-                  {.name = "N", .kind = ARGUMENT_COUNT}},
-     .summary = "the largest growth at N separations from FROM to TO",
-     .example = "set q hollow; curve 0.1 0.9 5",
-     .see = "rmax pair best",
-     .rows = true,
-     ANSWER(curve)},
     {.name = "count",
      .has_errors = true,
      .synonyms = "quiz tower building Domtoren height number tall",

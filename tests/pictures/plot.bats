@@ -157,7 +157,7 @@ END
         [ $q = 4 ] && at=2 || at=3
         csv "set q $q; curve 0.02 0.98 9" | sed 1d >curve
         same "rows, $q" 9 "$(wc -l <curve)"
-        while IFS=, read -r s exact paper pair reach; do
+        while IFS=, read -r s exact paper pair reach _; do
             row() { awk -F, -v s="$s" -v i="$2" 'NR > 1 && $1 - s < 1e-9 && s - $1 < 1e-9 { print $i }' "$1"; }
             close "$q $s exact" "$exact" "$(row growth $at)"
             close "$q $s paper" "$paper" "$(row growth $((at + 2)))"

@@ -24,7 +24,7 @@ rmax 0.3|s r_max ends_by r_max_exact r_max_paper r_start
 pair|s r_max ends_by
 pair 0.3|s r_max ends_by
 best|s r_max
-curve 0.3 0.5 3|s exact paper pair reach
+curve 0.3 0.5 3|s exact paper pair reach reason
 count 112|height r dominoes exact first_height last_height feasible goes_on stops_at push r_start
 count 112 2|height r dominoes exact first_height last_height feasible goes_on stops_at push r_start reason
 scene|part dominoes why solved

@@ -82,6 +82,7 @@ END
 END
 }
 
+# bats test_tags=sweeps
 @test "the end of a value: '1 - 0.5' is one value, '0.1 -0.5' are two" {
     all_worth <<'END'
 0.5|-|1 - 0.5

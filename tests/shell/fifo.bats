@@ -40,6 +40,7 @@ load common
 
 @test "a FIFO as the start-up file is reported, and the session opens" { prompt startup_fifo; }
 
+# bats test_tags=sweeps
 @test "FIFOs, pipes and devices are read and written like files" {
     answer=$("$DOMINO" -e fuel)
     mkfifo fifo

@@ -74,6 +74,7 @@ load common
     same 'through the link' "$("$DOMINO" -e fuel)" "$(cat target)"
 }
 
+# bats test_tags=sweeps
 @test "paths that cannot be written: the message has the path and the reason, and the session goes on" {
     mkdir directory
     echo old >file
@@ -252,6 +253,7 @@ END
     same 'group and mode' '12 664' "$(stat -c '%g %a' file)"
 }
 
+# bats test_tags=sweeps
 @test "a '>' in a sourced file is written at once, although the outer '>' fails and leaves no file" {
     mkdir files
     echo 'fuel > files/inner; curve 0.01 1 10000000' >script

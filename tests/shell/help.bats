@@ -36,7 +36,7 @@ fuel|fuel
 barrier|barrier rmax
 hollow|q
 json|output
-separation|rmax pair best curve s
+separation|rmax pair best s
 seconds|duration
 significant|digits
 leave|quit thetac

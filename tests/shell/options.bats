@@ -96,6 +96,7 @@ END
     same 'a no' 2 "$("$DOMINO" --bail -e 'set output json; set s 0.001; fuel; fuel' | grep -c reason)"
 }
 
+# bats test_tags=sweeps
 @test "output that cannot be written gives a message and status 1" {
     [ -c /dev/full ] || skip 'no /dev/full'
     for arguments in '-e fuel' '-e help' '--help' '--version' '-e curve\ 0.1\ 0.9\ 200'; do
@@ -106,6 +107,7 @@ END
     done
 }
 
+# bats test_tags=sweeps
 @test "a closed pipe ends even a long answer" {
     # Ten million rows would take hours.
     while IFS='|' read -r trap status message; do

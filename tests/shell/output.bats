@@ -198,7 +198,7 @@ END
     same 'bounds are other columns' 2 "$("$DOMINO" -e 'set output csv; pair; set errors on; pair' | grep -c '^s,')"
 }
 
-# bats test_tags=rows
+# bats test_tags=rows,sweeps
 @test "csv and json say that an answer is about the train although a row is on" {
     for format in json csv; do
         for call in rmax 'pair 0.3' 'thetac' 'curve 0.3 0.5 2'; do

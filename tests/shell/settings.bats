@@ -82,6 +82,7 @@ END
     done
 }
 
+# bats test_tags=sweeps
 @test "timing: a time follows every answer, in csv and json on standard error" {
     number='[0-9.e+-]+ ms'
     for commands in fuel 'chain 0.1' 'count 112' 'print 1' 'show s' 'curve 0.2 0.4 2'; do

@@ -127,6 +127,7 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
 rows_are() { [ "$(stty -F "$(terminal display-message -p '#{pane_tty}')" size | cut -d ' ' -f 1)" = "$1" ]; }
 modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
 
+# bats test_tags=sweeps
 @test "a long text goes through PAGER, but not in a pipe, into a file, on a dumb terminal, or in a safe session" {
     export PAGER="sed -e '1s/.*/PAGED/' -e '2,\$d'"
     open_session 80 24
@@ -291,6 +292,7 @@ suspended_session() {
     see_last "$prompt"
 }
 
+# bats test_tags=sweeps
 @test "^C during a computation leaves one line, and a prompt below it" {
     open_session 80 24
     type_in 'curve 0.01 0.9 10000000 > /dev/null; set s 0.3'
@@ -318,6 +320,7 @@ $prompt" "$(screen | tail -n 3)"
 $prompt" "$(screen | tail -n 2)"
 }
 
+# bats test_tags=sweeps
 @test "progress does not mix with rows" {
     open_session 80 24
     type_in 'curve 0.1 0.9 6000'
@@ -363,6 +366,7 @@ hinted() { # TEXT HINT
     hint "$2"
 }
 
+# bats test_tags=sweeps
 @test "a hint shows the rest of the usage or of an earlier line; the right arrow, ^E and M-f accept an earlier line" {
     unset NO_COLOR
     open_session 80 24
@@ -426,6 +430,7 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
     done
 }
 
+# bats test_tags=sweeps
 @test "less shows long answers while they are computed; q and ^C end them, and the session goes on" {
     command -v less || skip 'without less'
     unset PAGER

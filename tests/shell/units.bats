@@ -90,6 +90,7 @@ shown() { # KEY COMMANDS
 END
 }
 
+# bats test_tags=sweeps
 @test "set and arguments take numbers as people write them, with units" {
     while IFS='|' read -r name text value; do
         close "set $name $text" "$value" "$(json "set $name $text; show $name" | values value)"
@@ -143,6 +144,7 @@ END
     [[ $output == *'can each be 1.000001 times as large'* ]]
 }
 
+# bats test_tags=sweeps
 @test "units of kinds that do not fit: the message names both kinds" {
     all_wrong <<'END'
 7|count 112 deg|^count: H is a length, not an angle

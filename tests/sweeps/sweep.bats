@@ -298,6 +298,36 @@ END
     same 'no part' 0 "$(find . -name 'part-*.csv' | wc -l)"
 }
 
+@test "curve: separations are evenly spaced, and values agree with rmax and pair" {
+    json 'set q hollow; curve 0.3 0.5 3' >rows
+    same rows 3 "$(wc -l <rows)"
+    for i in 1 2 3; do
+        row=$(sed -n "${i}p" rows)
+        s=$(values s <<<"$row")
+        close "s of row $i" "0.$((i + 2))" "$s"
+        answer=$(json "set q hollow; rmax $s; pair $s; set fuel paper; rmax $s")
+        same exact "$(values r_max <<<"$answer" | sed -n 1p)" "$(values exact <<<"$row")"
+        same pair "$(values r_max <<<"$answer" | sed -n 2p)" "$(values pair <<<"$row")"
+        same paper "$(values r_max <<<"$answer" | sed -n 3p)" "$(values paper <<<"$row")"
+        close reach "$(awk "BEGIN { printf \"%.17g\", 1 / $s }")" "$(values reach <<<"$row")"
+    done
+    same 'one row' 0.5 "$(json 'curve 0.5 0.5 1' | values s)"
+    same 'a hole in a curve' 'null 1.6442290' \
+        "$(json 'curve 0.001 0.4 2' | values exact | cut -c1-9 | paste -sd ' ' -)"
+    same 'to the very end' 0.9 "$(json 'curve 0.1 0.9 7' | values s | tail -n 1)"
+}
+
+@test "curve: a point whose limit is open has no value there, and says why" {
+    local scene='set precision quad; set d 0.254524; set q 0.474363' s=0.1192020420696138643273314766323029
+    run "$DOMINO" -e "$scene; curve 0.2 $s 2"
+    same 'curve: status' 0 "$status"
+    grep -qE '^ +0\.2 +[0-9.]+ +[0-9.]+ +[0-9.]+ +5$' <<<"$output" || same 'a point with values' '0.2 ...' "$output"
+    grep -qE '^ +0\.119202 +- +[0-9.]+ +[0-9.]+ ' <<<"$output" || same 'the open point' '0.119202 -' "$output"
+    grep -q "a limit is open" <<<"$output"
+    same 'with reasons' 's,exact,paper,pair,reach,reason' "$(csv 'curve 0.1 0.2 2' | head -n 1)"
+    csv 'curve 0.1 0.2 2' | sed -n 2p | grep -q "no growth possible; 'rmax' and 'pair' explain why"
+}
+
 @test "^C ends a script in the middle of a sweep; for terminals see prompt.bats" {
     run -124 timeout --foreground -s INT -k 20 1 "$DOMINO" -e 'set threads 4; sweep s 0.01 0.9 1e7 : rmax > /dev/null; print 1'
     same 'no answer' '-e:1: sweep: interrupted' "$output"

@@ -44,6 +44,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same reset "$(json rmax)" "$(json 'effect friction 0.3; effect row 9; reset; rmax')"
 }
 
+# bats test_tags=sweeps
 @test "friction: r_max, front speeds and verdicts; all are smaller than without friction" {
     close 's = 0.2' 1.48474793410 "$(json 'set q hollow; effect friction 0.2; rmax 0.2' | values r_max)"
     close 's = 0.4' 1.91495681184 "$(json 'set q hollow; effect friction 0.1; rmax 0.4' | values r_max)"
@@ -89,7 +90,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'a row' 'all fall' "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
 }
 
-# bats test_tags=rows,pictures
+# bats test_tags=rows,pictures,sweeps
 @test "edges: the reach is (1 - 2 rho + rho pi/2)/s in every answer, even if it is below 1" {
     local scene='effect edges 0.05' row
     row=$(json "$scene; curve 0.9 0.9 1")

@@ -1,26 +1,9 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The largest growth: rmax, pair, best and curve; answers that are a physical "no".
+# The largest growth: rmax, pair and best; answers that are a physical "no".
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load ../shell/common
-
-@test "curve: separations are evenly spaced, and values agree with rmax and pair" {
-    json 'set q hollow; curve 0.3 0.5 3' >rows
-    same rows 3 "$(wc -l <rows)"
-    for i in 1 2 3; do
-        row=$(sed -n "${i}p" rows)
-        s=$(values s <<<"$row")
-        close "s of row $i" "0.$((i + 2))" "$s"
-        answer=$(json "set q hollow; rmax $s; pair $s; set fuel paper; rmax $s")
-        same exact "$(values r_max <<<"$answer" | sed -n 1p)" "$(values exact <<<"$row")"
-        same pair "$(values r_max <<<"$answer" | sed -n 2p)" "$(values pair <<<"$row")"
-        same paper "$(values r_max <<<"$answer" | sed -n 3p)" "$(values paper <<<"$row")"
-        close reach "$(awk "BEGIN { printf \"%.17g\", 1 / $s }")" "$(values reach <<<"$row")"
-    done
-    same 'one row' 0.5 "$(json 'curve 0.5 0.5 1' | values s)"
-    same 'to the very end' 0.9 "$(json 'curve 0.1 0.9 7' | values s | tail -n 1)"
-}
 
 @test "rmax says why exact and paper differ, but only if they do" {
     "$DOMINO" -e "rmax details" | grep -q '^r_max_exact and r_max_paper differ because'
@@ -64,8 +47,6 @@ END
     same none none "$(json 'rmax 0.001' | values ends_by)"
     same none none "$(json 'pair 0.1' | values ends_by)"
     same reach reach "$(json 'rmax 0.9' | values ends_by)"
-    same 'a hole in a curve' 'null 1.6442290' \
-        "$(json 'curve 0.001 0.4 2' | values exact | cut -c1-9 | paste -sd ' ' -)"
 }
 
 # bats test_tags=rows
@@ -92,6 +73,7 @@ END
     grep -q '"r_start":null,"reason":"r_start has no value: no row falls' <<<"$answer"
 }
 
+# bats test_tags=explain
 @test "an open limit is no number: a dip of the margin touches 0 within rounding errors, even in quad" {
     local scene='set precision quad; set d 0.254524; set q 0.474363'
     wrong "$scene; rmax 0.1192020420696138643273314766323029" 'r_max is open: at the growth 4.4669'
@@ -103,10 +85,4 @@ END
         same "$call: status" 1 "$status"
         grep -q "$named" <<<"$stderr" || same "$call" "$named" "$stderr"
     done
-    # The curve goes on; the open limit has no value.
-    run "$DOMINO" -e "$scene; curve 0.2 $s 2"
-    same 'curve: status' 0 "$status"
-    grep -qE '^ +0\.2 +[0-9.]+ +[0-9.]+ +[0-9.]+ +5$' <<<"$output" || same 'a point with values' '0.2 ...' "$output"
-    grep -qE '^ +0\.119202 +- +[0-9.]+ +[0-9.]+ ' <<<"$output" || same 'the open point' '0.119202 -' "$output"
-    grep -q "a limit is open" <<<"$output"
 }
