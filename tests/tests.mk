@@ -35,14 +35,13 @@ $(P)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthrea
 $(P)/unit/test_interrupt: LDFLAGS += -Wl,--wrap=dom_interrupted
 # So does this one, for the shell.
 $(P)/unit/test_stops: LDFLAGS += -Wl,--wrap=dom_interrupted,--wrap=domq_lean_limits
-# The library starts no threads, so the thread pool of the shell runs its tasks.
-$(P)/unit/test_corners $(P)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/system.c io/terminal.c))
 # Unit tests of the shell: numbers.
 $(P)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
 # The reader of csv files.
 $(P)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
-# Completion and other functions that need the tables of commands.
-SHELL_UNIT := $(addprefix $(P)/unit/test_,complete errors lines stage stops)
+# Completion and other functions that need the tables of commands. The library starts no threads, so the thread pool of
+# the shell runs its tasks in the tests 'corners' and 'workers'.
+SHELL_UNIT := $(addprefix $(P)/unit/test_,complete corners errors lines stage stops workers)
 $(SHELL_UNIT): $(filter-out %/src/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C))) $(P)/features.o
 $(SHELL_UNIT): GSL := $(P)/libdomino.a $(GSL) -lreadline
 # Rows in the rigid-body engine.

@@ -3,7 +3,7 @@
  * blocks of 100 rows. The command 'pool' reads the blocks of all parts and adds the counts. It then prints
  * the answer that 'placement' would have printed for the whole study. */
 #include "chance/chance.h"
-#include "parallel/points.h"
+#include "parallel/workers.h"
 #include "session/rowfile.h"
 #include <stdint.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "answer/format.h"
 #include "interpreter/command_read.h"
 #include "language/text.h"
-#include "parallel/points.h"
+#include "parallel/workers.h"
 #include "sweeps/point.h"
 #include "train/train.h"
 #include <stdlib.h>

@@ -19,8 +19,9 @@ struct block {
     char *text;
     size_t size;
     bool is_done;
-    bool is_last;        /* the function `point` returned false in this block, so no later block is written */
-    const void *context; /* the context of the worker that computed the block */
+    /* If the function `point` returned false in this block, the context of its worker. No later block is
+     * written then. */
+    const void *last;
 };
 
 struct pool {
@@ -32,7 +33,10 @@ struct pool {
     size_t window;         /* the size of `waiting` */
     struct block *waiting; /* a ring buffer: block k is element k % window */
     bool is_over;
-    struct workers_end end;
+    /* How the computation ended: */
+    enum dom_status status;
+    int error;     /* errno of a write that failed, or 0 */
+    bool by_point; /* the function `point` returned false */
 };
 
 struct worker {
@@ -43,13 +47,6 @@ struct worker {
 
 /* ---- The pool; the caller of these functions holds the lock ---- */
 
-/* Stops the computation. If it has already been stopped, keeps the earlier reason. */
-static void pool_end(struct pool *p, struct workers_end end)
-{
-    p->end = p->is_over ? p->end : end;
-    p->is_over = true;
-}
-
 /* Writes the blocks in order, up to the first one that is still being computed. */
 static void pool_write(struct pool *p)
 {
@@ -57,12 +54,13 @@ static void pool_write(struct pool *p)
     struct block *b;
     while (!p->is_over && p->written < p->taken && (b = &p->waiting[p->written % p->window])->is_done) {
         if (out && ((b->size > 0 && fwrite(b->text, 1, b->size, out) != b->size) || ferror(out)))
-            pool_end(p, (struct workers_end){WORKERS_WRITE_FAILED, errno});
-        else if (b->is_last) {
-            memcpy(p->job->context, b->context, p->job->size);
-            pool_end(p, (struct workers_end){.how = WORKERS_ENDED});
+            p->error = errno ? errno : EIO;
+        else if (b->last) {
+            memcpy(p->job->context, b->last, p->job->size);
+            p->by_point = true;
         } else if (dom_raised(p->job->interrupt))
-            pool_end(p, (struct workers_end){.how = WORKERS_INTERRUPTED});
+            p->status = DOM_INTERRUPTED;
+        p->is_over = p->error || p->by_point || p->status != DOM_OK;
         free(b->text);
         *b = (struct block){.text = NULL};
         p->written++;
@@ -84,8 +82,9 @@ static bool block_compute(const struct worker *me, size_t number, struct block *
     FILE *out = job->out ? io_memory(&b->text, &b->size) : NULL;
     bool was_muted = progress_mute(true); /* a point must not show its own progress */
     bool is_good = out || !job->out;
-    for (size_t k = 0; is_good && !b->is_last && k < points && !dom_raised(job->interrupt); k++)
-        b->is_last = !job->point(me->context, job->first + from + k, out);
+    for (size_t k = 0; is_good && !b->last && k < points && !dom_raised(job->interrupt); k++)
+        if (!job->point(me->context, job->first + from + k, out))
+            b->last = me->context;
     progress_mute(was_muted);
     if (job->progress) /* only the caller's thread shows progress, because the other threads are muted */
         progress_show((double)from / (double)job->points);
@@ -106,14 +105,16 @@ static void *worker_run(void *worker)
             break;
         size_t number = p->taken++;
         pthread_mutex_unlock(&p->lock);
-        struct block b = {.is_done = true, .context = me->context};
+        struct block b = {.is_done = true};
         bool is_good = block_compute(me, number, &b);
         pthread_mutex_lock(&p->lock);
         p->waiting[number % p->window] = b;
-        if (!is_good)
-            pool_end(p, (struct workers_end){.how = WORKERS_NO_MEMORY});
+        if (!is_good && !p->is_over) {
+            p->status = DOM_NO_MEMORY;
+            p->is_over = true;
+        }
         pool_write(p);
-        if (b.is_last) /* the context stays as it is, until the block is written */
+        if (b.last) /* the context stays as it is, until the block is written */
             break;
     }
     pthread_mutex_unlock(&p->lock);
@@ -142,49 +143,70 @@ static void pool_run(struct pool *p, struct worker *worker)
         pthread_join(worker[k].thread, NULL);
 }
 
-struct workers_end workers_run(const struct workers *job)
+/* Computes all points of the pool's job. If some threads cannot be created, the other workers compute all. */
+static void workers_run(struct pool *pool)
 {
+    const struct workers *job = pool->job;
     /* With few points, the blocks are smaller, so that all workers finish together. */
-    size_t share = job->points / (8 * (size_t)job->count) + 1,
-           points = share < BLOCK_MOST ? share : BLOCK_MOST;
-    struct pool pool = {.job = job,
-                        .points = points,
-                        .blocks = (job->points + points - 1) / points,
-                        .lock = PTHREAD_MUTEX_INITIALIZER,
-                        .room = PTHREAD_COND_INITIALIZER,
-                        .window = WINDOW * (size_t)job->count};
+    const size_t share = job->points / (8 * (size_t)job->count) + 1;
+    pool->points = share < BLOCK_MOST ? share : BLOCK_MOST;
+    pool->blocks = (job->points + pool->points - 1) / pool->points;
+    pool->window = WINDOW * (size_t)job->count;
+    pthread_mutex_init(&pool->lock, NULL);
+    pthread_cond_init(&pool->room, NULL);
     struct worker *worker = calloc(job->count, sizeof *worker);
     char *contexts = malloc(job->count * job->size);
-    pool.waiting = calloc(pool.window, sizeof *pool.waiting);
+    pool->waiting = calloc(pool->window, sizeof *pool->waiting);
     if (!progress_is_muted()) /* this may take a long time, and earlier answers must not wait for it */
         io_stdout_flush();
-    if (worker && contexts && pool.waiting) {
+    if (worker && contexts && pool->waiting) {
         for (unsigned k = 0; k < job->count; k++) {
-            worker[k] = (struct worker){.pool = &pool, .context = contexts + k * job->size};
+            worker[k] = (struct worker){.pool = pool, .context = contexts + k * job->size};
             memcpy(worker[k].context, job->context, job->size);
         }
-        pool_run(&pool, worker);
-        for (size_t k = 0; k < pool.window; k++)
-            free(pool.waiting[k].text);
-        for (unsigned k = 0; k < job->count && pool.end.how == WORKERS_DONE && job->merge; k++)
+        pool_run(pool, worker);
+        for (size_t k = 0; k < pool->window; k++)
+            free(pool->waiting[k].text);
+        for (unsigned k = 0; k < job->count && pool->status == DOM_OK && !pool->is_over && job->merge; k++)
             job->merge(job->context, worker[k].context);
     } else
-        pool.end.how = WORKERS_NO_MEMORY;
-    pthread_cond_destroy(&pool.room);
-    pthread_mutex_destroy(&pool.lock);
-    free(pool.waiting);
+        pool->status = DOM_NO_MEMORY;
+    pthread_cond_destroy(&pool->room);
+    pthread_mutex_destroy(&pool->lock);
+    free(pool->waiting);
     free(contexts);
     free(worker);
-    return pool.end;
 }
 
-unsigned workers_count(domq_real threads, size_t points)
+/* Returns how many workers to use. `threads` is the value of the parameter 'threads'. If it is 0, there is
+ * one worker for each processor. */
+static unsigned workers_count(domq_real threads, size_t points)
 {
     size_t n = (size_t)threads;
     if (n == 0)
         n = system_processors();
     n = n < points ? n : points;
     return n == 0 ? 1 : n < THREADS_MOST ? (unsigned)n : THREADS_MOST;
+}
+
+/* ---- The rows of an answer ---- */
+
+bool points_answer(const struct query *query, struct problem *problem, struct answer *a, struct workers w,
+                   bool *by_point)
+{
+    struct pool pool = {.job = &w};
+    const struct range part = shard_range(&query->run_context->shard, w.points);
+    w.first = part.first;
+    w.points = part.count;
+    w.count = workers_count(query->state->settings.threads, part.count);
+    w.out = a->out;
+    w.progress = true;
+    w.interrupt = query->scene->compute.interrupt;
+    workers_run(&pool);
+    *by_point = pool.by_point;
+    a->progress.has_rows = a->progress.is_open = true;
+    a->error = a->error ? a->error : pool.error;
+    return pool.status == DOM_OK ? !pool.by_point : problem_status(problem, query->scene, pool.status);
 }
 
 /* ---- Tasks of the library ---- */
@@ -204,9 +226,6 @@ static bool task_run(void *context, size_t point, FILE *out)
 
 enum dom_status workers_tasks(size_t count, dom_task *run, void *context, void *pool)
 {
-    static const enum dom_status status[] = {[WORKERS_DONE] = DOM_OK,
-                                             [WORKERS_INTERRUPTED] = DOM_INTERRUPTED,
-                                             [WORKERS_NO_MEMORY] = DOM_NO_MEMORY};
     const struct task_pool *p = pool;
     struct task task = {run, context};
     const struct workers job = {.points = count,
@@ -216,5 +235,7 @@ enum dom_status workers_tasks(size_t count, dom_task *run, void *context, void *
                                 .count = workers_count(p->threads, count),
                                 .progress = p->progress,
                                 .interrupt = p->interrupt};
-    return status[workers_run(&job).how];
+    struct pool all = {.job = &job};
+    workers_run(&all);
+    return all.status;
 }

@@ -5,8 +5,7 @@
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 
-#include "domino_quad.h"
-#include <stdio.h>
+#include "session/query.h"
 
 struct workers {
     size_t first, points; /* the index of the first point, and the number of points */
@@ -20,30 +19,29 @@ struct workers {
     size_t size; /* the size of the context */
     /* Merges a worker's copy into `context` after all points have been computed. May be NULL. */
     void (*merge)(void *context, const void *copy);
+    /* The members below are set by points_answer. */
     unsigned count; /* the number of workers, including the caller's thread */
     FILE *out;      /* the stream for the rows, or NULL if the points have no rows */
     bool progress;
     const volatile sig_atomic_t *interrupt;
 };
 
-struct workers_end {
-    enum { WORKERS_DONE, WORKERS_ENDED, WORKERS_INTERRUPTED, WORKERS_WRITE_FAILED, WORKERS_NO_MEMORY } how;
-    int error; /* for WORKERS_WRITE_FAILED: errno of the write that failed */
-};
-
-/* Computes all points. If some threads cannot be created, the other workers compute all points. */
-struct workers_end workers_run(const struct workers *workers);
-
-/* Returns how many workers to use for `points` points. `threads` is the value of the parameter 'threads'. If
- * it is 0, there is one worker for each processor. There are never more workers than points, and never more
- * than 256, but there is always at least one. */
-unsigned workers_count(domq_real threads, size_t points);
+/*
+ * Computes all points of an answer. With --shard, computes only the requested part of them. The caller sets
+ * the members points, point, context, size and merge of `workers`. The function workers.point must begin the
+ * answer when it computes point 0. If something fails:
+ * - If workers.point has returned false, sets *by_point and returns false.
+ * - If a write has failed, sets answer->error and returns true.
+ * - Otherwise sets *problem and returns false.
+ */
+bool points_answer(const struct query *query, struct problem *problem, struct answer *answer,
+                   struct workers workers, bool *by_point);
 
 /* Runs tasks of the library. This is a dom_parallel whose pool is a struct task_pool. */
 enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void *pool);
 
 struct task_pool {
-    domq_real threads; /* as for workers_count */
+    domq_real threads; /* the value of the parameter 'threads' */
     bool progress;
     const volatile sig_atomic_t *interrupt;
 };
