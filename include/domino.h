@@ -646,6 +646,4 @@ enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, cons
 }
 #endif
 
-#include "domino_row.h"
-
 #endif

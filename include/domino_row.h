@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finite rows of dominoes of any sizes: how a row falls, how to mend a row that stops, how precisely a row
- * must be set up, and how to design one. <domino.h>, which has the introduction, includes this header. */
+ * must be set up, and how to design one. <domino.h> has the introduction. */
 #ifndef DOMINO_ROW_H
 #define DOMINO_ROW_H
 

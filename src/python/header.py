@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the ctypes declarations of libdomino, read from its headers after the preprocessor.
 
-header.py SONAME 'COMPILER AND FLAGS' HEADER > _api.py
+header.py SONAME 'COMPILER AND FLAGS' HEADER... > _api.py
 
 The headers are the only description of structures and functions, so that a change in them cannot be forgotten here.
 The program ends with an error if it cannot read a declaration.
@@ -19,10 +19,11 @@ BASIC = {
 }  # fmt: skip
 
 
-def declarations(compiler, header):
+def declarations(compiler, headers):
     """Returns the text of the project's own headers after the preprocessor, without bodies of functions."""
-    folder = header.rsplit("/", 1)[0]
-    command = [*shlex.split(compiler), "-E", f"-I{folder}", header]
+    folder = headers[0].rsplit("/", 1)[0]
+    before = [word for header in headers[:-1] for word in ("-include", header)]
+    command = [*shlex.split(compiler), "-E", f"-I{folder}", *before, headers[-1]]
     kept, own = [], False
     for line in subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines():
         if line.startswith("# "):
@@ -79,8 +80,8 @@ def arguments(text, callbacks, structs):
     return "[" + ", ".join(types) + "]"
 
 
-def main(soname, compiler, header):
-    text = declarations(compiler, header)
+def main(soname, compiler, *headers):
+    text = declarations(compiler, headers)
     print('"""The structures and functions of libdomino, generated from its headers by header.py."""\n')
     print("from ctypes import (CFUNCTYPE, POINTER, Structure, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint,")
     print("                    c_ulong, c_void_p)")

@@ -11,7 +11,7 @@
 #if __has_include("domino_quad.h")
 #include "domino_quad.h"
 #else /* for tools that check a source file before the build has generated domq_names.h */
-#include "domino.h"
+#include "domino_row.h"
 typedef long double domq_real;
 #endif
 

@@ -41,7 +41,7 @@ FNR == 1 || /^#ifdef __cplusplus/ { typed = 0 }
 !begun++ && !names {
     print "/* SPDX-License-Identifier: GPL-3.0-or-later */"
     print "/* libdomino in the widest arithmetic. Generated from domino.h and domino_row.h, which document it. */"
-    print "#ifndef DOMINO_QUAD_H\n#define DOMINO_QUAD_H\n\n#include \"domino.h\"\n"
+    print "#ifndef DOMINO_QUAD_H\n#define DOMINO_QUAD_H\n\n#include \"domino_row.h\"\n"
     print "#ifdef __cplusplus\nextern \"C\" {\n#endif"
 }
 /^typedef double dom_real;/ && !names {
