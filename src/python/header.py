@@ -22,7 +22,7 @@ BASIC = {
 def declarations(compiler, headers):
     """Returns the text of the project's own headers after the preprocessor, without bodies of functions."""
     folder = headers[0].rsplit("/", 1)[0]
-    before = [word for header in headers[:-1] for word in ("-include", header)]
+    before = [word for header in headers[:-1] for word in ("-include", header.rsplit("/", 1)[-1])]
     command = [*shlex.split(compiler), "-E", f"-I{folder}", *before, headers[-1]]
     kept, own = [], False
     for line in subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines():
