@@ -13,9 +13,11 @@
 const char *fit_names(const void *context, int k)
 {
     const char *name;
-    for (int i = 0; (name = solve_names(context, i)) != NULL; i++)
-        if (strncmp(name, "error_", 6) != 0 && strcmp(name, "placement") != 0 && k-- == 0)
+    for (int i = 0; (name = solve_names(context, i)) != NULL; i++) {
+        const struct parameter *p = parameter_find(name);
+        if (!(p->effect && effect_is_random(p->which)) && k-- == 0)
             return name;
+    }
     return NULL;
 }
 

@@ -33,7 +33,7 @@ bool assert_parse(struct reader *r, struct question *q)
     asserted->command = command_read_inner(r, assert_names);
     if (!asserted->command)
         return false;
-    if (!asserted->command->holds && !command_is_print(asserted->command)) {
+    if (!asserted->command->holds && !asserted->command->is_print) {
         if (!comparison_ends(r))
             return false;
         for (int k = 0, n = 0; (name = assert_names(NULL, k)) && n < (int)sizeof all; k++)

@@ -20,7 +20,7 @@ static bool column_add(struct sweep_columns *c, int *n, struct column column, co
 /* Returns true if the unit of a column may change from point to point. */
 static bool unit_varies(const struct question *q, int column)
 {
-    return command_is_print(q->command) ||
+    return q->command->is_print ||
            (q->command->in_joules && strcmp(q->command->columns[column].unit, "mgh/2") == 0);
 }
 
@@ -122,7 +122,7 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
     for (const struct column *from = columns; from->key; from++) {
         struct column column = *from;
         const int k = is_list ? asked->question.key : (int)(from - columns);
-        const bool is_fixed = unit_varies(&asked->question, k) && (is_list || !command_is_print(q->command));
+        const bool is_fixed = unit_varies(&asked->question, k) && (is_list || !q->command->is_print);
         if (is_fixed && !is_list)
             column.unit = unit_at(q, k, &at);
         asked = is_list ? asked->next : asked;

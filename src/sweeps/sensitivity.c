@@ -37,7 +37,7 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
     bool dynamic = p->effect && (int)p->which < DOM_DYNAMICS_COUNT && !p->effect->cancels,
          angle = strcmp(p->value->unit, "rad") == 0;
     *i = (struct influence){.parameter = p, .value = value == EFFECT_OFF ? 0 : value};
-    if (p->setting || p->words_only || p->value->whole || strcmp(p->name, "tol") == 0 ||
+    if (p->setting || p->words_only || p->value->whole || p->of_precision ||
         (value == EFFECT_OFF && (!dynamic || p->effect->needs)))
         return false;
     i->step = dynamic && angle ? QUAD_PI / 180 : dynamic ? (domq_real)1 / 100 : quad(fabs)(i->value) / 100;

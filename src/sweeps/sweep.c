@@ -59,7 +59,7 @@ static bool answer_parse(struct reader *r, struct question *q)
     if (!c->columns)
         return problem_error(r->problem, "'%s' has no answer; sweep a command that has one, such as 'rmax'",
                              c->name);
-    if (command_is_print(c))
+    if (c->is_print)
         begin = skip_blanks(r->at);
     bool is_good = question_parse(r, q);
     q->name = question_name(r, begin, r->at);

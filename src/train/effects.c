@@ -10,23 +10,18 @@
 
 /* ---- effects ---- */
 
-static bool is_random(int effect)
-{
-    return effect == DOM_EFFECT_placement || effect >= EFFECT_ENGINE_END;
-}
-
 static bool has_errors(const struct scene *scene)
 {
     bool any = false;
     for (int k = 0; k < EFFECT_COUNT; k++)
-        any = any || (is_random(k) && scene->effect[k].on);
+        any = any || (effect_is_random(k) && scene->effect[k].on);
     return any;
 }
 
 static void errors_off(struct scene *scene)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
-        scene->effect[k].on = scene->effect[k].on && !is_random(k);
+        scene->effect[k].on = scene->effect[k].on && !effect_is_random(k);
 }
 
 /* Computes the main answer of a scene: whether the train, or the whole row, falls. */

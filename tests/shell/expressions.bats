@@ -373,7 +373,7 @@ END
     done
     same 'the principal columns' ' thetac.theta_c theta1.theta_1 energy.dH fuel.fuel launch.omega0sq omega.omega'`
         `' barrier.barrier duration.duration why.margin rmax.r_max pair.r_max best.s count.dominoes'`
-        `' verdict.seconds rowmax.r_max design.steps improve.probability placement.probability budget.sigma slip.motion' "$list"
+        `' verdict.seconds rowmax.r_max placement.probability budget.sigma slip.motion design.steps improve.probability' "$list"
 }
 
 # bats test_tags=rows

@@ -4,9 +4,9 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/row_change.h"
+#include "train/train.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Dominoes smaller than this fraction of the tower's height are drawn a second time, enlarged. */
 #define TOO_SMALL 0.012
@@ -49,7 +49,7 @@ bool tower_make(const struct query *query, struct tower *tower, struct problem *
     enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES };
     const struct last_answer *ans = query->ans;
     *tower = (struct tower){.change = NULL};
-    if (!ans->command || strcmp(ans->command->name, "count") != 0)
+    if (!ans->command || ans->command->run != run_count)
         return problem_error(problem,
                              "'tower' works only if the last answer was a count; first enter 'count 112 m'");
     const domq_real dominoes = ans->cells[COUNT_DOMINOES].number,

@@ -127,8 +127,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (p == parameter_find("digits") && next->settings.style.digits > all && !query->run_context->sourced)
         answer_say(a, "%s precision has at most %d digits%s", domq_arithmetic(precision)->name, all,
                    precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
-    const bool is_size = strlen(p->name) == 1 && strchr("srdh", *p->name);
-    if (next->scene.listed.domino && is_size && !query->run_context->sourced)
+    if (next->scene.listed.domino && p->of_row && !query->run_context->sourced)
         change_say(query, a,
                    "%s does not change the row, whose dominoes come from %s; 'set row N' makes a row from "
                    "s, r, d and h.",
@@ -373,6 +372,7 @@ const struct command session_commands[] = {
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set",
      .typed.shortest = "pr",
+     .is_print = true,
      ANSWER(print)},
     {.name = "let",
      .typed.shortest = "le",

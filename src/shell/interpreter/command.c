@@ -139,11 +139,6 @@ const struct command *command_find(const char *name)
     return k > 0 ? every[k - 1] : NULL;
 }
 
-bool command_is_print(const struct command *c)
-{
-    return strcmp(c->name, "print") == 0;
-}
-
 int command_principal(const struct command *c)
 {
     return names_exact(command_keys, c, c->principal);

@@ -130,6 +130,9 @@ struct command {
      * scene. */
     bool (*in_joules)(const struct scene *scene);
     bool train; /* the answer is about the endless train */
+    /* The answer is the value of an expression. Messages do not mention 'print', because the user can omit
+     * it. */
+    bool is_print;
     /* The whole answer is computed in the precision of the session. Then the numbers have errors: their
      * differences from a computation in quad precision. */
     bool has_errors;
@@ -193,9 +196,6 @@ const char *value_names(const void *context, int k);
 const char *topic_by_synonym(const char *word, int k);
 
 const struct command *command_find(const char *name);
-
-/* Returns true for 'print'. Messages do not mention 'print', because the user can omit it. */
-bool command_is_print(const struct command *command);
 
 /* Returns the unit that a column of the command's answer has in this scene. */
 const char *command_unit(const struct command *command, int column, const struct scene *scene);

@@ -114,7 +114,7 @@ static bool is_called(struct reader *r, const struct head *h)
     int fewest;
     bool is_empty = h->end[0] == '(' && h->end[1] == ')' && word_ends(h->end + 2);
     if (!h->command || *h->end != '(' || command_arity(h->command, &fewest) >= 0 ||
-        (!is_empty && !command_is_print(h->command)))
+        (!is_empty && !h->command->is_print))
         return false;
     reader_named(r, h->begin, h->end);
     r->at = h->end + (is_empty ? 2 : 0);
@@ -320,7 +320,7 @@ const struct command *command_read_inner(struct reader *r, names_list *offered)
 {
     const char *begin = r->at;
     const struct command *command = shorthand_read(r);
-    if (command && command_is_print(command))
+    if (command && command->is_print)
         return command;
     r->at = begin;
     return r->problem->kind == PROBLEM_NONE ? name_read(r, offered) : NULL;

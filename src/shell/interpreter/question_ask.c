@@ -60,7 +60,7 @@ bool question_ask(const struct question *q, const struct query *query, struct an
 {
     struct call call;
     const char *outer = problem->command;
-    if (!command_is_print(q->command))
+    if (!q->command->is_print)
         problem->command = q->command->name;
     bool done = question_bind(q, query, &call, problem);
     if (done) {
@@ -76,7 +76,7 @@ bool question_ask(const struct question *q, const struct query *query, struct an
 bool question_needs_number(const struct question *q, struct problem *problem)
 {
     const struct command *c = q->command;
-    if (q->key >= 0 || command_is_print(q->command))
+    if (q->key >= 0 || q->command->is_print)
         return true;
     char keys[256] = "";
     const char *key;

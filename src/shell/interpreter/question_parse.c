@@ -250,7 +250,7 @@ static bool arguments_parse(struct reader *r, struct question *q)
 bool question_parse(struct reader *r, struct question *q)
 {
     const char *outer = r->problem->command;
-    if (!command_is_print(q->command))
+    if (!q->command->is_print)
         r->problem->command = q->command->name;
     bool good = arguments_parse(r, q);
     if (good)
@@ -272,7 +272,7 @@ bool command_parse(struct reader *r, struct question *q)
     *q = (struct question){.key = -1, .command = command_read(r)};
     if (!q->command)
         return false;
-    if (command_is_print(q->command) && is_text_alone(skip_blanks(r->at)))
+    if (q->command->is_print && is_text_alone(skip_blanks(r->at)))
         q->command = command_find("echo");
     r->problem->command = q->command->name;
     r->details = q->command->brief != NULL;

@@ -30,4 +30,10 @@ enum {
 ENGINE_EFFECTS(ENGINE_EFFECT_DECLARE)
 #undef ENGINE_EFFECT_DECLARE
 
+/* Returns true for an effect that gives rows random errors. */
+static inline bool effect_is_random(int effect)
+{
+    return effect == DOM_EFFECT_placement || effect >= EFFECT_ENGINE_END;
+}
+
 #endif

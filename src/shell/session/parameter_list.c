@@ -114,14 +114,14 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
 /* The library's lists of parameters and effects give only some members of an entry. These macros give the others. */
 #define RANGE(from_, to_) .from = from_, .to = to_
-#define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help, RANGE(0.02, 1),
-#define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help, RANGE(1, 4),
-#define MORE_d .synonyms = "thickness thin thick depth", .help = d_help, RANGE(0.01, 1),
+#define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help, RANGE(0.02, 1), .of_row = true,
+#define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help, RANGE(1, 4), .of_row = true,
+#define MORE_d .synonyms = "thickness thin thick depth", .help = d_help, RANGE(0.01, 1), .of_row = true,
 #define MORE_q .synonyms = "exponent wood block box weight material", .help = q_help, RANGE(1, 6), \
     .words = WORD_LIST({"hollow", 3}, {"solid", 4}, {"massive", 4}),
 #define MORE_width .synonyms = "wide broad breadth", .help = width_help, RANGE(0.05, 5),
 #define MORE_tol .synonyms = "tolerance accuracy precision", .help = tol_help, .of_precision = true,
-#define MORE_h .synonyms = "height size tall scale", RANGE(0.005, 10),
+#define MORE_h .synonyms = "height size tall scale", RANGE(0.005, 10), .of_row = true,
 #define MORE_g .synonyms = "gravity acceleration weight moon planet", RANGE(0.1, 30),
 #define MORE_friction .example = "set q hollow; set friction 0.2; rmax 0.4; set friction off", RANGE(0, 2),
 #define MORE_slope .example = "set slope on; scene", RANGE(-0.14, 0.14),

@@ -30,6 +30,7 @@ struct parameter {
     bool setting;
     /* the default and the lower bound depend on the precision, as for tol */
     bool of_precision;
+    bool of_row; /* the sizes and gaps of 'set row N' follow from it */
     /* the name of a parameter that may change when this parameter is set; may be NULL */
     const char *moves;
     const char *example; /* commands that demonstrate an effect; may be NULL */

@@ -78,7 +78,7 @@ static bool is_even(const struct points *p, int axis)
 static const char *value_name(const struct points *p)
 {
     const struct command *c = p->shape.command;
-    return command_is_print(c) ? p->shape.typed : c->principal ? c->principal : c->columns[0].key;
+    return c->is_print ? p->shape.typed : c->principal ? c->principal : c->columns[0].key;
 }
 
 static void label(char *to, size_t size, const char *name, const char *unit)
