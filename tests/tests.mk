@@ -20,8 +20,10 @@ DEPS_lint     := python3 musl-tools clang clang-format clang-tidy mandoc shellch
 
 # In a build without some features, tests that need them are left out: programs with a line 'Needs: NAMES', and sessions
 # with a tag. The tag 'whole' is for sessions that need every feature.
-LACK     = $(if $(PART),$(shell grep -lE 'Needs:.*\<($(subst $(eval) ,|,$(PART)))\>' $(1)))
-WITHOUT := $(if $(PART),!whole$(foreach f,$(filter-out $(JOINT),$(PART)),$(,)!$f))
+NAMED   := $(sort $(shell sed -nE 's|^# bats .*_tags=||p; s|^/\* Needs: (.*) \*/|\1|p' tests/*/*.bats tests/*/*.c | tr ',' ' '))
+GONE    := $(filter-out $(BUILT) $(JOINT) whole,$(sort $(NAMED) $(PART)))
+LACK     = $(if $(GONE),$(shell grep -lE 'Needs:.*\<($(subst $(eval) ,|,$(GONE)))\>' $(1)))
+WITHOUT := $(if $(GONE),$(subst $(eval) ,$(,),!whole $(GONE:%=!%)))
 export WITHOUT
 UNIT    := $(filter-out $(call LACK,$(wildcard tests/unit/test_*.c)),$(wildcard tests/unit/test_*.c))
 
@@ -95,7 +97,7 @@ quick test unit hard sessions:
 # REMOVED="centre fit"' tests only these; 'centre' takes all away. With LEFT=all, no sessions run.
 REMOVABLE := $(filter-out $(JOINT) train,$(EVERY))
 REMOVED   ?= centre $(REMOVABLE)
-LEFT      ?= sessions
+LEFT      ?= unit sessions
 # One of them, another one after each commit, for CI.
 TURN       = $(word $(shell expr $$(git rev-list --count HEAD) % $(words $(REMOVABLE)) + 1),$(REMOVABLE))
 left_by    = $(foreach f,$(REMOVABLE),$(if $(filter centre,$(1))$(filter $(1),$(call with_needs,$f)),,$f))

@@ -91,8 +91,8 @@ static const struct command sweep_commands[] = {
      .help =
          "'assert' runs the command, and reports an error if its verdict is no: for example, if the row does "
          "not fall, or if no row meets the wishes. A script then ends at once with exit status 1; a "
-         "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove, "
-         "or a condition, as in 'assert rmax(0.4) < 1.7'.",
+         "session on standard input goes on. COMMAND is a command with a verdict, such as barrier, or a "
+         "condition, as in 'assert rmax(0.4) < 1.7'.",
      .example = "set row 5; assert verdict",
      .see = "verdict design barrier count",
      .sweep.refusal = "it is about one scene",

@@ -138,8 +138,8 @@ const struct command plot_commands[] = {
          "For a file, 'width' and 'height' take 6 to 30 cm (the unit may be left out), 'font' takes "
          "points, and 'family' takes "
          "the name of a font.\n\n"
-         "These words can come in any order. They must come before the grid of a sweep "
-         "or the parameters of a fit.",
+         "These words can come in any order. They must come before an argument "
+         "that goes to the end of the line, such as a grid.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve fit draw",

@@ -78,17 +78,17 @@ static void top_step(struct top *top, struct sums at)
     bool up = at.H1 > 0;
     top->rises = top->rises || up;
     top->falls = top->falls || !up;
-    real contact = -at.H1 / at.H2, next = p + contact * (1 + p * p) / 2;
+    real step = -at.H1 / at.H2, next = p + step * (1 + p * p) / 2;
     /* H still increases towards this end of the bracket, so the top is at this end */
     if (p == (up ? top->hi : top->lo)) {
         next = p;
-        contact = 0;
+        step = 0;
     }
     *(up ? &top->lo : &top->hi) = p;
-    bool newton = contact == 0 || (at.H2 < 0 && next >= top->lo && next <= top->hi);
+    bool newton = step == 0 || (at.H2 < 0 && next >= top->lo && next <= top->hi);
     if (!newton)
         next = !top->falls ? top->hi : !top->rises ? top->lo : (top->lo + top->hi) / 2;
-    top->height = newton ? at.dH + at.H1 * contact / 2 : at.dH;
+    top->height = newton ? at.dH + at.H1 * step / 2 : at.dH;
     top->moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / (fabs(next) + top->backwards);
     top->p = next;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The part of the geometry of a train that does not depend on the law of contact. */
+/* Reads a train, and sets what its passes need for one separation and growth. The laws of contact are in
+ * sharp.c and rounded.c. */
 #include "geometry/law.h"
 
 /* Finds r^q, and r^q - 1 without cancellation. */

@@ -171,7 +171,8 @@ KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct 
     struct walk k = walk_begin(geometry, head, rolls);
     const struct link *link = &k.link;
     /* The rounding error of S, in units of the unit roundoff, is at most `noise` S. It grows if X < 0, since
-     * digits then cancel in the arm b. */
+     * digits then cancel in the arm b. With rounded edges an arm takes more operations; 8 is a choice, with
+     * which 12,000 random trains in float are solved. */
     real S = 1, noise = rolls ? 8 : 1;
     bool wrong_side = false; /* true if b <= 0: a contact force passes on the wrong side of a hinge */
     for (;;) {
@@ -194,7 +195,7 @@ KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct 
         wrong_side = wrong_side || (link->geometry->mu != 0 && arms.b <= 0);
         if (link->contact.X < 0)
             noise += 2 * (arms.b_plain / fabs(arms.b) - 1);
-        S *= arms.ratio;
+        S *= arms.ratio; /* (55; e4) */
         walk_next(&k, rolls, true);
     }
     chain_count(geometry, link->i + 1);
