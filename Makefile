@@ -253,7 +253,9 @@ $(B)/domino.pc: include/domino.h Makefile
 PYTHON3   ?= python3
 PYTHON_PY := $(wildcard src/python/domino/*)
 python: $(B)/python/domino/_api.py $(B)/libdomino.so
+# The module declares every function of the headers, so it needs the whole library.
 $(B)/python/domino/_api.py: src/python/header.py $(wildcard include/*.h) $(PYTHON_PY) Makefile
+	$(if $(PART),$(error the Python module needs all features: $(PART)))
 	@mkdir -p $(@D)
 	$(Q)cp $(PYTHON_PY) $(@D)
 	$(call SAY,PY,$@)

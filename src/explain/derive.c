@@ -274,10 +274,19 @@ static struct step *step_add(struct derivation *d, const char *name, int depth)
 
 /* ---- Derivations ---- */
 
+/* What each effect of a train changes in the equations, besides losses. Each effect of the library needs an
+ * entry, so that no equation is shown that no longer holds. */
+#define CONDITION_friction 0u
+#define CONDITION_slope    HAS_SLOPE
+#define CONDITION_walls    HAS_WALLS
+#define CONDITION_edges    HAS_EDGES
+#define CONDITION_air      0u
+#define CONDITION_drag     0u
+
 static unsigned conditions(const struct domq_train *train, bool detached, bool reach)
 {
-    return (train->alpha != 0 ? HAS_SLOPE : 0u) | (domq_law(train)->dissipates ? HAS_LOSS : 0u) |
-           (train->rho != 0 ? HAS_EDGES : 0u) | (train->walls != 0 ? HAS_WALLS : 0u) |
+#define CONDITION(effect, member, status) (train->member != 0 ? CONDITION_##effect : 0u) |
+    return DOM_DYNAMICS(CONDITION)(domq_law(train)->dissipates ? HAS_LOSS : 0u) |
            (train->fuel == DOM_FUEL_PAPER ? HAS_PAPER : 0u) | (detached ? HAS_DETACHED : 0u) |
            (reach && train->rho == 0 ? HAS_REACH : 0u);
 }
