@@ -102,7 +102,7 @@ const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
                          .cause = "the unknown friction of the floor", .effect.synonyms = "unknown slippery",
                          .effect.adds = "an unknown friction of the floor, the same for all dominoes",
                          .effect.argument[0].meaning = "error in the friction coefficient of the floor",
-                         .effect.needs = 1U << EFFECT_feet,
+                         .effect.needs = 1U << EFFECT_feet, .parameter.feature = "engine",
                          .effect.help =
                              "One error is drawn for each row and added to the friction coefficient of the "
                              "floor, which 'set feet' sets. If the sum is negative, the coefficient is 0."},

@@ -35,7 +35,7 @@ void features_register(const struct feature *const *list)
     size_t count = 0;
     for (const struct feature *const *f = features; *f; f++) {
         for (int k = 0; (*f)->parameter && (p = (*f)->parameter(k)) != NULL; k++)
-            parameters_add(p);
+            parameters_add(p, feature_has);
         if ((*f)->engine)
             scene_engine_use((*f)->engine);
         for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++)

@@ -8,9 +8,14 @@
 
 #define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
-/* The kinds of random error that have their own effect, which the feature 'chance' describes. Errors in gaps
- * and heights belong to 'placement'. */
-#define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
+/* The kinds of random error that have their own effect, which the feature 'chance' describes, and the feature
+ * without which there is no such effect. Errors in gaps and heights belong to 'placement'. */
+#define ERROR_EFFECTS(X)                                                                                     \
+    X(place, "chance")                                                                                       \
+    X(thickness, "chance")                                                                                   \
+    X(mass, "chance")                                                                                        \
+    X(lean, "chance")                                                                                        \
+    X(radius, "chance") X(friction, "chance") X(slope, "chance") X(floor, "engine") X(push, "chance")
 
 enum {
     /* The numbers of the shell's effects continue after the library's last effect. */
@@ -20,7 +25,7 @@ enum {
 #undef ENGINE_EFFECT_ENUM
         EFFECT_ENGINE_END,
     EFFECTS_BEFORE_ERRORS = EFFECT_ENGINE_END - 1,
-#define ERROR_EFFECT_ENUM(name) EFFECT_error_##name,
+#define ERROR_EFFECT_ENUM(name, feature) EFFECT_error_##name,
     ERROR_EFFECTS(ERROR_EFFECT_ENUM)
 #undef ERROR_EFFECT_ENUM
         EFFECT_COUNT

@@ -154,8 +154,8 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define ENGINE_EFFECT(name) EFFECT_ENTRY(name, engine_effect_##name, EFFECT_##name)
 #define EFFECT_ENTRY(name_, of, number) \
     {.name = #name_, MORE_##name_ .value = of.argument, .effect = &of, .which = number, .words = effect_words},
-/* The feature 'chance' has these entries; here is only whose they are. */
-#define ERROR_EFFECT(name_) {.name = "error_" #name_, .feature = "chance"},
+/* The feature 'chance' has these entries; here are only their names and what they need. */
+#define ERROR_EFFECT(name_, feature_) {.name = "error_" #name_, .feature = feature_},
 
 const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON}, {NULL, 0}};
 
@@ -228,11 +228,11 @@ void parameters_of_features(bool (*has)(const char *feature))
     end->name = NULL;
 }
 
-void parameters_add(const struct parameter *p)
+void parameters_add(const struct parameter *p, bool (*has)(const char *feature))
 {
-    if (end == built + EVERY - 1)
-        return;
     effect_use(p->which, p->effect);
+    if (end == built + EVERY - 1 || (p->feature && !has(p->feature)))
+        return;
     *end++ = *p;
     end->name = NULL;
 }

@@ -55,8 +55,9 @@ extern const struct word effect_words[];
 /* Leaves out the parameters of features for which `has` returns false. */
 void parameters_of_features(bool (*has)(const char *feature));
 
-/* Adds an effect that a feature describes. */
-void parameters_add(const struct parameter *effect);
+/* Adds an effect that a feature describes. If it needs a feature for which `has` returns false, adds its
+ * description alone. */
+void parameters_add(const struct parameter *effect, bool (*has)(const char *feature));
 
 /* Returns the feature to which a parameter belongs that this build lacks, or NULL. */
 const char *parameter_missing(const char *name);
