@@ -92,6 +92,24 @@ session_has() { "$DOMINO" -e "$1" | grep 'session now has'; } # COMMANDS
     done
 }
 
+@test "design: masses are density times volume, in air and without it, for boxes and solid dominoes" {
+    local sum file
+    for walls in 0 0.018; do
+        for air in '' 'set air on; '; do
+            scene="${air}set friction 0.3; set density 650; set h 10 cm; set d 12 mm"
+            [ $walls = 0 ] || scene+="; set walls $walls m 30 cm"
+            run -0 "$DOMINO" -n -e "$scene; design 9 m hall 40 m > row.csv"
+            read -r sum file < <(awk -F, -v walls=$walls 'NR > 1 {
+                w = $2 / 2
+                sum += 650 * ($2 * $3 * w - (walls && $2 > 0.3) * ($2 - 2 * walls) * ($3 - 2 * walls) * (w - 2 * walls))
+                file += $5
+            } END { printf "%.9g %.9g\n", sum, file }' row.csv)
+            close "$scene: the file" "$sum" "$file" 1e-8
+            close "$scene: the answer" "$sum" "$(json "$scene; design 9 m hall 40 m" | values mass)" 1e-8
+        done
+    done
+}
+
 @test "design: if no row meets the wishes, the answer says which value would help" {
     run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
     same hall "infeasible: the shortest row with a safety of 2 is 19.59 m long, including its fallen last domino; 'hall 19.6 m' is long enough." "$output"

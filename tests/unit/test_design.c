@@ -333,6 +333,25 @@ TEST(given_number_of_dominoes)
     assert_true(found[whole.steps].height == 8 && fabs(feet - whole.feet) < 1e-9 && whole.row >= 2);
 }
 
+/* Checks that the first domino of a design weighs 1 kg, also in air, where the masses matter. */
+TEST(first_mass)
+{
+    struct dom_train train = dom_train_default();
+    const struct dom_wish wish = {
+        .first = 0.1, .height = 9, .safety = 2, .hall = INFINITY, .g = 9.81, .push = NAN};
+    struct dom_design design;
+    struct dom_domino found[64];
+    for (int in_air = 0; in_air < 2; in_air++) {
+        train.q = 4;
+        train.air = in_air ? 1.2 / 650 : 0;
+        assert_status(dom_design_find(&train, &wish, NULL, &design), DOM_OK);
+        assert_in_range(design.steps, 1, 63);
+        assert_status(dom_design_dominoes(&train, &wish, NULL, &design, found), DOM_OK);
+        assert_near("first mass", found[0].mass, 1, 1e-14);
+        assert_near("last mass", found[design.steps].mass, pow(90, 3), 1e-12);
+    }
+}
+
 TEST(wrong_wishes)
 {
     static const double bad[] = {0, -1, NAN, INFINITY};

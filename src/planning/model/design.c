@@ -359,7 +359,10 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
     if (p.status == DOM_OK && design->limit != DOM_DESIGN_FITS)
         p.status = DOM_BAD_COUNT;
     if (p.status == DOM_OK && planner_row_write(&p, c))
-        memcpy(domino, p.domino, (c.steps + 1) * sizeof *domino);
+        for (size_t k = 0; k <= c.steps; k++) {
+            domino[k] = p.domino[k];
+            domino[k].mass /= p.domino->mass; /* in air, the planner computes with a density of 1 */
+        }
     free(p.domino);
     return p.status;
 }
