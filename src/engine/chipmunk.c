@@ -30,13 +30,16 @@ static bool find(void *library, const char *name, void *member)
  * Creates the first space of the process. If the Chipmunk library was built with assertions, as in Debian,
  * this call prints the library's name and version to `stdout`, and there is no way to tell it not to. The
  * text stays in the buffer of `stdout`, and is dropped. Because `stdout` is locked, another thread that
- * prints waits, and loses nothing. Afterwards `stdout` has the buffering that it has when a program begins.
+ * prints waits, and loses nothing. In glibc, a line-buffered stream that was written to before, for
+ * example by Readline, would still write the beginning of the text; `fseek`, though it fails at a terminal,
+ * makes the stream begin anew. Afterwards `stdout` has the buffering that it has when a program begins.
  */
 static void make_first(void)
 {
     flockfile(stdout);
     fflush(stdout);
     setvbuf(stdout, NULL, _IOFBF, BUFSIZ);
+    fseek(stdout, 0, SEEK_CUR);
     functions.cpSpaceFree(functions.cpSpaceNew());
     STREAM_DROP(stdout);
     setvbuf(stdout, NULL, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, BUFSIZ);

@@ -164,8 +164,11 @@ END
     said=$("$DOMINO" -n -e "$ask")
     [[ $said == *'Feet slide'* ]] || same 'the engine' 'Feet slide' "$said"
     same 'a pipe' "$(cat file)" "$said"
-    for text in "$said" "$(python3 "$BATS_TEST_DIRNAME/terminal.py" 500 50 "$DOMINO" -n -e "$ask")"; do
+    for text in "$said" "$(python3 "$root/tests/shell/terminal.py" 500 50 "$DOMINO" -n -e "$ask")"; do
         [[ $text != *Initializing* && $text != *DNDEBUG* ]] || same 'nothing else' "$said" "$text"
         same 'the answer begins' "$(head -c 20 file)" "${text:0:20}"
     done
+    # At the prompt, Readline has written to the standard output before the library does.
+    said=$(printf '%s\nquit\n' "$ask" | soon python3 -c 'import pty, sys; pty.spawn(sys.argv[1:])' "$DOMINO" -n)
+    [[ $said == *'Feet slide'* && $said != *Initializing* ]] || same 'at the prompt' 'Feet slide' "$said"
 }
