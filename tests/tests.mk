@@ -212,7 +212,7 @@ abi: $(B)/python/domino/_api.py
 	@$(if $(KEEP),cp $< tests/abi/$(SONAME).py)
 	@tests/abi/check tests/abi/$(SONAME).py $<
 
-C_FILES := $(wildcard examples/*.c src/*/*.c src/*/*/*.c src/*/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c tests/faults/*.c)
+C_FILES := $(wildcard examples/*.c src/*.c src/*/*.c src/*/*/*.c src/*/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c tests/faults/*.c)
 PAGES   := $(wildcard man/*.[1-9])
 H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h tests/*/*.h)
 
