@@ -148,7 +148,7 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, struct roo
 {
     num_function *const f = c->geometry.dynamics->conservative ? margin_follow : margin_at;
     const real tol = c->geometry.tol;
-    real r = near, before = near * (1 - ROOT_ASIDE), next = r;
+    real r = near, before = near * (1 - ROOT_ASIDE);
     *found = false;
     margin_follow_begin(c);
     c->share = ROOT_NEAR;
@@ -158,7 +158,7 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, struct roo
     root->falls = 0;
     for (int i = 0; i < 4 && c->status == DOM_OK && !*found; i++) {
         const real at = f(r, c);
-        next = at == at_before ? r : r - at * (r - before) / (at - at_before);
+        const real next = at == at_before ? r : r - at * (r - before) / (at - at_before);
         /* the error of the next growth is about the product of the last two */
         *found = i > 0 && fabs(next - r) * fabs(r - before) <= tol / 16 * r * r &&
                  fabs(next - near) <= ROOT_NEAR * near;
