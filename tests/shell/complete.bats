@@ -35,7 +35,7 @@ set friction |off on
 effect floor |off on
 set placement 0.1 |m mm cm km in ft yd
 set ou|output
-set d|d density digits
+set d|d density digits drag
 show t|tol threads timing
 set ti|timing
 set output |table csv json
