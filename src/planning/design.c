@@ -77,16 +77,21 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
 
 /* Explains why no row fulfils the wish and says what the user can change. */
 static void infeasible_text(const struct query *query, const struct domq_wish *wish,
-                            const struct domq_design *d, char *text, size_t size)
+                            const struct domq_limits *limits, const struct domq_design *d, char *text,
+                            size_t size)
 {
     const struct measured safety = measured(wish->safety, "", 6);
     char more[192] = "";
     if (d->limit == DOM_DESIGN_HALL) {
-        snprintf(text, size,
-                 "infeasible: the shortest row with a safety of %s is %s m long, including its fallen last "
-                 "domino; 'hall %s m' is long enough",
-                 safety.text, measured(d->needs, "", 4).text,
-                 measured(round_digits(d->needs, 4, true), "", 4).text);
+        snprintf(
+            text, size,
+            "infeasible: the shortest row %swith a safety of %s and %s is %s m long, including its fallen "
+            "last domino; 'hall %s m' is long enough",
+            limits ? "found " : "", safety.text,
+            !limits              ? "dominoes of the same proportions"
+            : limits->boards > 0 ? "these boards"
+                                 : "this grid",
+            measured(d->needs, "", 4).text, measured(round_digits(d->needs, 4, true), "", 4).text);
     } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
         snprintf(
             text, size,
@@ -134,7 +139,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
 
 /* If no design was found, the boards and the grid may be the reason. Returns true if a design is possible
  * without them, and writes a message that says so into `reason`. */
-static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
+static bool limits_forbid(const struct query *query, const struct domq_wish *wish,
+                          const struct domq_limits *limits, char reason[REASON])
 {
     struct domq_design d;
     const bool found = domq_design_find(&query->scene->train, wish, &query->scene->compute, &d) == DOM_OK &&
@@ -142,9 +148,15 @@ static bool limits_forbid(const struct query *query, const struct domq_wish *wis
     if (found)
         snprintf(
             reason, REASON,
-            "infeasible: rows with a safety of %s are possible, but no row with these boards and this grid "
-            "was found; enter other boards or a finer grid, or leave them out",
-            measured(wish->safety, "", 6).text);
+            "infeasible: rows with a safety of %s are possible, but no row %s was found; enter a smaller "
+            "safety, %s, or another height of domino 1 with 'set h'",
+            measured(wish->safety, "", 6).text,
+            limits->boards == 0 ? "on this grid"
+            : limits->grid > 0  ? "with these boards on this grid"
+                                : "with these boards",
+            limits->boards == 0 ? "a finer grid"
+            : limits->grid > 0  ? "other boards, a finer grid"
+                                : "other boards");
     return found;
 }
 
@@ -171,16 +183,20 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
                              measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
 }
 
-/* Reports that the walls do not fit into the first domino, and how only taller dominoes become boxes. Returns
- * false. */
-static bool thin_first(const struct scene *scene, struct problem *problem)
+/* Reports that the walls do not fit into the first domino or, if only taller dominoes are boxes, into the
+ * smallest box, and how only dominoes that are thick enough become boxes. Returns false. */
+static bool thin_box(const struct scene *scene, struct problem *problem)
 {
-    const domq_real walls = scene_walls(scene), d = scene->train.d;
+    const domq_real walls = scene_walls(scene), d = scene->train.d, above = scene_boxes_above(scene),
+                    height = above > scene->scale.h ? above : scene->scale.h;
     const int cm = (int)ceil((double)(100 * 2 * walls / d) + 0.5);
+    char which[192] = "the first domino";
+    if (above > 0)
+        snprintf(which, sizeof which, "a domino of %s", measured(height, "m", 4).text);
     return problem_no_answer(problem,
-                             "walls of %s do not fit into the first domino, which is %s thick; enter 'set "
+                             "walls of %s do not fit into %s, which is %s thick; enter 'set "
                              "walls %s %d cm', and only dominoes taller than %d cm are boxes",
-                             measured(walls, "m", 4).text, measured(d * scene->scale.h, "m", 4).text,
+                             measured(walls, "m", 4).text, which, measured(d * height, "m", 4).text,
                              measured(walls, "m", 4).text, cm, cm);
 }
 
@@ -199,8 +215,13 @@ static bool design_find(const struct query *query, struct domq_wish *wish, const
     const struct domq_compute *compute = &query->scene->compute;
     enum dom_status status =
         limits ? domq_design_fit(train, wish, limits, compute, d) : domq_design_find(train, wish, compute, d);
-    if (status == DOM_NO_ROOM && !(wish->boxes_above > 0))
-        return thin_first(query->scene, problem);
+    if (status == DOM_NO_ROOM)
+        return thin_box(query->scene, problem);
+    if (status == DOM_NO_AIR)
+        return problem_no_answer(problem,
+                                 "%s, and a design begins with one; enter 'set air off', design the row, and "
+                                 "then 'set air on; fall'",
+                                 dom_status_text(status));
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     if (d->limit == DOM_DESIGN_FAILED)
@@ -221,8 +242,14 @@ static void design_say(const struct query *query, struct answer *a, const struct
         snprintf(growth, sizeof growth,
                  ", each %.4g times as large as the one before, with gaps of %.4g times the height",
                  (double)d->r, (double)d->s);
-    answer_say(a, "%zu %s%s; the last is %s tall, and the row %s long.%s", plan->count,
-               dominoes_words(query->scene->train.q, "dominoes").text, growth,
+    const struct scene *scene = query->scene;
+    char boxes[192] = "dominoes";
+    if (scene_boxes_above(scene) > 0)
+        snprintf(boxes, sizeof boxes, "dominoes, those above %s hollow",
+                 measured(scene_boxes_above(scene), "m", 4).text);
+    else
+        snprintf(boxes, sizeof boxes, "%s", dominoes_words(scene->train.q, "dominoes").text);
+    answer_say(a, "%zu %s%s; the last is %s tall, and the row %s long.%s", plan->count, boxes, growth,
                measured(wish->height, "m", 4).text, measured(d->length, "m", 4).text, weakest);
     if (wish->engine)
         answer_detail(a, "All dominoes also fall in the rigid-body engine, which is used because %s.",
@@ -367,8 +394,9 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
                     : design_find(query, &wish, limits, &engine, &d, problem)))
         return false;
     answer_set_verdict(a, d.limit == DOM_DESIGN_FITS);
-    if (d.limit != DOM_DESIGN_FITS && !is_random && !(limits && limits_forbid(query, &wish, reason)))
-        infeasible_text(query, &wish, &d, reason, sizeof reason);
+    if (d.limit != DOM_DESIGN_FITS && !is_random &&
+        (!limits || d.limit == DOM_DESIGN_HALL || !limits_forbid(query, &wish, limits, reason)))
+        infeasible_text(query, &wish, limits, &d, reason, sizeof reason);
     if (d.limit != DOM_DESIGN_FITS)
         return design_none(a, &d, reason, file, problem);
     if (!designed_make(query, problem, &wish, limits, &d, &plan))

@@ -112,7 +112,7 @@ session_has() { "$DOMINO" -e "$1" | grep 'session now has'; } # COMMANDS
 
 @test "design: if no row meets the wishes, the answer says which value would help" {
     run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
-    same hall "infeasible: the shortest row with a safety of 2 is 19.59 m long, including its fallen last domino; 'hall 19.6 m' is long enough." "$output"
+    same hall "infeasible: the shortest row with a safety of 2 and dominoes of the same proportions is 19.59 m long, including its fallen last domino; 'hall 19.6 m' is long enough." "$output"
     same 'hall 19.6 m' 11 "$(json "$wood; design 8 m hall 19.6 m" | values steps)"
     same 'less than that' 1 "$(json "$wood; design 8 m hall 19.58 m" | grep -c infeasible)"
     close shortest 19.591852 "$(json "$wood; design 8 m minimise length" | values length)" 1e-6
@@ -128,6 +128,22 @@ session_has() { "$DOMINO" -e "$1" | grep 'session now has'; } # COMMANDS
     # Without a row, no file is written.
     run -1 "$DOMINO" --keep-going -e "$wood; design 8 m hall 18 m > hall.csv"
     [ ! -e hall.csv ]
+}
+
+@test "design: with boards, a hall that is too short is named, and the length that is enough" {
+    local scene='set friction 0.3; set density 650; set h 10 cm; set d 12 mm; set walls 18 mm 30 cm; set q hollow'
+    run -0 "$DOMINO" -e "$scene; design 9 m hall 22 m boards 12, 18, 24 mm"
+    same hall "infeasible: the shortest row found with a safety of 2 and these boards is 22.42 m long, including its fallen last domino; 'hall 22.42 m' is long enough." "$output"
+    same '22.42 m' 10 "$(json "$scene; design 9 m hall 22.42 m boards 12, 18, 24 mm" | values steps)"
+    # Not all dominoes are hollow.
+    run -0 "$DOMINO" -e "$scene; design 9 m hall 40 m"
+    [[ $output == '11 dominoes, those above 30 cm hollow, each '* ]]
+    wrong "$scene; set walls 18 mm 20 cm; design 9 m hall 40 m" "walls of 1.8 cm do not fit into a domino of 20 cm, which is 2.4 cm thick; enter 'set walls 1.8 cm 31 cm'"
+    within '31 cm' 11 "$(json "$scene; set walls 1.8 cm 31 cm; design 9 m hall 40 m" | values steps)" 'd < 0.5 && d > -0.5'
+    wrong "$scene; set d 7/48; design 9 m hall 40 m boards 12, 18, 24 mm; set d 12 mm; rowmax" "walls of 1.8 cm do not fit into each domino taller than 30 cm here; enter a larger height, as in 'set walls 1.8 cm 60 cm'$"
+    # In air, a row that is not solid is designed without air.
+    wrong "$scene; set air on; design 9 m hall 40 m" "enter 'set air off', design the row, and then 'set air on; fall'$"
+    same 'in air' 'all fall' "$(json "$scene; set air on; set air off; design 9 m hall 40 m; set air on; verdict" | values verdict)"
 }
 
 @test "design: if the engine runs rows, the row that is found also falls in the engine" {
@@ -183,7 +199,7 @@ session_has() { "$DOMINO" -e "$1" | grep 'session now has'; } # COMMANDS
         "$("$DOMINO" -e 'set q hollow; set output csv; design 8 m boards 1 cm, 2 cm, 3 cm')" \
         "$("$DOMINO" -e 'set q hollow; set output csv; design 8 m boards 1, 2, 3 cm')"
     run -0 "$DOMINO" -e 'set q hollow; design 8 m boards 1 m'
-    grep -q 'rows with a safety of 2 are possible, but no row with these boards and this grid was found' <<<"$output"
+    grep -q 'rows with a safety of 2 are possible, but no row with these boards was found; enter a smaller safety, other boards, or another height of domino 1 with ' <<<"$output"
     run -0 "$DOMINO" -e 'effect placement 1 mm; design 1 m falls 90 % boards 40 cm'
     grep -q 'other boards, or a finer grid, may help' <<<"$output"
     wrong "$scene; design 1 m falls 2" "'falls' is a probability of at most 99.99 %"

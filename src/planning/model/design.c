@@ -226,6 +226,19 @@ static bool row_search(struct planner *p, size_t fewest, int k, bool shortest, s
     return p->status == DOM_OK && isfinite(length);
 }
 
+/* Finds the shortest row with these limits, whatever the hall, and returns its length. If none is found,
+ * returns infinity. */
+static dom_real shortest_on_grid(struct planner *p, size_t fewest, int k, struct choice *c)
+{
+    const struct dom_wish *wish = p->wish;
+    struct dom_wish open = *wish;
+    open.hall = (dom_real)INFINITY;
+    p->wish = &open;
+    const bool found = row_search(p, fewest, k, true, c) && planner_row_write(p, *c);
+    p->wish = wish;
+    return found ? planner_feet(p, *c) + wish->height : (dom_real)INFINITY;
+}
+
 /* Finds the weakest push that makes the row safe enough. The push that is returned has a relative error of at
  * most 1e-4. If no such push is found, returns NaN. */
 static dom_real push_enough(struct planner *p, struct choice c)
@@ -258,7 +271,7 @@ static void design_search(struct planner *p, const struct dom_compute *compute, 
 {
     struct choice c = {0, 0};
     int k;
-    dom_real most = separation_find(p, &k);
+    dom_real length, most = separation_find(p, &k);
     if (most == 0) {
         design->limit = DOM_DESIGN_SAFETY;
         design->needs = safety_most(p);
@@ -275,6 +288,11 @@ static void design_search(struct planner *p, const struct dom_compute *compute, 
         design->needs = fits ? DOM_NAN : planner_length(p, c);
     } else if (!fits && p->engine_refused) {
         design->limit = DOM_DESIGN_ENGINE;
+    } else if (!fits && p->limits && isfinite(p->wish->hall) &&
+               isfinite(length = shortest_on_grid(p, fewest, k, &c))) {
+        fits = length <= p->wish->hall;
+        design->limit = fits ? DOM_DESIGN_FITS : DOM_DESIGN_HALL;
+        design->needs = fits ? DOM_NAN : length;
     } else if (!fits && p->status == DOM_OK) {
         design->limit = DOM_DESIGN_START;
         design->needs = push_enough(p, (struct choice){k, fewest});

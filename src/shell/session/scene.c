@@ -214,6 +214,14 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  dom_status_text(status));
     if (status == DOM_NO_FUEL)
         return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
+    const domq_real above = scene_boxes_above(scene);
+    if (status == DOM_NO_ROOM && above > 0)
+        return problem_no_answer(
+            problem,
+            "walls of %s do not fit into each domino taller than %s here; enter a larger "
+            "height, as in 'set walls %s %s'",
+            measured(scene_walls(scene), "m", 4).text, measured(above, "m", 4).text,
+            measured(scene_walls(scene), "m", 4).text, measured(2 * above, "m", 4).text);
     if (status == DOM_NO_ROOM)
         return problem_no_room(problem, scene, 0, t->d * scene->scale.h);
     if (status == DOM_OPEN)
