@@ -126,3 +126,19 @@ END
     same 'nothing differs' "All parameters have their defaults, and no effect is on. 'show all' lists them." \
         "$("$DOMINO" -e 'effect row 5; effect feet 0.5; effect error_floor 0.05; effect error_place 1 mm; source plain.dom' -e diff)"
 }
+
+# bats test_tags=rows
+@test "save replaces no table, no picture and no file of the row" {
+    printf '%s\n' "$two_dominoes" | tee mine.csv row >kept
+    for name in mine.csv mine.json row.png row.SVG row.gif row.tex; do
+        wrong "save $name" "'$name' is the name of a (data file|picture), but 'save' writes a script"
+    done
+    same 'no file' kept,mine.csv,row "$(inside)"
+    same 'the row' "'./row' has the dominoes of the row, and 'save' would replace them by a script; use another name, such as session.dom" \
+        "$("$DOMINO" -e 'set row row; save ./row' 2>&1 | sed 's/.*: //')"
+    same_file kept row
+    same_file kept mine.csv
+    "$DOMINO" -e 'set row row; save session.dom'
+    same 'a session is no row' "session.dom:2:1: this is not a table but a session; 'source session.dom' runs it" \
+        "$("$DOMINO" -e 'set row session.dom' 2>&1 | sed 's/.*set: //')"
+}

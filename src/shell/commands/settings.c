@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands that set, reset and save the parameters of the session, undo changes, or end the session. */
+#include "answer/extension.h"
 #include "answer/format.h"
 #include "commands/tables.h"
 #include "io/output.h"
@@ -218,6 +219,33 @@ static char *folder_of(const char *path)
     return folder;
 }
 
+/* Returns true if 'save' may write to this path. A script must not replace a picture, a table or the file of
+ * the row. */
+static bool save_allowed(const struct scene *scene, const char *path, struct problem *problem)
+{
+    const struct extension *extension = extension_of(path);
+    const char *shown = names_shown(path), *row = scene->listed.path;
+    struct stat file, row_file;
+    if (extension->kind == EXTENSION_DATA)
+        return problem_error(
+            problem,
+            "'%s' is the name of a data file, but 'save' writes a script; use a name such as "
+            "session.dom, or write the row with 'row > %s'",
+            shown, shown);
+    if (extension->kind == EXTENSION_SHEET || extension->kind == EXTENSION_FILM)
+        return problem_error(problem,
+                             "'%s' is the name of a picture, but 'save' writes a script; use a name such as "
+                             "session.dom",
+                             shown);
+    if (row && stat(path, &file) == 0 && stat(row, &row_file) == 0 && S_ISREG(file.st_mode) &&
+        file.st_dev == row_file.st_dev && file.st_ino == row_file.st_ino)
+        return problem_error(problem,
+                             "'%s' has the dominoes of the row, and 'save' would replace them by a script; "
+                             "use another name, such as session.dom",
+                             shown);
+    return true;
+}
+
 static bool run_save(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct output *file = NULL;
@@ -225,7 +253,7 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
     const struct variables *variables = &query->state->variables;
     const struct parameter *p;
     (void)a;
-    if (!effects_savable(query->scene, problem))
+    if (!save_allowed(query->scene, path, problem) || !effects_savable(query->scene, problem))
         return false;
     const char *wrong = file_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
@@ -400,6 +428,7 @@ const struct command session_commands[] = {
      .help = "FILE also records the effects that are on, the name of the row's file, the dimensions of the "
              "row that have been changed, and what 'let' has defined. 'domino -i FILE' runs it and stays.",
      .see = "source",
+     .writes = WRITES_SCRIPTS,
      .access.files = true,
      .run = run_save},
     {.name = "exit",

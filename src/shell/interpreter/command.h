@@ -143,6 +143,7 @@ struct command {
         WRITES_FILMS,
         WRITES_DOCUMENTS, /* text that can also be written to a .tex file */
         WRITES_PAGES,     /* long text for the pager */
+        WRITES_SCRIPTS,   /* a script, to the file that is the command's first argument */
     } writes;
     /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_set_verdict). */
     const char *holds;

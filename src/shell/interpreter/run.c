@@ -240,7 +240,7 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
                                                                    : "; 'draw' and 'plot' write pictures");
 }
 
-/* At a terminal, says what a picture file has. Scripts get no more than the file. */
+/* At a terminal, says which file has been written, and what it has. Scripts get no more than the file. */
 static void wrote_say(const struct session *session, const char *path)
 {
     const char *made = session->made;
@@ -248,7 +248,7 @@ static void wrote_say(const struct session *session, const char *path)
     const char *const units[] = {"bytes", "kB", "MB", "GB"};
     int unit = 0;
     if (session->source.stream || session->source.depth > 0 || !terminal_shows(stderr) ||
-        stat(path, &file) != 0)
+        stat(path, &file) != 0 || !S_ISREG(file.st_mode))
         return;
     double size = (double)file.st_size;
     for (; size >= 1000 && unit < 3; unit++)
@@ -274,7 +274,7 @@ static bool run_into(struct session *session, const struct command *c, const str
         wrong = output_pop(&session->output, done);
         if (!done)
             return false;
-        if (!wrong && is_shown)
+        if (!wrong)
             wrote_say(session, path);
     }
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
@@ -374,6 +374,8 @@ void run_command_at(struct session *session, struct reader *line)
         if (done)
             done = is_redirected ? run_redirected(session, &r, c, &call.query, file)
                                  : run_paged(session, c, &call.query, &problem);
+        if (done && c->writes == WRITES_SCRIPTS)
+            wrote_say(session, call.given.word[0]);
         arena_free(&call.given.memory);
         /* After a command that changes the output format, no empty JSON object is written. */
         bool is_same = session_format(session) == format;

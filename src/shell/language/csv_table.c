@@ -244,6 +244,9 @@ static bool head_read(struct csv_table *csv)
     while (kind && !kind_fits(csv, kind))
         kind = kind->otherwise;
     kind = csv->kind = kind ? kind : csv->kind;
+    if (csv->head.cells == 1 && strncmp(csv->head.cell[0].text, "set ", strlen("set ")) == 0)
+        return csv_wrong(&csv->file, csv->head.at, "this is not a table but a session; 'source %s' runs it",
+                         names_shown(csv->path));
     if (csv->head.cells == 1)
         return csv_wrong(
             &csv->file, csv->head.at,
