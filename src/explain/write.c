@@ -145,6 +145,8 @@ static void value_write(const struct writer *w, const struct step *s)
     }
     if (is_rounding(w, s))
         putc('0', out);
+    else if (strcmp(s->name, "r_max") == 0 || strcmp(s->name, "r_pair") == 0)
+        fputs(quad_limit(s->value, w->digits), out);
     else
         formula_number(&w->formula, s->value, w->digits);
     if (*s->unit)

@@ -115,17 +115,18 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
     snprintf(reason, sizeof reason,
              "there is no growth from 1 to %.6g at which all dominoes fall; 'set r 1; fall' shows why",
              (double)reach);
-    bool more = answer_row(a,
-                           ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
-                               cell_computed(growth.r_max), cell_computed(limit.r_max)),
-                           isnan(growth.r_max) ? reason
-                           : has_train         ? NULL
-                                               : dom_status_text(DOM_NO_AIR));
+    bool more =
+        answer_row(a,
+                   ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
+                       cell_limit(cell_computed(growth.r_max)), cell_limit(cell_computed(limit.r_max))),
+                   isnan(growth.r_max) ? reason
+                   : has_train         ? NULL
+                                       : dom_status_text(DOM_NO_AIR));
     if (growth.r_min > 1)
         answer_say(a,
                    "All dominoes fall if r is between %.6g and r_max, but not if r is smaller, as 'set r 1; "
                    "fall' shows.",
-                   (double)growth.r_min);
+                   (double)round_digits(growth.r_min, 6, true));
     return more;
 }
 

@@ -128,8 +128,9 @@ static void growth_say(const struct query *query, struct answer *a, const struct
         answer_say(a, "With these gaps no row of such dominoes starts %s.",
                    query->scene->effect[DOM_EFFECT_push].on ? "with this push" : "by itself");
     else if (isfinite(n) && n > 0)
-        answer_say(a, "%c%s can grow by %s each: then %s %s enough.", toupper((unsigned char)*name.text),
-                   name.text + 1, quad_growth(most, 9), quad_text(n, WIDE_DIGITS), n == 1 ? "is" : "are");
+        answer_say(a, "%c%s can each be %s times as large as the one before: then %s %s enough.",
+                   toupper((unsigned char)*name.text), name.text + 1, quad_growth(most, 9),
+                   quad_text(n, WIDE_DIGITS), n == 1 ? "is" : "are");
 }
 
 /* Prints the growth of the kind that needs the fewest dominoes. If the row of the session does not fall,
@@ -154,7 +155,7 @@ static void kind_detail(const struct query *query, struct answer *a, const struc
     const domq_real r_max = t->limit.r_max, r_start = t->growths.r_max;
     const char *word = parameter_word(parameter_find("q"), kind->q);
     struct words name;
-    char starts[128] = "";
+    char starts[256] = "";
     snprintf(name.text, sizeof name.text, "%s%s", word ? "" : "q = ", word ? word : quad_text(kind->q, 6));
     if (t->limit.ends == DOM_END_NONE) {
         answer_detail(a, "  %-7s no; not even equal dominoes keep falling", name.text);
@@ -163,10 +164,10 @@ static void kind_detail(const struct query *query, struct answer *a, const struc
     if (isnan(r_start) && !t->start.engine)
         snprintf(starts, sizeof starts, "; but no such row starts");
     else if (r_start < r_max)
-        snprintf(starts, sizeof starts, "; %.6g in a row that starts: %s dominoes", (double)r_start,
-                 quad_text(enough(query, height, r_start), WIDE_DIGITS));
-    answer_detail(a, "  %-7s %-4s growth up to %.6g: %s dominoes%s", name.text, t->falls ? "yes;" : "no;",
-                  (double)r_max, quad_text(enough(query, height, r_max), WIDE_DIGITS), starts);
+        snprintf(starts, sizeof starts, "; %s in a row that starts: %s dominoes",
+                 limit_words(r_start, 6).text, quad_text(enough(query, height, r_start), WIDE_DIGITS));
+    answer_detail(a, "  %-7s %-4s growth up to %s: %s dominoes%s", name.text, t->falls ? "yes;" : "no;",
+                  limit_words(r_max, 6).text, quad_text(enough(query, height, r_max), WIDE_DIGITS), starts);
 }
 
 static void kinds_detail(const struct query *query, struct answer *a, const struct domq_train *train,
@@ -279,7 +280,7 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
                    cell_flag(t.falls), cell_flag(!t.stops),
                    t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
                    cell_within(t.start.push, t.start.push / 1000),
-                   cell_within(t.growths.r_max, t.growths.uncertainty)),
+                   cell_limit(cell_within(t.growths.r_max, t.growths.uncertainty))),
                people && is_enough ? NULL : why);
     if (!people)
         return true;

@@ -104,9 +104,9 @@ struct words dominoes_words(domq_real q, const char *noun)
 struct words limit_words(domq_real limit, int digits)
 {
     struct words words;
-    while (limit > 1 && round_digits(limit, digits, false) <= 1 && digits < WIDE_DIGITS)
+    while (limit > 1 && strcmp(quad_limit(limit, digits), "1") == 0 && digits < WIDE_DIGITS)
         digits++;
-    snprintf(words.text, sizeof words.text, "%s", quad_text(round_digits(limit, digits, false), digits));
+    snprintf(words.text, sizeof words.text, "%s", quad_limit(limit, digits));
     return words;
 }
 
@@ -178,5 +178,5 @@ bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_
         "r_max is open: at the growth %s the margin is 0 within rounding errors, even in "
         "quad; if a train passes this growth, r_max is %s",
         quad_text(limit->open, 12),
-        limit->ends == DOM_END_NONE ? "still unknown" : quad_text(limit->r_max, 12));
+        limit->ends == DOM_END_NONE ? "still unknown" : quad_limit(limit->r_max, 12));
 }

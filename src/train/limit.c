@@ -135,10 +135,11 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     }
     rmax_say(a, &train, &used);
     answer_row(a,
-               ROW(cell_real(train.s), cell_uncertain(used.r_max, used.uncertainty),
-                   cell_word(dom_end_text(used.ends)), cell_uncertain(exact.r_max, exact.uncertainty),
-                   cell_uncertain(paper.r_max, paper.uncertainty),
-                   cell_within(growths.r_max, growths.uncertainty)),
+               ROW(cell_real(train.s), cell_limit(cell_uncertain(used.r_max, used.uncertainty)),
+                   cell_word(dom_end_text(used.ends)),
+                   cell_limit(cell_uncertain(exact.r_max, exact.uncertainty)),
+                   cell_limit(cell_uncertain(paper.r_max, paper.uncertainty)),
+                   cell_limit(cell_within(growths.r_max, growths.uncertainty))),
                missing);
     rmax_fuels_detail(a, &train, &used, &exact, &paper);
     if (answer_for_people(a))
@@ -169,7 +170,7 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
                    dominoes_words(train.q, "domino").text, limit_words(limit.r_max, 6).text, (double)train.s);
     const bool good = answer_row(
         a,
-        ROW(cell_real(train.s), cell_uncertain(limit.r_max, limit.uncertainty),
+        ROW(cell_real(train.s), cell_limit(cell_uncertain(limit.r_max, limit.uncertainty)),
             cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE
             ? "no growth possible: at this s and d, a domino that just tips over does not topple the next one"
@@ -194,12 +195,17 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return query_status(query, problem, status);
     if (status == DOM_OK)
-        answer_say(a, "The best gap, %.4g times the height, lets %s grow by %s each.", (double)best.s,
-                   dominoes_words(query->scene->train.q, "dominoes").text, limit_words(best.r_max, 4).text);
-    return answer_row(
-        a, ROW(cell_uncertain(best.s, best.s_uncertainty), cell_uncertain(best.r_max, best.r_uncertainty)),
-        status == DOM_OK ? NULL
-                         : "no growth possible: dominoes this thick do not topple larger ones at any s");
+        answer_say(
+            a,
+            "With the best gap, %.4g times the height, %s can each be %s times as large as the one before.",
+            (double)best.s, dominoes_words(query->scene->train.q, "dominoes").text,
+            limit_words(best.r_max, 4).text);
+    return answer_row(a,
+                      ROW(cell_uncertain(best.s, best.s_uncertainty),
+                          cell_limit(cell_uncertain(best.r_max, best.r_uncertainty))),
+                      status == DOM_OK
+                          ? NULL
+                          : "no growth possible: dominoes this thick do not topple larger ones at any s");
 }
 
 const struct column growths_columns[] = {
@@ -215,7 +221,7 @@ const struct column growths_columns[] = {
 /* Returns the cell of a limit. If the limit is open, the cell is empty. */
 static struct cell limit_cell(const struct domq_limit *limit)
 {
-    return cell_uncertain(isnan(limit->open) ? limit->r_max : DOMQ_NAN, limit->uncertainty);
+    return cell_limit(cell_uncertain(isnan(limit->open) ? limit->r_max : DOMQ_NAN, limit->uncertainty));
 }
 
 static bool run_growths(const struct query *query, struct answer *a, struct problem *problem)
@@ -231,7 +237,7 @@ static bool run_growths(const struct query *query, struct answer *a, struct prob
         return query_status(query, problem, status);
     return answer_row(a,
                       ROW(cell_real(train->s), limit_cell(&exact), limit_cell(&paper), limit_cell(&pair),
-                          cell_real(domq_train_reach(train))),
+                          cell_limit(cell_real(domq_train_reach(train)))),
                       is_open ? "a limit is open: at some growth, which 'rmax' or 'pair' names, the margin "
                                 "is 0 within rounding errors"
                       : exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE

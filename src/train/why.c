@@ -95,9 +95,9 @@ static void symbols_detail(const struct query *query, struct answer *a, enum dom
             (double)style_angle(style, b->theta_m), style_angle_unit(style), verdict == DOM_OK ? ">=" : "<");
     if (limit->ends == DOM_END_REACH)
         answer_detail(a,
-                      "The growth is limited by the reach: with r above %s%.6g the head falls past the next "
+                      "The growth is limited by the reach: with r above %s%s the head falls past the next "
                       "domino (2; a2).",
-                      t->rho == 0 ? "1/s = " : "", (double)limit->r_max);
+                      t->rho == 0 ? "1/s = " : "", limit_words(limit->r_max, 6).text);
 }
 
 static void contact_say(const struct query *query, struct answer *a, const struct domq_least_force *c)
@@ -150,7 +150,7 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
     walk_columns_in(query, a);
     answer_cells(a, verdict_cell(verdict), cell_computed(l.fuel * u.energy), cell_computed(l.J0),
                  cell_computed(b.kinetic * u.energy), cell_computed(b.barrier * u.energy),
-                 cell_computed(b.margin * u.energy), cell_computed(limit.r_max));
+                 cell_computed(b.margin * u.energy), cell_limit(cell_computed(limit.r_max)));
     answer_detail(a, "%s", "");
     symbols_detail(query, a, verdict, &b, &limit);
     if (people && domq_cycle_least_force(train, &query->scene->compute, &contact) == DOM_OK)

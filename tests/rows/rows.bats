@@ -35,7 +35,7 @@ END
     scene='set q 2; set d 0.4; set s 0.5180007117763072; effect slope 0.01'
     same 'as the pair' "$(json "$scene; pair" | values r_max | cut -c1-12)" "$(json "$scene; effect row 2; rowmax" | values r_max | cut -c1-12)"
     said=$("$DOMINO" -e "$scene; effect row 2; rowmax")
-    grep -qxF "All dominoes fall if r is between 1.12268 and r_max, but not if r is smaller, as 'set r 1; fall' shows." <<<"$said"
+    grep -qxF "All dominoes fall if r is between 1.12269 and r_max, but not if r is smaller, as 'set r 1; fall' shows." <<<"$said"
     same none "there is no growth from 1 to 2.5 at which all dominoes fall; 'set r 1; fall' shows why" \
         "$(json 'effect friction 3; effect row 5; rowmax' | values reason)"
 }

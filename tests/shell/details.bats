@@ -72,7 +72,7 @@ rest() { "$DOMINO" -e "$1 > /dev/null; details"; }
         same "$scene: r = $growth" 'goes on' "$(json "$scene; set r $growth; barrier" | values verdict)"
         growth=$("$DOMINO" -e "$scene; rmax" | grep -oE 'growth of up to [0-9.]+' | grep -oE '[0-9]+(\.[0-9]+)?') || continue
         same "$scene: r = $growth, from rest" 'all fall' "$(json "$scene; set r $growth; effect row 24; verdict" | values verdict)"
-        growth=$("$DOMINO" -e "$scene; count 112 m $growth + 0.5" | grep -oE 'can grow by [0-9.]+' | grep -oE '[0-9]+(\.[0-9]+)?')
+        growth=$("$DOMINO" -e "$scene; count 112 m $growth + 0.5" | grep -oE 'can each be [0-9.]+' | grep -oE '[0-9]+(\.[0-9]+)?')
         same "$scene: r = $growth, counted" 'all fall' "$(json "$scene; set r $growth; effect row 24; verdict" | values verdict)"
     done <<'END'
 set s 0.4

@@ -31,11 +31,11 @@ END
 
 @test "count 112 answers the quiz in the words of the quiz" {
     same 'count 112' '20 solid dominoes, each 1.5 times as large as the one before, with gaps of 0.4 times the height, topple one that is 112 m tall. Such a row falls.
-Hollow dominoes can grow by 2.04 each: then 11 are enough.' "$("$DOMINO" -e 'count 112')"
+Hollow dominoes can each be 2.04 times as large as the one before: then 11 are enough.' "$("$DOMINO" -e 'count 112')"
     answer=$("$DOMINO" -e 'count 112 details')
     for words in '^The 20th domino is 106\.4 m tall; it could topple a domino up to 159\.6 m tall' '^last_height  *159\.612 m ' \
         '^Which kinds of domino fall with growth 1\.5 at s = 0\.4' '^ *hollow *yes;.* 2\.06377: 11 dominoes; 2\.04654 .* 11 dominoes' \
-        '^ *solid *yes;.* 1\.64423: 16 dominoes; 1\.59459 .* 17 dominoes'; do
+        '^ *solid *yes;.* 1\.64422: 16 dominoes; 1\.59459 .* 17 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112' "$words" "$answer"
     done
     # The toppled domino is r times as tall as the last of the 20.
@@ -44,8 +44,8 @@ Hollow dominoes can grow by 2.04 each: then 11 are enough.' "$("$DOMINO" -e 'cou
     same 'r 2 with hollow dominoes' true "$(json 'set q hollow; count 112 2' | values feasible)"
     answer=$("$DOMINO" -e 'count 112 2 details')
     for words in '^12 solid dominoes, .* would be needed .* Such a row does not fall\.$' \
-        '^Solid dominoes can grow by 1\.59 each: then 17 are enough\.$' '^Which kinds of domino fall with growth 2 ' '^ *hollow *yes' \
-        '^ *solid *no;.*1\.64423' 'not possible at s = 0\.4 with solid dominoes: the train has too little energy'; do
+        '^Solid dominoes can each be 1\.59 times as large as the one before: then 17 are enough\.$' '^Which kinds of domino fall with growth 2 ' '^ *hollow *yes' \
+        '^ *solid *no;.*1\.64422' 'not possible at s = 0\.4 with solid dominoes: the train has too little energy'; do
         grep -q "$words" <<<"$answer" || same 'count 112 2' "$words" "$answer"
     done
     # A mass exponent without a word gets a line of its own, but a synonym does not.
@@ -105,9 +105,9 @@ END
 # bats test_tags=rows
 @test "count: how a row ends if its first domino just tips over, and how many dominoes are needed at a smaller growth" {
     answer=$("$DOMINO" -e 'count 112 m 1.64 details')
-    for words in '^16 solid dominoes, .* would be needed .* Such a row does not fall\.$' '^Solid .* 1\.59 each: then 17 are enough' \
+    for words in '^16 solid dominoes, .* would be needed .* Such a row does not fall\.$' '^Solid .* 1\.59 times as large as the one before: then 17 are enough' \
         'just tips over, the fall ends at domino 2: it has too little energy .* a push of 6\.766 rad/s is enough' \
-        'A train that is already moving keeps falling\.' 'solid *no;.* 1\.64423: 16 dominoes; 1\.59459 .* 17 dominoes'; do
+        'A train that is already moving keeps falling\.' 'solid *no;.* 1\.64422: 16 dominoes; 1\.59459 .* 17 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112 m 1.64' "$words" "$answer"
     done
     answer=$("$DOMINO" -e 'set q hollow; set s 0.1; count 112 m 1.2 details')

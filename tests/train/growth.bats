@@ -86,3 +86,16 @@ END
         grep -q "$named" <<<"$stderr" || same "$call" "$named" "$stderr"
     done
 }
+
+@test "tables and sentences round a limit down, csv keeps all digits" {
+    limit='1\.64422'
+    for command in 'rmax; details' why explain 'sweep s 0.4 0.5 2 : rmax' 'curve 0.3 0.5 3' 'count 112; details'; do
+        command=${command/#explain/explain rmax} command=${command/#why/why; details}
+        run -0 "$DOMINO" -e "$command"
+        grep -q "$limit" <<<"$output" || same "$command" "$limit" "$output"
+        if grep '1\.64423' <<<"$output"; then same "$command: rounded up" '(nothing)' "$output"; fi
+    done
+    same csv 1.6442290 "$(csv 'rmax' | tail -n 1 | cut -d , -f 2 | cut -c 1-9)"
+    same 'a decimal' 1.25 "$("$DOMINO" -e 'rmax 0.8; details' | awk '$1 == "r_max" { print $2 }')"
+    wrong 'set s 0.9; why' 'the largest r for this s is 1/s = 1\.11111$'
+}

@@ -33,6 +33,12 @@ struct cell cell_within(domq_real value, domq_real error)
     return cell;
 }
 
+struct cell cell_limit(struct cell cell)
+{
+    cell.is_limit = true;
+    return cell;
+}
+
 struct cell cell_without_error(domq_real value)
 {
     struct cell cell = cell_real(value);
@@ -89,7 +95,8 @@ static const char *real_text(struct cell cell, int digits, bool errors, char tex
     char number[WIDE_TEXT], shown[WIDE_TEXT];
     bool with_error = errors && isfinite(cell.error) && cell.digits == 0;
     if (!with_error)
-        return quad_write(cell.number, cell.digits ? cell.digits : digits, text);
+        return (cell.is_limit ? quad_limit_write : quad_write)(cell.number,
+                                                               cell.digits ? cell.digits : digits, text);
     if (cell.error == 0)
         quad_exact(cell.number, digits, number);
     else

@@ -35,6 +35,7 @@ struct cell {
     /* The number was computed to the tolerance of the style. If its error is not shown, a table shows
      * only the digits that this tolerance guarantees. */
     bool computed;
+    bool is_limit; /* tables round the number down, because people build by it */
 };
 
 /* These functions make cells. NaN and infinity give an empty cell, which is null in json. */
@@ -47,6 +48,9 @@ struct cell cell_uncertain(domq_real value, domq_real uncertainty);
 
 /* Makes a cell for a number that a search has rounded. Its error is at most `error`, at every precision. */
 struct cell cell_within(domq_real value, domq_real error);
+
+/* Returns the cell of a limit, such as r_max, which tables round down. */
+struct cell cell_limit(struct cell cell);
 
 /* Makes a cell for a number whose error is not known, and is not computed either. */
 struct cell cell_without_error(domq_real value);

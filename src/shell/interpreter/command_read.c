@@ -234,7 +234,7 @@ static const char *synonym_command(const char *word)
 static void command_unknown(struct reader *r, const char *name, int k, const char *message)
 {
     const char *command = k == NAMES_UNKNOWN ? synonym_command(name) : NULL, *shown = names_shown(name);
-    const struct parameter *named = parameter_find(name),
+    const struct parameter *named = parameter_find(name), *valued = parameter_by_value(name),
                            *p = parameter_by_synonym(name, !command && k == NAMES_UNKNOWN);
     if (variable_find(&r->query->state->variables, name))
         problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
@@ -242,6 +242,9 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
     else if (!command && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
         problem_error(r->problem, "'%s' is a function; write its arguments in parentheses, as in '%s(2)'",
                       name, name);
+    else if (valued)
+        problem_error(r->problem, "'%s' is a value of %s; enter 'set %s %s'", shown, valued->name,
+                      valued->name, shown);
     else if (named && named->effect)
         problem_error(r->problem, "'%s' is an effect; enter 'set %s'", name, effect_usage(named->which));
     else if (p && p->effect)

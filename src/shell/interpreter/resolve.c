@@ -160,6 +160,10 @@ static bool ans_resolve(struct resolver *r, struct tree *t)
 
 static bool unknown(struct resolver *r, const struct tree *t)
 {
+    const struct parameter *p = parameter_by_value(t->name);
+    if (p)
+        return fail(r, t, "'%s' is a value of %s; enter 'set %s %s', or write 'with %s %s' at the end",
+                    t->name, p->name, p->name, t->name, p->name, t->name);
     const char *close = names_closest(value_names, r->state, t->name);
     const struct parameter *suggested = parameter_by_synonym(t->name, !close);
     if (suggested && names_exact(value_names, r->state, suggested->name) >= 0)

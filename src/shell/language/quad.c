@@ -51,6 +51,16 @@ const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT]
     return text;
 }
 
+const char *quad_limit_write(domq_real limit, int digits, char text[WIDE_TEXT])
+{
+    quad_write(limit, digits, text);
+    if (limit > 0 && quad_read(text, NULL) > limit * (1 + (domq_real)1e-13)) {
+        const domq_real unit = quad(pow)(10, quad(floor)(quad(log10)(limit)) - digits + 1);
+        quad_write(limit - unit / 2, digits, text);
+    }
+    return text;
+}
+
 domq_real quad_read(const char *text, char **end)
 {
     const char *stop = text;

@@ -49,6 +49,11 @@ const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT]);
 const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT]);
 #define quad_growth(growth, digits) quad_growth_write(growth, digits, (char[WIDE_TEXT]){""})
 
+/* Writes a positive number as quad_write does, but rounds it down, for limits that people build by. A number
+ * that is less than 1e-13 of its size below a decimal, as 1/s may be, counts as this decimal. */
+const char *quad_limit_write(domq_real limit, int digits, char text[WIDE_TEXT]);
+#define quad_limit(limit, digits) quad_limit_write(limit, digits, (char[WIDE_TEXT]){""})
+
 /* Writes a number with as many digits as an exact round trip needs: at least 15 and at most `most`. Omits
  * trailing zeros. Returns `text`. */
 const char *quad_exact(domq_real value, int most, char text[WIDE_TEXT]);

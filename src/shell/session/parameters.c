@@ -63,6 +63,14 @@ const struct parameter *parameter_by_synonym(const char *word, bool any)
     return found;
 }
 
+const struct parameter *parameter_by_value(const char *word)
+{
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (!p->effect && !p->setting && names_exact(parameter_words, p, word) >= 0)
+            return p;
+    return NULL;
+}
+
 /* A list of names, without those of effects. */
 struct without_effects {
     names_list *list;
@@ -95,7 +103,13 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
                  word, feature);
         return NAMES_UNKNOWN;
     }
-    const struct parameter *p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
+    const struct parameter *p = k < 0 ? parameter_by_value(word) : NULL;
+    if (p) {
+        snprintf(message, NAMES_MESSAGE, "'%s' is a value of %s; enter 'set %s %s'", word, p->name, p->name,
+                 word);
+        return NAMES_CLOSE;
+    }
+    p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
     if (!p || names_exact(list, NULL, p->name) < 0)
         return k;
     snprintf(message, NAMES_MESSAGE, "unknown %s '%s'; did you mean '%s'?", what, names_shown(word), p->name);

@@ -16,6 +16,9 @@ const char *effect_names(const void *context, int k);
 /* Returns true if this build has effect number `effect`, as in effect_at. */
 bool effect_exists(int effect);
 
+/* Returns the parameter of the model that accepts this word as its value, such as q for "hollow", or NULL. */
+const struct parameter *parameter_by_value(const char *word);
+
 /* Lists the words that a parameter accepts as values (see names_list in names.h). parameter_offered omits
  * synonyms. */
 const char *parameter_words(const void *parameter, int k);

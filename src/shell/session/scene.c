@@ -192,9 +192,9 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     if (status == DOM_OUT_OF_REACH)
         return problem_no_answer(problem,
                                  "r s = %s > %.6g: the head falls past the next domino without touching it; "
-                                 "the largest r for this s is %s%.17g",
+                                 "the largest r for this s is %s%s",
                                  quad_text(t->r * t->s, 10), (double)(domq_train_reach(t) * t->s),
-                                 t->rho == 0 ? "1/s = " : "", (double)domq_train_reach(t));
+                                 t->rho == 0 ? "1/s = " : "", quad_limit(domq_train_reach(t), 6));
     if (status == DOM_NO_METHOD && domq_first_effect(t) && t->fuel == DOM_FUEL_PAPER)
         return problem_no_answer(
             problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'set %s off'",
