@@ -100,14 +100,17 @@ static bool run_cycle(const struct query *query, struct answer *a, struct proble
 
 /* ---- step, back, goto and where ---- */
 
-enum { CYCLES_MAX = 1000 };
+enum {
+    CYCLES_MAX = 1000,
+    EVENT_START = DOM_EVENT_HIT + 1 /* for 'step to start': the launch of the first cycle */
+};
 
 static const struct column walk_columns[] = {
     {"cycle", "", "number of the cycle, from 1", 0},
     {"event", "", "the last event", 6},
     {"theta", "rad", "tilt of the head", 0},
     {"t", "s", "time since the launch of this cycle", 0},
-    {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
+    {"omega", "rad/s", "angular velocity of the head (21; c3), at the launch (24; c6)", 0},
     {"before", "mgh/2", "kinetic energy before the collision", 0},
     {"lost", "mgh/2", "kinetic energy lost in the collision (22; c4)", 0},
     {"gained", "mgh/2", "energy released since the launch, H(0) - H(theta); negative if H has increased", 0},
@@ -213,8 +216,8 @@ static bool walk_ended(const struct walk *w, struct problem *problem, bool forwa
                                  "this is the launch of the first cycle; 'step' goes to the next event");
     if (w->verdict == DOM_STOPS)
         return problem_no_answer(
-            problem, "the train has stopped; 'why' explains it, and 'step to launch' begins again");
-    return problem_no_answer(problem, "the steps end after %d cycles; enter 'step to launch' or 'step back'",
+            problem, "the train has stopped; 'why' explains it, and 'step to start' begins again");
+    return problem_no_answer(problem, "the steps end after %d cycles; enter 'step to start' or 'step back'",
                              CYCLES_MAX);
 }
 
@@ -238,6 +241,10 @@ static bool walk_by(const struct query *query, struct answer *a, struct problem 
 static bool walk_to(const struct query *query, struct answer *a, struct problem *problem, struct walk *w)
 {
     domq_real place = query->given->number[0];
+    if (place == -1 - EVENT_START) {
+        w->cycle = 1;
+        place = -1 - DOM_EVENT_LAUNCH;
+    }
     enum dom_event_kind kind = (enum dom_event_kind)(-1 - (int)place);
     int found = -1;
     for (int k = 0; k < w->count; k++)
@@ -300,7 +307,7 @@ static bool run_where(const struct query *query, struct answer *a, struct proble
 static const char *event_names(const void *context, int k)
 {
     (void)context;
-    return k <= DOM_EVENT_HIT ? dom_event_text((enum dom_event_kind)k) : NULL;
+    return k <= DOM_EVENT_HIT ? dom_event_text((enum dom_event_kind)k) : k == EVENT_START ? "start" : NULL;
 }
 
 const struct command walk_commands[] = {
@@ -360,7 +367,8 @@ const struct command walk_commands[] = {
      .synonyms = "jump walk",
      .train = true,
      .argument = {{.name = "PLACE", .kind = ARGUMENT_PLACE, .noun = "event", .choices = event_names}},
-     .summary = "go to a tilt, or to the launch, top, fall, stop or hit",
+     .summary = "go to a tilt, or to the launch, top, fall, stop, hit or start",
+     .help = "'start' is the launch of the first cycle, 'launch' that of the present one.",
      .example = "step to 0.3",
      .see = "step cycle",
      .brief = "theta t omega",

@@ -288,10 +288,13 @@ static void event_say(const struct place *p)
     const struct domq_event *e = &w->events[w->event];
     const struct walk_units next = walk_units(p->query, w->cycle + 1);
     char text[200] = "";
-    if (w->theta != e->theta)
-        snprintf(text, sizeof text, "after this event, the train %s.",
-                 p->state->acceleration < 0 ? "slows down" : "gathers speed");
-    else if (e->kind == DOM_EVENT_LAUNCH)
+    if (w->theta != e->theta && w->event + 1 < w->count) {
+        answer_say(p->answer, "Cycle %d, between the %s and the %s: the train %s.", w->cycle,
+                   dom_event_text(e->kind), dom_event_text(e[1].kind),
+                   p->state->acceleration < 0 ? "slows down" : "gathers speed");
+        return;
+    }
+    if (e->kind == DOM_EVENT_LAUNCH)
         snprintf(text, sizeof text, "domino 1 hits the head, which is %s tall, and all move as one train.",
                  measured(p->units.height, "m", 6).text);
     else if (e->kind == DOM_EVENT_TOP)

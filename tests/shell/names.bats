@@ -112,14 +112,14 @@ friction 0.2|'friction' is an effect; enter 'set friction MU'
 plot foo|plot: unknown picture 'foo'; use one of: growth, marginal, energy, climb, omega, inertia, chain, cost, placement, fit, fall, speed, gaps, sweep
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
 plot c|plot: unknown picture 'c'; use one of: growth, marginal, energy, climb, omega, inertia, chain, cost, placement, fit, fall, speed, gaps, sweep
-goto lanch|goto: unknown event 'lanch'; did you mean 'launch'?
+goto lanch|step to: unknown event 'lanch'; did you mean 'launch'?
 END
 }
 
 @test "of the numeric parameters, only q accepts words, and only 'help tol' explains the tolerance" {
     same q 3 "$("$DOMINO" -e 'set q hollow; print q')"
     for name in s r d tol h g mass; do
-        wrong "set $name hollow" "^-e:1:[0-9]*: set: .*'hollow' has no value"
+        wrong "set $name hollow" "^-e:1:[0-9]*: set: .*'hollow' is a value of q"
         same "help $name" '(nothing)' "$("$DOMINO" -e "help $name" | grep -E '^  (hollow|massive) ' || true)"
     done
     for name in s r d q h g; do [[ $("$DOMINO" -e "help $name") != *'The tolerance decides how'* ]]; done

@@ -99,9 +99,15 @@ evenly() { # COUNT
     same 'event' "$(json barrier | values theta_m)" "$(json 'goto top' | values theta)"
     same 'degrees' 0.17453292519943295 "$(json 'goto 10 deg' | values theta)"
     run -1 "$DOMINO" --keep-going -e 'goto 2'
-    [[ $output == *'goto: PLACE = 2 rad is outside the cycle; PLACE is an angle in [0, theta_c]'* ]]
+    [[ $output == *'step to: PLACE = 2 rad is outside the cycle; PLACE is an angle in [0, theta_c]'* ]]
     run -1 "$DOMINO" --keep-going -e 'goto fall'
-    [[ $output == *"there is no 'fall' in this cycle"* ]]
+    [[ $output == *"step to: there is no 'fall' in this cycle"* ]]
+    run -1 "$DOMINO" --keep-going -e 'step back 20'
+    [[ $output == *"step back: this is the launch of the first cycle"* ]]
+    for place in '0.2|between the top and the hit' '0.01|between the launch and the top'; do
+        grep -q "^Cycle 1, ${place#*|}: the train " <<<"$("$DOMINO" -e "step to ${place%|*}")" || same "$place" "$place" ''
+    done
+    same start '1 launch 0' "$(json 'step 8; step to start' | tail -n 1 | sed -E 's/.*"cycle":([0-9]*),"event":"([a-z]*)","theta":([^,]*),.*/\1 \2 \3/')"
     run -1 "$DOMINO" --keep-going -e 'set r 1.7; goto 0.3'
     [[ $output == *'the train stops before that, at theta = 0.02802163121 rad'* ]]
     same completion 'launch' "$("$DOMINO" -e 'complete goto l' | head -n 1)"

@@ -386,8 +386,13 @@ void run_command_at(struct session *session, struct reader *line)
                       (size_t)(text_end(line->at, ";") - line->at));
     } else if (q.command)
         redirect_hint(q.command, line->at, &problem);
-    if (problem.kind != PROBLEM_NONE)
+    if (problem.kind != PROBLEM_NONE) {
+        /* Messages for people name the command as help does, 'step to' rather than 'goto'. */
+        if (q.command && q.command->typed.phrase && problem.command == q.command->name &&
+            session_format(session)->for_people)
+            problem.command = q.command->typed.phrase;
         session_problem(session, &problem);
+    }
     session->command = NULL;
     line->at = r.at;
     output_answered(session->output);
