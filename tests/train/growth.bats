@@ -22,7 +22,7 @@ load ../shell/common
         grep -q "\"reason\":\"[^\"]*${reason}[^\"]*\"}$" <<<"$row" || same "$calls" "$reason" "$row"
         # The table has the same reason, or its details have.
         expects "$calls" "$reason"
-        "$DOMINO" -e "$calls details" | grep -q "$reason" || same "$calls details" "$reason" "$("$DOMINO" -e "$calls details")"
+        "$DOMINO" -e "$calls; details" 2>&1 | grep -q "$reason" || same "$calls details" "$reason" "$("$DOMINO" -e "$calls details")"
     done <<END
 set s 0.001; fuel||fuel P is not positive.*s is too small
 set s 0.05; fuel||this growth r .*fuel P is not positive
