@@ -199,9 +199,10 @@ static bool plan_text(const struct plan *p, struct answer *a)
 {
     const struct scene_row *scene = &p->row.run.scene;
     const size_t *critical = p->windows.critical;
-    struct answer guide = *a;
-    guide.out = a->path ? a->out : answer_rest(a);
-    if (!guide.out)
+    FILE *const out = a->path ? a->out : answer_rest(a);
+    struct answer guide = *a; /* after answer_rest, which finds out how wide the terminal is */
+    guide.out = out;
+    if (!out)
         return false;
     if (p->guide.title)
         answer_say(&guide, "%s", p->guide.title);

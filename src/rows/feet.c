@@ -113,7 +113,11 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
 {
     struct domq_floor f;
     const struct effect_state *floor = &query->scene->effect[DOM_EFFECT_floor];
-    if (!query_status(query, problem, domq_cycle_floor(&query->scene->train, &query->scene->compute, &f)))
+    const enum dom_status status = domq_cycle_floor(&query->scene->train, &query->scene->compute, &f);
+    if (status == DOM_NO_AIR && query->scene->effect[DOM_EFFECT_row].on)
+        return problem_no_answer(problem, "%s; about the row: 'set floor 0.4; fall'",
+                                 dom_status_text(status));
+    if (!query_status(query, problem, status))
         return false;
     bool slips = f.motion > floor->value[0], slips_hit = f.hit > floor->value[0];
     answer_row(a,

@@ -122,6 +122,11 @@ END
 }
 
 # bats test_tags=rows,chance
+# bats test_tags=rows
+@test "show: 'walls' with both lengths" {
+    same both 'walls 18 mm, 0.3 m' "$("$DOMINO" -e 'set walls 18 mm 30 cm; show walls' | awk 'NR == 2 { print $1, $2, $3, $4, $5 }')"
+}
+
 @test "show: columns are aligned with their headers, however long the values are" {
     for scene in '' 'set precision quad; set d 7/48; set digits 36; set seed 123456789' 'set h 1/3; set g 9.8123456789' \
         'set density 700; set output table'; do

@@ -112,6 +112,12 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
     fits 60 "${narrow[@]}"
 }
 @test "answers fit in 80 columns" { fits 80 "${answers[@]}"; }
+# bats test_tags=rows,planning,chance
+@test "details fit in 100 columns, and no word is cut" {
+    fits 100 'set q hollow; set row 8; set placement 5 mm; set error_place 5 mm' 'set error_lean 0.3 deg' \
+        'placement 50' details plan details
+    see 'all dominoes still fall'
+}
 @test "answers fit in 120 columns" { fits 120 "${answers[@]}"; }
 @test "help fits in 80 columns" { fits 80 "${helps[@]}"; }
 @test "help and apropos fit in 60 and 40 columns, and break no word" {

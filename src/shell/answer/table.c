@@ -227,16 +227,16 @@ static void row_lines(struct answer *a, const struct cell *cells)
         fprintf(a->out, "%s  %s", value_below ? "\n  " : "", bold);
         field(a->out, pretty(a, value, line), number);
         const char *unit = column_unit(a, c, measure, text);
-        if (meaning_below || !*c->meaning) /* no blanks follow the unit */
+        const int indent = meaning_below ? VALUE_INDENT : left;
+        if (meaning_below || value_below || !*c->meaning) /* no blanks follow the unit */
             fprintf(a->out, "%s%s%s", end, *unit ? " " : "", unit);
         else {
             fprintf(a->out, "%s ", end);
             field(a->out, unit, -unit_width - 2);
         }
-        if (meaning_below && *c->meaning)
-            fprintf(a->out, "\n%*s", VALUE_INDENT, "");
-        write_wrapped(a->out, pretty(a, c->meaning, line), meaning_below ? VALUE_INDENT : left,
-                      a->layout.width);
+        if ((meaning_below || value_below) && *c->meaning)
+            fprintf(a->out, "\n%*s", indent, "");
+        write_wrapped(a->out, pretty(a, c->meaning, line), indent, a->layout.width);
         putc('\n', a->out);
     }
 }

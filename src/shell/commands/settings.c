@@ -108,6 +108,26 @@ static void missing_say(const struct query *query, struct answer *a, const struc
         answer_say(a, "This is set, and counts once there is a row: enter 'set row N' or 'set row FILE'.");
 }
 
+/* The length of a width is that of the first domino. Says how wide the last one is if it is wider, because
+ * the user may have meant all of them. */
+static void width_say(const struct query *query, struct answer *a, const struct typed_length *length)
+{
+    const struct scene *scene = &query->next->scene;
+    struct problem none = {.kind = PROBLEM_NONE};
+    struct scene_row row = {.domino = NULL};
+    if (length->m > 0 && !scene->listed.domino && scene->effect[DOM_EFFECT_row].on &&
+        !query->run_context->sourced && scene_row_list(scene, &row, &none)) {
+        const struct domq_domino *last = &row.domino[row.row.count - 1];
+        const char *typed = length_write(length->m, length->unit, (char[LENGTH_TEXT]){""});
+        if (last->width != row.domino->width)
+            change_say(query, a,
+                       "%s is the width of domino 1, and domino %zu is %s wide; 'change all width %s' sets "
+                       "all widths.",
+                       typed, row.row.count, measured(last->width, "m", 3).text, typed);
+    }
+    free(row.domino);
+}
+
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
@@ -137,6 +157,8 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
         !query->run_context->sourced)
         change_say(query, a, "width does not change the row, whose widths come from %s.",
                    effect_setting(query->scene, DOM_EFFECT_row));
+    if (p == parameter_find("width"))
+        width_say(query, a, &length);
     const size_t kept = p == parameter_find("s") ? gaps_changed(&next->scene.listed) : 0;
     if (kept > 0 && !next->scene.listed.domino && !query->run_context->sourced)
         change_say(query, a,

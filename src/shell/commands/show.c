@@ -52,10 +52,14 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
     const char *unit = people && p->effect ? "" : p->value->unit;
     const bool is_length = people && length && length->m > 0 && value != EFFECT_OFF;
     if (is_length) {
+        char setting[EFFECT_SETTING];
+        snprintf(setting, sizeof setting, "%s", shown->value);
+        const char *others = p->effect ? strchr(setting, ',') : NULL; /* as in "18 mm, 0.3 m" */
         length_write(length->m, length->unit, typed);
         unit = strchr(typed, ' ') + 1;
-        snprintf(shown->value, sizeof shown->value, "%.*s", (int)(unit - 1 - typed), typed);
-        snprintf(shown->unit, sizeof shown->unit, "%.7s", unit);
+        snprintf(shown->value, sizeof shown->value, "%.*s%s", others ? LENGTH_TEXT : (int)(unit - 1 - typed),
+                 typed, others ? others : "");
+        snprintf(shown->unit, sizeof shown->unit, "%.7s", others ? "" : unit);
         unit = shown->unit;
         text_add(shown->range, sizeof shown->range, " %s", p->value->unit);
     }

@@ -209,9 +209,9 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "'set air' needs the mass of the dominoes; first enter, for example, "
                                  "'set density 650 kg/m^3'");
     if (status == DOM_NO_AIR)
-        return problem_no_answer(problem,
-                                 "%s; 'set q solid', or ask about a row: 'set row 20; fall', 'rowmax'",
-                                 dom_status_text(status));
+        return problem_no_answer(
+            problem, "%s; 'set q solid', or ask about %s, 'rowmax'", dom_status_text(status),
+            scene->effect[DOM_EFFECT_row].on ? "the row: 'fall'" : "a row: 'set row 20; fall'");
     if (status == DOM_NO_FUEL)
         return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
     const domq_real above = scene_boxes_above(scene);
