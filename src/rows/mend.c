@@ -21,20 +21,21 @@ static bool push_lacks(const struct domq_verdict *v)
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
 }
 
-static enum dom_status push_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v)
+/* Sets *push to the weakest push that saves the row, or to NaN if there is none. */
+static enum dom_status push_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v,
+                                domq_real *push)
 {
-    domq_real push;
     enum dom_status status = domq_row_weakest_push(&scene->row, &scene->compute,
-                                                   domq_effect(DOM_EFFECT_push)->argument[0].highest, &push);
+                                                   domq_effect(DOM_EFFECT_push)->argument[0].highest, push);
     if (status != DOM_OK)
         return status;
     answer_say(a, v->end == DOM_ROW_LEANS
                       ? "The row needs a push: its first domino touches the second before it tips over."
                       : "The row needs a stronger push: its first domino does not tip over.");
-    if (isnan(push))
+    if (isnan(*push))
         answer_say(a, "A push alone cannot save this row; enter 'set push 5', and then 'mend' again.");
     else
-        answer_say(a, "With 'set push %.4g', all dominoes fall.", (double)push);
+        answer_say(a, "With 'set push %.4g', all dominoes fall.", (double)*push);
     return DOM_OK;
 }
 
@@ -71,7 +72,7 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
 
 /* Prints a table of the changes that were found and says how to make the smallest one. */
 static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
-                         const struct domq_verdict *v, size_t count)
+                         const struct domq_verdict *v, size_t count, bool has_push)
 {
     static const char no_single_gap[] =
         "the search found no change of a single gap that saves this row; change several gaps, the push, or "
@@ -90,7 +91,7 @@ static void mends_answer(struct answer *a, const struct domq_mend *list, size_t 
                    falls ? "all fall" : no_single_gap);
     else if (falls)
         answer_say(a, "%s: no gap has to change.", all_fall_words(count).text);
-    else
+    else if (!has_push) /* a push that saves the row has been named above */
         answer_say(a, "T%s.", no_single_gap + 1);
     if (falls)
         weakest_say(a, v, false);
@@ -102,16 +103,20 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     struct domq_verdict v;
     struct domq_mend list[DOM_MENDS];
     size_t found = 0;
+    domq_real push = DOMQ_NAN;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
     scene.row.floor = false;
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
     if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
-        status = push_say(a, &scene, &v);
+        status = push_say(a, &scene, &v, &push);
     if (status == DOM_OK && v.end != DOM_ROW_FALLS)
         status = domq_row_mend(&scene.row, &scene.compute, progress_count, NULL, list, &found);
     if (status == DOM_OK)
-        mends_answer(a, list, found, &v, scene.row.count);
+        mends_answer(a, list, found, &v, scene.row.count, !isnan(push));
+    if (status == DOM_OK && found == 0 && v.end != DOM_ROW_FALLS && isnan(push) &&
+        !query->scene->listed.domino)
+        answer_say(a, "'why' says with which gaps or growth an endless train keeps falling.");
     free(scene.domino);
     return row_status(query, problem, status);
 }

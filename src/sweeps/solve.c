@@ -165,9 +165,12 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
              *unit ? " " : "", unit);
     if (s->answers == 0)
         snprintf(text, size, "%s has no answer for any %s: %s", question, range, s->no_answer);
+    else if (v->verdict && s->most.f > 0)
+        snprintf(text, size, "%s: %s for every %s", question, v->question->command->holds, range);
     else if (v->verdict)
-        snprintf(text, size, "%s: %s for %s %s", question, v->question->command->holds,
-                 s->most.f > 0 ? "every" : "no", range);
+        snprintf(text, size, "%s: no %s from %s to %s%s%s makes it true that %s", question, name,
+                 quad_text(v->from, 10), quad_text(v->to, 10), *unit ? " " : "", unit,
+                 v->question->command->holds);
     else if (below || s->least.f > 0)
         snprintf(text, size, "%s is never %s for %s: the %s value is %s, at %s = %s", question, value, range,
                  below ? "largest" : "smallest", quad_text(nearest->f + v->value.value, 10), name,

@@ -268,7 +268,7 @@ const struct command limit_commands[] = {
              "'rmax.r_start', and a sweep of 'rmax' has no column r_start. In both, use 'count(112).r_start' "
              "instead.",
      .example = "set q hollow; rmax 0.3",
-     .see = "best curve pair count rowmax",
+     .see = "why best curve pair count rowmax",
      .sweep.echo = "s",
      .sweep.slow_column = "r_start",
      .principal = "r_max",

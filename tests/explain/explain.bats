@@ -219,3 +219,19 @@ END
     wrong 'set s 0.6; set r 1.6; set q hollow; explain A9 0.9' 'domino 2 has slid off domino 1'
     wrong 'explain c66x' "unknown question 'c66x'"
 }
+
+@test "explain: corrected equations say what the paper prints, and (41; A17) whether it holds" {
+    while IFS='|' read -r commands words; do
+        run -0 "$DOMINO" -e "$commands"
+        grep -qF -- "$words" <<<"$output" || same "$commands" "$words" "$output"
+    done <<'END'
+explain c7|(corrected):
+explain c7|      = 0.592292 mgh/2
+explain c8|The condition as the paper prints it, without the factor J(0) of K:
+explain d6|(corrected: the paper prints sine and cosine swapped):
+explain A17|(41; A17), which does not hold: no follower slides off
+explain A18|      = 0.99084
+set r 3; set s 0.3; explain A18|(41; A17), which holds: followers slide off
+explain rmax|which 'why' explains
+END
+}

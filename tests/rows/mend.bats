@@ -47,3 +47,10 @@ load ../shell/common
     run "$DOMINO" -e 'effect row 5; set r 1; effect push 5; place 4 60 mm; mend'
     run ! grep -qi push <<<"$output"
 }
+
+@test "mend: once a push is named, no single gap is no news; without any advice, it points to why" {
+    same 'a push' "The row needs a stronger push: its first domino does not tip over.
+With 'set push 2.521', all dominoes fall." "$("$DOMINO" -e 'set row 8; set push 2; mend')"
+    same 'why' "'why' says with which gaps or growth an endless train keeps falling." \
+        "$("$DOMINO" -e 'set row 8; set s 0.2; mend' | tail -n 1)"
+}
