@@ -125,17 +125,21 @@ static void push_words(const struct scene_row *scene, char *text, size_t size)
                  measured(row->push * row->domino[0].height, "m/s", 3).text);
 }
 
-/* Writes the random errors of the scene with three digits, such as "gap 5 mm, thickness 1 %". */
+/* Writes the random errors of the scene with three digits, such as "gap 5 mm, thickness 1 %, lean 1 deg". */
 static void errors_words(const struct domq_random_error *error, char *text, size_t size)
 {
     int at = 0;
     text[0] = '\0';
     for (int k = 0; k < DOM_ERROR_COUNT && at < (int)size; k++) {
         const bool is_added = k == DOM_ERROR_friction || k == DOM_ERROR_floor;
-        const char *unit = *error_kinds[k].unit || is_added ? error_kinds[k].unit : "share";
+        const bool is_angle = strcmp(error_kinds[k].unit, "rad") == 0;
+        const char *unit = is_angle                           ? "deg"
+                           : *error_kinds[k].unit || is_added ? error_kinds[k].unit
+                                                              : "share";
         if (error[k].size > 0)
             at += snprintf(text + at, size - (size_t)at, "%s%s %s%s", at ? ", " : "", error_kinds[k].name,
-                           measured(error[k].size, unit, 3).text, error[k].uniform ? " at most" : "");
+                           measured(error[k].size * (is_angle ? 180 / QUAD_PI : 1), unit, 3).text,
+                           error[k].uniform ? " at most" : "");
     }
 }
 

@@ -82,6 +82,12 @@ END
     same boxes '0.5 0.5 0.5 0.5 ' "$(proportions 'set q hollow; effect row 4; effect walls 2 mm 10 cm')"
 }
 
+# bats test_tags=chance
+@test "plan: the guide gives the errors in leans in degrees" {
+    run -0 "$DOMINO" -e 'set r 1.2; set row 3; set error_lean 0.3 deg; set error_slope 0.5 deg; plan > errors.txt'
+    [[ $(paste -sd ' ' errors.txt) == *'(lean 0.3 deg, slope 0.5 deg)'* ]]
+}
+
 @test "plan: a guide for dominoes that lean says how far their tops are off plumb" {
     leans='set r 1.2; effect row 3; change 2 lean -2 mm; change 3 lean 1 mm'
     same csv 'lean 0 -0.002 0.001' "$("$DOMINO" -e "set output csv; $leans; plan" | tail -n 4 | cut -d, -f14 | paste -sd ' ' -)"

@@ -228,6 +228,15 @@ END
     done
 }
 
+@test "a file in Latin-1, and a title above the names of the columns" {
+    printf 'H\xf6he (cm),Dicke (cm)\n10,1\n' >latin.csv
+    wrong 'set row latin.csv' "latin.csv:1:1: the column 'height' is missing, and the names are not in UTF-8; save the file as 'CSV UTF-8'; found: 'H"
+    printf 'Record attempt\nheight (cm),thickness (cm)\n10,1\n' >title.csv
+    wrong 'set row title.csv' "title.csv:1:1: there is only one column; .*; delete a title above it, or begin the title with '#'$"
+    printf 'Record, the hall\nheight (cm),thickness (cm)\n10,1\n' >title.csv
+    wrong 'set row title.csv' "title.csv:1:1: the column 'height' is missing; .*delete a title above it, or begin the title with '#'"
+}
+
 @test "any file name that exists is one" {
     local name here=$PWD
     printf 'height (mm),thickness (mm),gap (mm)\n48,7,-\n50,7,20\n' >3d.CSV

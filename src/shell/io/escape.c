@@ -24,6 +24,14 @@ static size_t utf8_next(const char *text, uint32_t *code)
     return length && *code >= least[length] && *code <= 0x10ffff && !is_surrogate ? length : 0;
 }
 
+bool escape_is_utf8(const char *text)
+{
+    uint32_t code;
+    for (size_t n = 1; *text && n > 0; text += n)
+        n = utf8_next(text, &code);
+    return *text == '\0';
+}
+
 /* Returns true if a character is invisible or can change how other text is shown. Such characters are control
  * characters, separators of lines and paragraphs, invisible format characters, tags, and codes that are not
  * characters. Returns false for the joiners U+200C and U+200D, because some scripts need them. */

@@ -17,6 +17,8 @@ enum { ESCAPE_PIECE = 12 };
  * string again does not change it, because backslashes are not escaped. */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
+bool escape_is_utf8(const char *text);
+
 bool escape_needed(const char *text);
 
 /* Writes an escaped copy of a string into the buffer `shown` and returns `shown`. The buffer has `size`

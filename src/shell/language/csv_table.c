@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/csv_table.h"
+#include "io/escape.h"
 #include "language/expression.h"
 #include "language/names.h"
 #include "language/quad.h"
@@ -187,6 +188,7 @@ static bool column_missing(struct csv_table *csv, const char *missing)
 {
     const struct csv_kind *kind = csv->kind;
     char found[320] = "", absent[128] = "", name[NAMES_SHOWN];
+    bool is_utf8 = true;
     for (int k = 0; k < kind->columns; k++)
         if ((kind->column[k].traits & CSV_REQUIRED) && csv->column[k] == 0)
             text_add(absent, sizeof absent, "%s%s", *absent ? " or " : "", kind->column[k].name);
@@ -194,15 +196,22 @@ static bool column_missing(struct csv_table *csv, const char *missing)
         name_split(csv->head.cell[i].text, name);
         const int k = column_find(kind, name);
         const char *close = k == kind->columns ? names_closest(column_names, kind, name) : NULL;
+        is_utf8 = is_utf8 && escape_is_utf8(csv->head.cell[i].text);
         text_add(found, sizeof found, "%s'%.24s' (%s%s)", i ? ", " : "", names_shown(csv->head.cell[i].text),
                  k == kind->columns ? "could be " : "",
                  k < kind->columns ? kind->column[k].name
                  : close           ? close
                                    : absent);
     }
+    if (!is_utf8)
+        return csv_wrong(&csv->file, csv->head.at,
+                         "the column '%s' is missing, and the names are not in UTF-8; save the file as 'CSV "
+                         "UTF-8'; found: %s",
+                         missing, found);
     return csv_wrong(&csv->file, csv->head.at,
-                     "the column '%s' is missing; the first line must name %s; found: %s", missing,
-                     kind->names, found);
+                     "the column '%s' is missing; the first line must name %s (delete a title above it, or "
+                     "begin the title with '#'); found: %s",
+                     missing, kind->names, found);
 }
 
 static bool name_read(struct csv_table *csv, int i, const char *text)
@@ -250,7 +259,8 @@ static bool head_read(struct csv_table *csv)
     if (csv->head.cells == 1)
         return csv_wrong(
             &csv->file, csv->head.at,
-            "there is only one column; the first line must name %s, separated by ',', ';' or tabs",
+            "there is only one column; the first line must name %s, separated by ',', ';' or tabs; delete a "
+            "title above it, or begin the title with '#'",
             kind->names);
     if (kind->headless && isdigit((unsigned char)*csv->head.cell[0].text)) {
         csv->row = csv->head;
