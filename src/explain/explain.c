@@ -62,8 +62,14 @@ static bool what_parse(struct reader *r, struct question *q)
     struct item *item = &q->item[0];
     const char *begin = r->at + (*r->at == '('), *shown = r->at;
     const size_t length = strcspn(begin, " \t\r\f\v);>#");
-    if (r->offer || !is_label(begin, length))
-        return item_parse_choice(r, &what, item);
+    if (r->offer || !is_label(begin, length)) {
+        if (item_parse_choice(r, &what, item))
+            return true;
+        if (strstr(r->problem->text, "use one of"))
+            text_add(r->problem->text, sizeof r->problem->text,
+                     "; an equation is named by its label in the paper, as in 'explain c7'");
+        return false;
+    }
     *item = (struct item){.at = r->at};
     reader_place(r, r->at);
     r->at = begin + length + (begin > shown && begin[length] == ')');

@@ -218,6 +218,7 @@ END
     wrong 'set s 0.05; explain b4' '\(5; b0\) does not hold: domino 1 hits before it tips over'
     wrong 'set s 0.6; set r 1.6; set q hollow; explain A9 0.9' 'domino 2 has slid off domino 1'
     wrong 'explain c66x' "unknown question 'c66x'"
+    wrong 'explain P' "unknown question 'P'.*; an equation is named by its label in the paper, as in 'explain c7'$"
 }
 
 @test "explain: corrected equations say what the paper prints, and (41; A17) whether it holds" {

@@ -231,7 +231,7 @@ END
 7|print "1" + 1|^print:.*'"1"'
 7|print rmax.foo|^print:.*unknown key of rmax 'foo'
 7|print rmax.ends_by|^print:.*rmax.ends_by is the word 'barrier'
-7|print pair(0.1)|^print:.*has no value here; enter 'pair' to see why
+7|print pair(0.1)|^print:.*has no value here: no growth possible
 11|print 2 + thetac.theta_leave|^print:.*has no value here; enter 'thetac' to see why
 END
     wrong_at 7 'print ans' '^print:.*no earlier answer'

@@ -375,3 +375,8 @@ END
     same 'each its own' "$(json 'sweep s 0.2 0.4 3 : (rmax with d 0.2), (fuel with d 0.1)' | cut -d : -f 4-)" \
         "$(json 'sweep s 0.2 0.4 3 : rmax with d 0.2, fuel with d 0.1' | cut -d : -f 4-)"
 }
+
+@test "sweep: the reason of an empty cell is that of the command" {
+    same reason "duration.speed has no value here: no domino effect: at this growth r the fuel P is not positive, because the smaller dominoes release less energy than the head takes up; 'rmax' shows how large r may be" \
+        "$(csv 'sweep s 0.1 0.4 2 : rmax, duration.speed' | sed -n 's/^0.1,[0-9.]*,,"\(.*\)"$/\1/p')"
+}

@@ -18,7 +18,7 @@
 
 struct rest;
 
-enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 160, ANSWER_HEADER = OUTPUT_HEADER };
+enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 240, ANSWER_HEADER = OUTPUT_HEADER };
 
 struct column {
     const char *key;
@@ -102,7 +102,8 @@ struct answer {
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } verdict; /* see answer_set_verdict */
     int error;                                           /* errno of the first write that failed, or 0 */
     /* The reason why a cell is empty, if the reason was not written in or below the row. It is reported at
-     * the end of the answer. Only the first such reason is kept. "" if there is none. */
+     * the end of the answer. Only the first such reason is kept. "" if there is none. If nothing is written,
+     * this is the reason of the last row. */
     char late_reason[ANSWER_REASON];
 
     /* If the answer belongs to one point of a sweep, `take` receives its rows, and nothing is written

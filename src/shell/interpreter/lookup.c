@@ -11,9 +11,10 @@ struct lookup {
 };
 
 /* Finds the value of the node t: the number in column t->index of the row `cells`, which is an answer of the
- * command t->refers. If this cell is empty or contains a word, reports an error. */
+ * command t->refers. If this cell is empty or contains a word, reports an error. `reason` is the reason why
+ * the row has empty cells, or "". */
 static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
-                          struct quantity *result)
+                          const char *reason, struct quantity *result)
 {
     const struct command *c = t->refers;
     const struct cell cell = cells[t->index];
@@ -21,6 +22,8 @@ static bool cell_quantity(struct evaluation *e, const struct tree *t, const stru
     if (cell.kind == CELL_WORD)
         return expression_wrong(e->error, t->at, "%s.%s is the word '%s', not a number", t->name, key,
                                 cell.word);
+    if (cell.kind == CELL_NONE && *reason)
+        return expression_no_value(e->error, t->at, "%s.%s has no value here: %s", t->name, key, reason);
     if (cell.kind == CELL_NONE)
         return expression_no_value(e->error, t->at, "%s.%s has no value here; enter '%s' to see why", t->name,
                                    key, c->name);
@@ -47,7 +50,8 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
     query.given = &given;
     query.next = NULL;
     struct answer answer = answer_kept(&query, c, cells);
-    return command_compute(c, &query, &answer, lookup->problem) && cell_quantity(e, t, cells, result);
+    return command_compute(c, &query, &answer, lookup->problem) &&
+           cell_quantity(e, t, cells, answer.late_reason, result);
 }
 
 /* Evaluates a 'let' function. The body of the function sees only the arguments of this function. If another
@@ -112,7 +116,7 @@ static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct q
         return true;
     case SYMBOL_ANS:
         *result = ans->value;
-        return !t->refers || cell_quantity(e, t, ans->cells, result);
+        return !t->refers || cell_quantity(e, t, ans->cells, "", result);
     case SYMBOL_WITH:
         return with_quantity(e, t, result);
     case SYMBOL_ROUTINE:

@@ -110,6 +110,8 @@ bool question_measure(const struct question *q, const struct query *query, struc
     if (cell.kind == CELL_WORD || cell.kind == CELL_FLAG)
         return problem_error(problem, "%s.%s is %s, not a number", c->name, key,
                              cell.kind == CELL_FLAG ? "'yes' or 'no'" : "a word");
+    if (cell.kind == CELL_NONE && *answer.late_reason)
+        return problem_no_answer(problem, "%s.%s has no value here: %s", c->name, key, answer.late_reason);
     if (cell.kind == CELL_NONE)
         return problem_no_answer(problem, "%s.%s has no value here; enter '%s' to see why", c->name, key,
                                  c->name);
