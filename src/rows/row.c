@@ -24,6 +24,16 @@ static const struct column row_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* The answer has the dominoes with the indices from `from` up to, but not including, `to`. */
+static bool dominoes_asked(const struct query *query, size_t count, size_t *from, size_t *to,
+                           struct problem *problem)
+{
+    const size_t one = query->given->count > 0 ? (size_t)query->given->number[0] : 0;
+    *from = one > 0 ? one - 1 : 0;
+    *to = one > 0 ? one : count;
+    return *to <= count || problem_error(problem, "the row has %zu domino%s", count, count == 1 ? "" : "es");
+}
+
 static bool run_row(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
@@ -31,13 +41,18 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     char *others = NULL;
     if (!scene_row_list(query->scene, &scene, problem))
         return false;
-    if (a->path && !rowfile_others(&query->scene->listed, &others)) {
+    size_t from, to;
+    const bool good = dominoes_asked(query, scene.row.count, &from, &to, problem) &&
+                      (!a->path || rowfile_others(&query->scene->listed, &others) ||
+                       query_status(query, problem, DOM_NO_MEMORY));
+    if (!good) {
         free(scene.domino);
         free(others);
-        return query_status(query, problem, DOM_NO_MEMORY);
+        return false;
     }
-    domq_real heaviest = 0;
-    for (size_t k = 0; k < scene.row.count; k++) {
+    domq_real heaviest = 0, sum = 0;
+    for (size_t k = from; k < to; k++) {
+        sum += scene.domino[k].mass;
         heaviest = quad_larger(heaviest, scene.domino[k].mass);
         has_radii = has_radii || scene.domino[k].radius > 0;
         has_leans = has_leans || scene.domino[k].lean != 0;
@@ -55,7 +70,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     a->style.errors = false; /* 'set row FILE' cannot read columns with errors */
     a->csv.extra = others;
     for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
-        for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {
+        for (size_t k = from; k < to && !answer_lost(a); k++) {
             const struct domq_domino *d = &scene.domino[k];
             const struct cell cells[] = {
                 cell_count((domq_real)k + 1), cell_real(d->height),
@@ -70,11 +85,13 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
         }
     a->csv.extra = NULL;
     free(others);
+    if (scene_has_masses(query->scene) && to - from > 1 && answer_for_people(a))
+        answer_say(a, "All %zu weigh %s.", to, measured(sum, "kg", 5).text);
     struct problem no_room = {.kind = PROBLEM_NONE};
     if (!scene_walls_fit(query->scene, &scene, &no_room) && answer_for_people(a))
         answer_say(a, "This row has no answer yet: %s.", no_room.text);
     free(scene.domino);
-    if (query->next && a->path)
+    if (query->next && a->path && to - from == scene.row.count)
         query->next->scene.listed.saved = true;
     return true;
 }
@@ -251,9 +268,11 @@ const struct command row_commands[] = {
      .access.changes = true,
      .run = run_insert},
     {.name = "row",
-     .synonyms = "list export csv spacing",
-     .summary = "the dominoes of the row",
-     .help = "'row > hall.csv' writes a file that 'set row hall.csv' can read. The first line of the file "
+     .synonyms = "list export csv spacing mass weight",
+     .argument = {{.name = "K", .kind = ARGUMENT_COUNT, .optional = true}},
+     .summary = "the dominoes of the row, or only domino K",
+     .help = "If masses are known, the answer ends with the mass of all dominoes. 'row > hall.csv' writes a "
+             "file that 'set row hall.csv' can read. The first line of the file "
              "has the units.",
      .example = "set row 3; row",
      .see = "effects fall",

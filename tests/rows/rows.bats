@@ -5,6 +5,17 @@
 
 load ../shell/common
 
+@test "row K lists one domino, and the mass of the whole row is below the table" {
+    local scene='set density 650; set row 5'
+    same 'domino 3' 1 "$(json "$scene; row 3" | wc -l)"
+    close 'its mass' "$(awk 'BEGIN { print 650 * 0.108 * 0.01575 * 0.054 }')" "$(json "$scene; row 3" | values mass)"
+    same 'the same row' "$(json "$scene; row" | sed -n 3p)" "$(json "$scene; row 3")"
+    mass=$(json "$scene; row" | values mass | awk '{ sum += $1 } END { printf "%.2f", 1000 * sum }')
+    same 'all' "All 5 weigh $mass g." "$("$DOMINO" -e "$scene; row" | tail -n 1)"
+    [[ $("$DOMINO" -e 'set row 5; row') != *weigh* ]]
+    wrong "$scene; row 6" 'row: the row has 5 dominoes$'
+}
+
 @test "rows of the model: a single domino, each way to end, thousands of dominoes, dominoes taller than the Earth" {
     same one 'all fall' "$(json 'effect row 1; effect push 5; verdict' | values verdict)"
     same weak stops "$(json 'effect row 1; effect push 1; verdict' | values verdict)"
