@@ -474,3 +474,11 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
     press q
     see_last "$prompt"
 }
+
+@test "an error in a file is broken between words" {
+    echo 'rmax hollow' >"$BATS_TEST_TMPDIR/x.dom"
+    cd "$BATS_TEST_TMPDIR"
+    open_session 61 20
+    ask 'source x.dom'
+    same 'the message' 1 "$(screen | paste -sd ' ' - | grep -cF "x.dom:1:6: rmax: S at 'hollow': 'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end")"
+}

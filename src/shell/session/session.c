@@ -128,7 +128,7 @@ static void session_write(struct session *session, const struct problem *problem
     FILE *out = session->output->messages;
     bool colour = terminal_colour(stderr) && !session->source.name;
     fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
-    write_wrapped(out, text, 0, session->source.prompt_width ? terminal_width(stderr) : 0);
+    write_wrapped(out, text, 0, terminal_width(stderr));
     fputs(colour ? "\033[m\n" : "\n", out);
     session->typed.is_last = false;
 }
