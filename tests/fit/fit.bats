@@ -29,6 +29,8 @@ END
     close felt 0.007 "$(json 'set r 1; set d 7.5438/48; set s 9.38/48; solve friction : duration.speed = 1.34 m/s' | values value)" 0.03
 }
 
+# bats test_tags=chance,pictures
+# bats test_tags=chance,pictures
 @test "fit: the friction of the model is found from speeds of the model, with and without errors" {
     for gap in 8 12 20 30; do
         echo "$gap,$(json "set r 1; set s $gap/48; effect friction 0.25; duration" | values speed),0.01"
@@ -55,6 +57,8 @@ END
     grep -q '^The best fit is friction 0, which is the limit of its range\.$' <<<"$output"
 }
 
+# bats test_tags=rows,chance
+# bats test_tags=rows,chance
 @test "fit: an error in a file gives a one-line message" {
     : >empty.csv
     printf 'gap (mm), speed (m/s)\n' >head.csv
@@ -103,6 +107,8 @@ noisy_hits() { # SEED
             printf "%d,%d,%.6f\n", run, k, 3 * run + hit[k] + 0.001 * sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }' exact.csv
 }
 
+# bats test_tags=rows,pictures
+# bats test_tags=rows,pictures
 @test "fit: several parameters of the model are found from hits and angles, within the stated uncertainty" {
     scene='set r 1; set s 0.4; effect row 12; '
     "$DOMINO" -e "$scene effect push 4; effect friction 0.25; fall > exact.csv"
@@ -133,6 +139,8 @@ noisy_hits() { # SEED
     awk '{ exit !($1 == 40 && $2 >= 34 && $3 >= 34 && $2 + $3 < 80) }' inside
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "fit: messages about hit times that drift, a parameter at the limit of its range, and one that has no influence" {
     measured=$BATS_TEST_DIRNAME/../../examples/measured
     fit=$("$DOMINO" -e "set tol 1e-8; set r 1; set h 48 mm; set d 7.5438/48; fit friction, push $measured/felt-frames.csv")
@@ -156,6 +164,8 @@ noisy_hits() { # SEED
     wrong "$scene; fit friction, slope trials.csv" 'trials.csv has the speeds at 1 gap, which cannot determine 2 unknowns'
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "the ends of an interval have as many digits as it takes to tell them apart" {
     local scene='set r 1; set s 0.4; set row 12' line from to
     "$DOMINO" -e "$scene; set push 4; set friction 0.25; fall > exact.csv"

@@ -7,11 +7,15 @@ load ../shell/common
 
 record="effect row \"$root/examples/record.csv\""
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "corners of a picture are 0 where only rounding errors are left" {
     same tiny '(nothing)' "$("$DOMINO" -n -e 'set output csv; set header off; effect row 4; draw; draw at end' |
         tr , '\n' | awk '$1 != 0 && $1 < 1e-12 && $1 > -1e-12')"
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw: rounded edges touch the back of their leader; files show them as arcs, captions name the radius" {
     for scene in 'draw 0' 'draw 0.3' 'set r 1.2; effect friction 0.1; draw 0.1'; do
         "$DOMINO" -e "set output csv; set digits 17; set header off; effect edges 0.05; $scene" 2>forces.txt |
@@ -127,6 +131,8 @@ record="effect row \"$root/examples/record.csv\""
     same 'plot energy' "$plain" "$(grep -v Produced b.svg)"
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw: dominoes in the svg are where the model has them: before the fall, at a time and at the end" {
     while IFS='|' read -r count row what; do
         "$DOMINO" -e "$row; $what > a.svg"
@@ -143,6 +149,8 @@ record="effect row \"$root/examples/record.csv\""
 END
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw: texts in the svg do not overlap, and a repeated height is written once" {
     for row in "$record" 'set r 1.5; effect row 12' 'set q 4; set r 1.7; effect row 8' 'set r 1; effect row 60; effect push 3'; do
         "$DOMINO" -e "$row; draw > a.svg"
@@ -158,6 +166,8 @@ END
     same 'no others' '(nothing)' "$(grep '^-\|^0\.0' texts)"
 }
 
+# bats test_tags=rows,sweeps
+# bats test_tags=rows,sweeps
 @test "draw: data of the row agree with 'row' and with the tape measure, and change with time" {
     "$DOMINO" -e "set output json; $record; row" >row
     "$DOMINO" -e "set output json; $record; draw" >draw
@@ -183,6 +193,8 @@ END
         awk '{ for (k = 1; k <= 10; k++) { if ($k < before[k]) bad = 1; moved += $k > before[k]; before[k] = $k } } END { exit bad || moved < 20 }'
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw: captions say how the fall ends, which domino is the weakest, and what falls" {
     while IFS='|' read -r row what words; do
         "$DOMINO" -e "$row; $what > a.svg; $what > b.txt"
@@ -213,6 +225,8 @@ END
     xmllint --noout a.svg b.svg c.svg
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw: 'train' is the endless train, with a row and without" {
     plain=$("$DOMINO" -e 'draw 0.3')
     same 'with a row' "$plain" "$("$DOMINO" -e 'effect row 5; draw train 0.3')"
@@ -221,6 +235,8 @@ END
     same forces "$("$DOMINO" -e 'draw forces')" "$("$DOMINO" -e 'effect row 5; draw train forces')"
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw: the row in characters has every domino, fits the terminal, and needs no gnuplot" {
     mkdir empty
     run -0 env PATH="$PWD/empty" "$DOMINO" -e "$record; draw"
@@ -235,6 +251,8 @@ END
     differ 'it falls' "$output" "$("$DOMINO" -e "$record; draw at 4")"
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw: on a terminal with UTF-8 the row is drawn in braille and colour, and fits the terminal" {
     terminal() { env -u NO_COLOR LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$root/tests/shell/terminal.py" 100 30 "$DOMINO" -e "$record; draw at 5"; }
     terminal >seen
@@ -250,6 +268,8 @@ END
     terminal LC_ALL=C | grep -q 'Weakest: domino 8 (\*)'
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw: each domino of a row of 14 has a number and a height, or a line says which dominoes have none" {
     local row sentence numbers
     while IFS='|' read -r row sentence numbers; do
@@ -268,6 +288,8 @@ set r 1; effect row 14; effect push 3|(nothing)|1 2 3 4 5 6 7 8 9 10 11 12 13 14
 END
 }
 
+# bats test_tags=rows,sweeps,planning
+# bats test_tags=rows,sweeps,planning
 @test "draw: in a pdf, no word is cut off or written over another one" {
     "$DOMINO" -e 'draw 0.3 > tilt.pdf; draw 0.3 forces > forces.pdf; effect row 12; draw > row12.pdf; plan > plan.pdf
         effect row 20; draw > row20.pdf; plot fall > fall.pdf'
@@ -290,6 +312,8 @@ END
     done
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "rows that cannot be drawn give a one-line error that says what works" {
     one_line "'draw at' shows a row at a given time; first enter 'set row N', for example 'set row 10'" 'draw at 2 s'
     one_line "the motion ends at 7.648 s; 'draw at end' shows the row at this time" "$record; draw at 8 s > a.svg"
@@ -326,6 +350,8 @@ END
     done
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw at end: a leaning domino that stops the row is drawn where it stands, however small the lean" {
     cd "$BATS_TEST_TMPDIR" || return
     for lean in 0.018 0.031 0.05 0.11 0.37 -0.2; do
@@ -335,6 +361,8 @@ END
     done
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "draw tower: the row of the last count, a tower of the counted height at its end, and the small end enlarged" {
     cd "$BATS_TEST_TMPDIR"
     answer=$("$DOMINO" -e 'count 112 m; draw tower' | sed -n '/^20 dominoes, 4/,$p')
@@ -358,6 +386,8 @@ count 112 m; draw tower 3|one argument too many
 END
 }
 
+# bats test_tags=rows,sweeps
+# bats test_tags=rows,sweeps
 @test "a safe session at a terminal runs no other program, whatever the terminal can show" {
     mkdir programs
     for name in gnuplot ffmpeg less cat sh more; do

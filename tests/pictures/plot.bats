@@ -10,6 +10,8 @@ row='effect row 6; effect friction 0.1'
 plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3 7 : rmax'
     energy climb omega inertia chain 'cost fuel')
 
+# bats test_tags=rows,chance,sweeps
+# bats test_tags=rows,chance,sweeps
 @test "each plot makes an svg that parses, a png and a pdf, and fits 80 x 24 characters" {
     local what
     for what in "${plots[@]}"; do
@@ -30,6 +32,8 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
     done
 }
 
+# bats test_tags=rows,chance,sweeps,explain
+# bats test_tags=rows,chance,sweeps,explain
 @test "plot: titles and labels of the pictures" {
     while IFS='|' read -r what words; do
         "$DOMINO" -e "$row; plot $what" >picture
@@ -61,6 +65,8 @@ END
     "$DOMINO" -e 'set d 0.3; effect row 5; plot fall' | grep -q 'Domino 2 stops: it has 5.99 % of the energy that it needs'
 }
 
+# bats test_tags=rows,sweeps
+# bats test_tags=rows,sweeps
 @test "plot: no text is cut off, broken within 'r = 1.5', or written over another text; the legend takes little height" {
     local what title label
     while IFS='|' read -r what title label; do
@@ -85,6 +91,8 @@ END
         awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 540) }'
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "plot: every point is drawn, up to the ends of the axes, even if all values are nearly equal" {
     circles() { grep -c "href='#gpPt5' transform" a.svg; }
     "$DOMINO" -e 'effect row 8; plot placement 40 > a.svg'
@@ -94,6 +102,8 @@ END
     same 'ticks' "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort -u)" "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort)"
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "plot fall: a mark for each domino rather than bars, which could not begin at 0 on a logarithmic axis" {
     "$DOMINO" -e "$row; plot fall" >picture
     same 'in characters' 'o o o o #' "$(sed -n '/^ *10 +/q;3,$s/.*[|+]//p' picture | grep -o '[o#]' | paste -sd ' ' -)"
@@ -147,6 +157,8 @@ END
     wrong 'set s 0.3; set r 1.05; plot climb' 'there is no barrier to climb'
 }
 
+# bats test_tags=rows,sweeps
+# bats test_tags=rows,sweeps
 @test "plot growth, marginal: the data agree with curve, for solid and hollow dominoes" {
     csv 'plot growth paper' >growth
     csv 'plot marginal' >marginal
@@ -174,6 +186,8 @@ END
     same 'no bounds, which a picture does not have' "$(csv 'plot growth')" "$(csv 'set errors on; plot growth')"
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "plot fall, speed: the data agree with fall" {
     for scene in "$row" 'effect row 6; set mass 0.02' 'set r 1.7; effect row 9'; do
         csv "$scene; fall" | cut -d, -f 1,6-8 >fall
@@ -193,6 +207,8 @@ END
         END { exit bad || n < 4 }' row fall speed
 }
 
+# bats test_tags=rows,chance
+# bats test_tags=rows,chance
 @test "plot placement: the data agree with placement, begin at sigma 0, and include the 95 % interval" {
     csv 'effect row 8; effect placement 5 mm; plot placement 150' >likely
     same keys sigma,probability,low,high,rows "$(head -n 1 likely)"
@@ -209,6 +225,8 @@ END
     same 'the effect may be off' 14 "$(csv 'effect row 8; plot placement 20' | wc -l)"
 }
 
+# bats test_tags=sweeps,explain
+# bats test_tags=sweeps,explain
 @test "plot sweep: the data agree with sweep; a sweep into a picture file is drawn" {
     same csv "$(csv 'sweep s 0.2 0.6 5 : rmax')" "$(csv 'plot sweep s 0.2 0.6 5 : rmax')"
     same json "$(json 'sweep q 3, 4 s 0.2 0.6 3 : count 112')" "$(json 'plot sweep q 3, 4 s 0.2 0.6 3 : count 112')"
@@ -225,6 +243,8 @@ END
     "$DOMINO" -e 'plot sweep d 0.001 1 7 log : rmax' | grep -q '^ *0.001 .*0.01 .*0.1 .*1$'
 }
 
+# bats test_tags=rows,explain,engine
+# bats test_tags=rows,explain,engine
 @test "what cannot be plotted: an error in one line that says what to do, and no file" {
     wrong 'plot energy rmax' "'plot energy' takes no arguments"
     wrong 'plot growth pair' "unknown word after 'plot growth' 'pair'; use one of: paper"
@@ -259,6 +279,8 @@ END
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 
+# bats test_tags=rows,sweeps
+# bats test_tags=rows,sweeps
 @test "plot > FILE.gp: a gnuplot script with its data, which draws the picture by itself" {
     mkdir "$BATS_TEST_TMPDIR/scripts" && cd "$BATS_TEST_TMPDIR/scripts"
     "$DOMINO" -e "plot growth > growth.gp; draw 0.3 forces > forces.gp; plot sweep s 0.1 0.8 12 r 1 1.9 9 : fuel.fuel > \"it's.gp\"
@@ -287,6 +309,8 @@ END
     sed 's/again/growth/g' again.gp | diff growth.gp -
 }
 
+# bats test_tags=rows,chance,sweeps
+# bats test_tags=rows,chance,sweeps
 @test "plot: title, labels, width, height and font of a file; no text is cut off at any width from 6 to 30 cm" {
     cd "$BATS_TEST_TMPDIR"
     # Plots of rows, trains and sweeps at each width. 'width' comes after an argument, but before a grid.
@@ -334,6 +358,8 @@ plot fall 3|takes no arguments
 END
 }
 
+# bats test_tags=rows
+# bats test_tags=rows
 @test "plot: ranges, scales and the legend of a chart, in characters and in gnuplot's script" {
     cd "$BATS_TEST_TMPDIR"
     "$DOMINO" -e 'plot growth xrange 0.2 0.5 yrange 1 2 > a.gp; plot growth xscale log yscale log > b.gp; effect row 9
@@ -361,6 +387,8 @@ plot growth family "a,b" > a.svg|the name of a font family may contain only lett
 END
 }
 
+# bats test_tags=sweeps
+# bats test_tags=sweeps
 @test "plot sweep: several answers are curves of one picture, with units if their units differ" {
     picture=$("$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair, 1/s')
     for words in 'rmax, pair, 1/s against s' 'o rmax  *# pair  *+ 1/s' '[0-9] of 30 points lack an answer'; do
@@ -380,6 +408,8 @@ END
     wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.2 3 : rmax, pair' 'up to 6 answers against one parameter, or one answer against two'
 }
 
+# bats test_tags=sweeps
+# bats test_tags=sweeps
 @test "plot > FILE.tex: a picture for TeX, in which special characters of texts are escaped" {
     cd "$BATS_TEST_TMPDIR"
     "$DOMINO" -e 'plot energy title "50 % of $x_1^2$ & #{a} <b>" width 9 cm > a.tex; sweep s 0.1 0.3 5 : rmax > b.tex'

@@ -7,6 +7,7 @@ load ../shell/common
 
 scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3; place 8 75 cm > /dev/null; effect placement 5 mm"
 
+# bats test_tags=sweeps
 @test "plan: the numbers agree with row, tolerance and placement" {
     "$DOMINO" -e "$scene; plan > plan.csv; row > row.csv; tolerance > windows.csv; placement 2000 > study.csv; plan > text.txt"
     python3 - <<'END'

@@ -76,6 +76,7 @@ root=$BATS_TEST_DIRNAME/../..
     done
 }
 
+# bats test_tags=sweeps
 @test "prove works in a sweep, with the same output on any number of threads" {
     grid='sweep s 0.2 0.5 4 q 3, 4 : prove rmax'
     same rows "$(json "set threads 1; $grid" | md5sum)" "$(json "set threads 4; $grid" | md5sum)"
@@ -102,6 +103,7 @@ root=$BATS_TEST_DIRNAME/../..
     done
 }
 
+# bats test_tags=sweeps
 @test "prove count says that the start of the row is computed, but not proved" {
     answer=$(json 'set r 1.64; prove count 112')
     same 'a train that moves' 'no start' "$(values result <<<"$answer")"

@@ -164,6 +164,7 @@ END
     wrong 'effect row gap.csv' "is not a unit of gap; its units are: m, mm, cm"
 }
 
+# bats test_tags=pictures,engine
 @test "lean: the top of a domino is off plumb" {
     {
         echo 'height (mm), thickness (mm), gap (mm), plumb (mm)'

@@ -16,6 +16,7 @@ load ../shell/common
     wrong "$scene; row 6" 'row: the row has 5 dominoes$'
 }
 
+# bats test_tags=engine
 @test "rows of the model: a single domino, each way to end, thousands of dominoes, dominoes taller than the Earth" {
     same one 'all fall' "$(json 'effect row 1; effect push 5; verdict' | values verdict)"
     same weak stops "$(json 'effect row 1; effect push 1; verdict' | values verdict)"
@@ -51,6 +52,7 @@ END
         "$(json 'effect friction 3; effect row 5; rowmax' | values reason)"
 }
 
+# bats test_tags=chance
 @test "with much friction, a row that stops before friction would lock it has a verdict; mend and placement work, too" {
     printf 'height (mm), thickness (mm), gap (mm)\n30, 3.4, -\n40, 18, 3.4\n' | file lock.csv
     scene='effect row lock.csv; effect friction 1.35'
@@ -64,6 +66,7 @@ END
     "$DOMINO" -e "$scene; mend" | grep -q '^The search found no change of a single gap'
 }
 
+# bats test_tags=pictures
 @test "sentences say 'both' for two, do not round digits before the point, and write m g s with blanks" {
     local push='set s 0.05; set r 1; effect row 3; effect push 1000'
     [[ $("$DOMINO" -n -e 'effect row 2; verdict') == 'Both fall in '*' s.'* ]]

@@ -110,6 +110,7 @@ verdicts() { # COMMANDS...
     same windows "$(csv 'effect row plain.csv; effect push 6; tolerance')" "$(csv 'effect row radii.csv; effect push 6; tolerance')"
 }
 
+# bats test_tags=sweeps
 @test "tolerance: 'change' agrees with the windows of boxes, whose walls keep their thickness" {
     printf 'height (mm),thickness (mm),gap (mm)\n48,10.498,0\n56.343,11.041,32.42\n84.451,12.29,38.007\n119.643,22.966,26.517\n149.523,32.78,70.316\n' > boxes.csv
     awk -F, -v OFS=, '{ print $0, NR == 1 ? "width (mm)" : 6 + NR }' boxes.csv > narrow.csv

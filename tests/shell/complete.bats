@@ -14,6 +14,7 @@ load common
 }
 
 # bats test_tags=rows,chance,pictures,sweeps,explain,fit,engine
+# bats test_tags=rows,chance,pictures,sweeps,fit
 @test "complete: commands, parameters, topics, words, names of expressions, files" {
     # 'step back', 'step to' and 'step where' and other phrases stand for commands that completion does not offer.
     all=$(json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|costs|effect' | paste -sd ' ' -)
@@ -148,6 +149,7 @@ END
     same 'nowhere else' '(nothing)' "$(completed 'theta1 alpha')"
 }
 
+# bats test_tags=rows,pictures
 @test "the words that completion offers are accepted as the next word" {
     local line word refused=''
     for line in draw 'draw forces' 'draw 0.3' 'draw 0.3 forces' 'plot chain' 'plot energy' 'plot growth' \

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # FIFOs, pipes and devices as files, and closed descriptors.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+# bats file_tags=whole
 
 load common
 
@@ -40,7 +41,6 @@ load common
 
 @test "a FIFO as the start-up file is reported, and the session opens" { prompt startup_fifo; }
 
-# bats test_tags=sweeps
 @test "FIFOs, pipes and devices are read and written like files" {
     answer=$("$DOMINO" -e fuel)
     mkfifo fifo

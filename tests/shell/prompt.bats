@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The calculator at a terminal. The scenarios are in prompt.exp.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+# bats file_tags=whole
 
 load common
 

@@ -83,6 +83,7 @@ END
 }
 
 # bats test_tags=sweeps
+# bats test_tags=sweeps
 @test "timing: a time follows every answer, in csv and json on standard error" {
     number='[0-9.e+-]+ ms'
     for commands in fuel 'chain 0.1' 'count 112' 'print 1' 'show s' 'curve 0.2 0.4 2'; do
@@ -127,6 +128,7 @@ END
     same both 'walls 18 mm, 0.3 m' "$("$DOMINO" -e 'set walls 18 mm 30 cm; show walls' | awk 'NR == 2 { print $1, $2, $3, $4, $5 }')"
 }
 
+# bats test_tags=chance
 @test "show: columns are aligned with their headers, however long the values are" {
     for scene in '' 'set precision quad; set d 7/48; set digits 36; set seed 123456789' 'set h 1/3; set g 9.8123456789' \
         'set density 700; set output table'; do
@@ -137,6 +139,7 @@ END
     "$DOMINO" -e 'help set' | sed -e '1,/^The parameters now/d' -e '/^$/,$d' | columns_in_line 'help set' 'name value range default meaning'
 }
 
+# bats test_tags=rows,planning
 # bats test_tags=rows,planning
 @test "set s, r and d say that they do not change a row from a file, and which command makes a row from them" {
     for name in s r d; do

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The calculator in a terminal emulator: the tests run it in tmux, and check the screen.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+# bats file_tags=whole
 
 load common
 
@@ -112,7 +113,6 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
     fits 60 "${narrow[@]}"
 }
 @test "answers fit in 80 columns" { fits 80 "${answers[@]}"; }
-# bats test_tags=rows,planning,chance
 @test "details fit in 100 columns, and no word is cut" {
     fits 100 'set q hollow; set row 8; set placement 5 mm; set error_place 5 mm' 'set error_lean 0.3 deg' \
         'placement 50' details plan details
@@ -133,7 +133,6 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
 rows_are() { [ "$(stty -F "$(terminal display-message -p '#{pane_tty}')" size | cut -d ' ' -f 1)" = "$1" ]; }
 modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
 
-# bats test_tags=sweeps
 @test "a long text goes through PAGER, but not in a pipe, into a file, on a dumb terminal, or in a safe session" {
     export PAGER="sed -e '1s/.*/PAGED/' -e '2,\$d'"
     open_session 80 24
@@ -298,7 +297,6 @@ suspended_session() {
     see_last "$prompt"
 }
 
-# bats test_tags=sweeps
 @test "^C during a computation leaves one line, and a prompt below it" {
     open_session 80 24
     type_in 'curve 0.01 0.9 10000000 > /dev/null; set s 0.3'
@@ -326,7 +324,6 @@ $prompt" "$(screen | tail -n 3)"
 $prompt" "$(screen | tail -n 2)"
 }
 
-# bats test_tags=sweeps
 @test "progress does not mix with rows" {
     open_session 80 24
     type_in 'curve 0.1 0.9 6000'
@@ -372,7 +369,6 @@ hinted() { # TEXT HINT
     hint "$2"
 }
 
-# bats test_tags=sweeps
 @test "a hint shows the rest of the usage or of an earlier line; the right arrow, ^E and M-f accept an earlier line" {
     unset NO_COLOR
     open_session 80 24
@@ -436,7 +432,6 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
     done
 }
 
-# bats test_tags=sweeps
 @test "less shows long answers while they are computed; q and ^C end them, and the session goes on" {
     command -v less || skip 'without less'
     unset PAGER

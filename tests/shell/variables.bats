@@ -50,6 +50,7 @@ END
 }
 
 # bats test_tags=sweeps
+# bats test_tags=sweeps
 @test "let: a one-line function" {
     all_print <<'END'
 let f(s) = rmax(s)*s; f(0.3)|0.454336

@@ -23,6 +23,7 @@ END
     grep -qE '^q +4 +1 % +0\.489 +-0\.477$' <<<"$output"
 }
 
+# bats test_tags=rows
 @test "sensitivity accepts a key, arguments or an expression, and does not change the session" {
     close key -1 "$(json 'sensitivity duration.tau' | grep '"h"' | values less | awk '{ print 200 * $1 }')" 6e-3
     differ arguments "$(json 'sensitivity rmax 0.3' | grep '"d"' | values more)" "$(json 'sensitivity rmax' | grep '"d"' | values more)"
@@ -66,6 +67,7 @@ END
     same 'just above' none "$(json "solve s : rmax = $best + 1e-7" | values branch)"
 }
 
+# bats test_tags=rows
 @test "solve: finds where a verdict changes" {
     limit=$(json 'solve friction : barrier' | values value)
     same below 'goes on' "$(json "effect friction $limit*0.999999; barrier" | values verdict)"
@@ -105,6 +107,7 @@ END
     done
 }
 
+# bats test_tags=rows
 # bats test_tags=rows
 @test "solve: no value of the range makes a verdict true" {
     same push 'verdict: no push from 0 to 30 rad/s makes it true that all dominoes fall.' \

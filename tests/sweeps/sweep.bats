@@ -46,6 +46,7 @@ each_sweep() { # SETTING FORMAT...
     for file in *; do [ "$(wc -l <"$file")" -gt 2 ] || same "$file" 'some rows' "$(cat "$file")"; done
 }
 
+# bats test_tags=rows,chance,engine,planning
 @test "workers share data that the first worker makes: functions, rows, the engine, leans, studies, designs" {
     while IFS= read -r line; do
         same "$line" "$("$DOMINO" -n -e "set output csv; set threads 1; $line")" "$("$DOMINO" -n -e "set output csv; set threads 4; $line")"
@@ -59,6 +60,7 @@ set q hollow; sweep s 0.3 0.5 3 : design 1 m
 END
 }
 
+# bats test_tags=rows
 @test "the parts of a sweep, however many, concatenate to the whole sweep, in csv and json" {
     some=$(grep -v 'row 3\|40 log\|print' <<<"$sweeps")
     mkdir "$BATS_TEST_TMPDIR/whole" && cd "$BATS_TEST_TMPDIR/whole"
@@ -77,6 +79,7 @@ END
     for part in 1 2 3; do "$DOMINO" --shard "$part/3" -e "set output csv; $(head -n 1 <<<"$sweeps")"; done | cmp 1.csv -
 }
 
+# bats test_tags=rows
 @test "each row is the answer of the command for this point" {
     csv 'sweep s 0.1 0.5 5 d 0.1 0.3 3 : rmax' >rows
     same rows 16 "$(wc -l <rows)"
@@ -102,6 +105,7 @@ END
     same 'values' 'off 0.1 0.2' "$(json 'sweep friction off, 0.1, on : rmax' | values friction | paste -sd ' ' -)"
 }
 
+# bats test_tags=rows,chance,explain
 @test "grids: even, by equal ratios, lists, words, units, one point, in degrees" {
     grid() { csv "sweep $1 : print 0" | tail -n +2 | cut -d , -f "1-${2:-1}" | paste -sd ' ' -; }
     same even '0.1 0.3 0.5' "$(grid 's 0.1 0.5 3')"
@@ -125,6 +129,7 @@ END
         "$(csv 'sweep precision float, double, quad : print tol' | tail -n +2 | cut -d , -f 2 | paste -sd ' ' -)"
 }
 
+# bats test_tags=rows,explain
 @test "columns: none occurs twice, and columns that repeat a parameter are left out" {
     same rmax s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax' | head -n 1)"
     same 'rmax S' s,rmax.s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax s/2' | head -n 1)"
@@ -140,6 +145,7 @@ END
         awk -F , 'NR > 1 && ($1 == 0 ? $6 != "" : $7 != "") { bad = 1 } END { exit bad || NR != 7 }'
 }
 
+# bats test_tags=rows,explain
 @test "a point without an answer has a row with the reason, and the sweep goes on" {
     csv 'sweep s 0.1 0.9 9 : theta1 40 deg' >rows
     same rows 10 "$(wc -l <rows)"
@@ -166,6 +172,7 @@ END
         "$(sed -n 2p <<<"$output" | xargs)"
 }
 
+# bats test_tags=rows
 @test "a sweep leaves no trace in the session" {
     before=$(json 'goto top; show; where; print ans.theta')
     after=$(json 'goto top; show; where; sweep s 0.1 0.9 5 q hollow, massive friction 0, 0.1 : step 2; print ans.theta' | grep -v '"q":')
@@ -175,6 +182,7 @@ END
         "$("$DOMINO" -e 'effect row 4; sweep row 3, 5 > /dev/null : verdict' 2>/dev/null; "$DOMINO" -e 'effect row 4; sweep row 3, 5 : verdict > /dev/null; scene')"
 }
 
+# bats test_tags=rows,chance,pictures,explain
 @test "an error in a line gives one message and no row" {
     wrong_line 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
     wrong_line 'sweep : rmax' 'the grid is missing; for each parameter, enter NAME FROM TO N'
@@ -317,6 +325,7 @@ END
     same 'to the very end' 0.9 "$(json 'curve 0.1 0.9 7' | values s | tail -n 1)"
 }
 
+# bats test_tags=explain
 @test "curve: a point whose limit is open has no value there, and says why" {
     local scene='set precision quad; set d 0.254524; set q 0.474363' s=0.1192020420696138643273314766323029
     run "$DOMINO" -e "$scene; curve 0.2 $s 2"
@@ -333,6 +342,7 @@ END
     same 'no answer' '-e:1: sweep: interrupted' "$output"
 }
 
+# bats test_tags=rows
 @test "several answers for each point: commands, keys and expressions have a column each" {
     local csv='set output csv; sweep r 1 2 5'
     same 'columns' "$(paste -d, <("$DOMINO" -n -e "$csv : barrier" | cut -d, -f1,5) <("$DOMINO" -n -e "$csv : fuel" | cut -d, -f2) \
@@ -347,6 +357,7 @@ END
     wrong 'sweep r 1 2 3 : rmax, foo' "'foo' has no value"
 }
 
+# bats test_tags=rows
 @test "the unit in a head is that of every cell below it" {
     heads() { "$DOMINO" -n -e "$1" | sed -n 2p | xargs; }
     same 'a column that the first point does not have' 'rad s rad/s J J J J J J J' "$(heads 'set mass 10 g; sweep friction 0, 0.2 : goto 0.1')"

@@ -5,7 +5,8 @@
 
 load ../shell/common
 
-# bats test_tags=rows,explain
+# bats test_tags=rows,explain,proof
+# bats test_tags=explain
 @test "cost: a row for each method, precision and tolerance, and a summary in words" {
     run -0 "$DOMINO" -e 'cost rmax details'
     for word in paper GSL ours proved float double quad; do grep -q "\b$word\b" <<<"$output"; done
@@ -13,6 +14,7 @@ load ../shell/common
         "$(head -n 6 <<<"$output" | sed -E 's/ [0-9][0-9.e+]* (us|times)/ N \1/g' | paste -sd '|' -)"
 }
 
+# bats test_tags=explain,engine
 @test "cost: errors are as small as requested for every method that answers, down to 1e-33 for our own method" {
     for command in rmax barrier duration launch fuel pair; do
         "$DOMINO" -e "set output csv; cost $command" >cost
@@ -53,6 +55,7 @@ load ../shell/common
 }
 
 # bats test_tags=pictures,explain
+# bats test_tags=pictures,explain,engine
 @test "plot cost: the labels of the picture, and its data" {
     run -0 "$DOMINO" -e 'plot cost launch'
     for words in 'What accuracy costs' 'time per answer' 'this program, quad' 'recipe'; do

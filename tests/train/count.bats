@@ -29,6 +29,7 @@ END
     grep -q '"reason":"[^"]' <<<"$answer"
 }
 
+# bats test_tags=rows
 @test "count 112 answers the quiz in the words of the quiz" {
     same 'count 112' '20 solid dominoes, each 1.5 times as large as the one before, with gaps of 0.4 times the height, topple one that is 112 m tall. Such a row falls.
 Hollow dominoes can each be 2.04 times as large as the one before: then 11 are enough.' "$("$DOMINO" -e 'count 112')"
@@ -72,6 +73,7 @@ falls() { # SCENE DOMINOES
 }
 
 # bats test_tags=rows
+# bats test_tags=rows
 @test "count agrees with 'verdict' about a row whose first domino tips over or is pushed" {
     while IFS='|' read -r scene dominoes feasible goes_on; do
         answer=$(json "$scene; count 112" | tail -n 1)
@@ -103,6 +105,7 @@ END
 }
 
 # bats test_tags=rows
+# bats test_tags=rows
 @test "count: how a row ends if its first domino just tips over, and how many dominoes are needed at a smaller growth" {
     answer=$("$DOMINO" -e 'count 112 m 1.64 details')
     for words in '^16 solid dominoes, .* would be needed .* Such a row does not fall\.$' '^Solid .* 1\.59 times as large as the one before: then 17 are enough' \
@@ -123,6 +126,7 @@ END
     grep -q 'The first 2 dominoes fall, but a longer row stops' <<<"$answer"
 }
 
+# bats test_tags=rows,engine
 @test "count asks the rigid-body engine about a row that only it can run" {
     command -v "$DOMINO" >/dev/null
     answer=$("$DOMINO" -e 'effect row 2; effect feet 0.5; count 1 m details' 2>&1) || skip 'without Chipmunk'

@@ -45,6 +45,7 @@ evenly() { # COUNT
     "$DOMINO" -e 'cycle 2' | grep -q 'mgh/2'
 }
 
+# bats test_tags=rows
 @test "cycle: a follower that detaches is an event, before or after the top" {
     same 'fall, then top' 'launch fall top hit' \
         "$(json 'set q hollow; set s 0.54; set r 1.8518; cycle 4' | values event | grep . | paste -sd ' ' -)"
@@ -94,6 +95,7 @@ evenly() { # COUNT
     [[ $output == *'no cycle begins'* ]]
 }
 
+# bats test_tags=rows
 @test "goto: a tilt, an event; beyond the cycle or the stop is an error" {
     same 'tilt' '0.3 top' "$(json 'goto 0.3' | values theta) $(json 'goto 0.3' | values event)"
     same 'event' "$(json barrier | values theta_m)" "$(json 'goto top' | values theta)"
@@ -156,6 +158,7 @@ END
 }
 
 # bats test_tags=rows,chance,pictures,explain
+# bats test_tags=rows,chance,pictures
 @test "draw without T shows the state of 'where', whatever has changed since the last step" {
     local change where
     for change in 'set s 0.3' 'set r 1.4' 'set d 0.2' 'set q 3' 'set tol 1e-9' 'set fuel paper' \

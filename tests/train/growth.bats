@@ -50,6 +50,7 @@ END
 }
 
 # bats test_tags=rows
+# bats test_tags=rows
 @test "rmax names two limits if they differ: for a row that starts, and for a train that is already moving" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax details')
     for words in '1\.64422 times as large' 'A row that starts from rest can have a growth of up to 1\.59459 if its first domino just tips over' \
@@ -74,6 +75,7 @@ END
 }
 
 # bats test_tags=explain
+# bats test_tags=explain
 @test "an open limit is no number: a dip of the margin touches 0 within rounding errors, even in quad" {
     local scene='set precision quad; set d 0.254524; set q 0.474363'
     wrong "$scene; rmax 0.1192020420696138643273314766323029" 'r_max is open: at the growth 4.4669'
@@ -87,6 +89,7 @@ END
     done
 }
 
+# bats test_tags=sweeps
 @test "tables and sentences round a limit down, csv keeps all digits" {
     limit='1\.64422'
     for command in 'rmax; details' why explain 'sweep s 0.4 0.5 2 : rmax' 'curve 0.3 0.5 3' 'count 112; details'; do

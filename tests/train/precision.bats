@@ -67,6 +67,7 @@ quad() { # COMMANDS KEY DIGITS
 }
 
 # bats test_tags=chance
+# bats test_tags=chance
 @test "tables show 6 digits, or as many as 'set digits' says, but no more than tol guarantees; csv and json have all" {
     rmax() { "$DOMINO" -e "$1; rmax; details" | sed -n 's/^r_max  *\([0-9.]*\) .*/\1/p'; }
     same default 1.64422 "$(rmax '')"
@@ -116,6 +117,7 @@ quad() { # COMMANDS KEY DIGITS
     done
 }
 
+# bats test_tags=chance,sweeps,planning
 # bats test_tags=chance,sweeps,planning
 @test "errors on: every number has an error, in table, csv and json" {
     while IFS='|' read -r call expected; do
