@@ -88,8 +88,9 @@ FILE *io_temporary(const char *folder);
 void io_copy(FILE *from, FILE *to);
 
 /* Opens a stream that writes to memory. After fflush or fclose, the text is in *text, and its length in bytes
- * is in *size. There is no NUL byte at its end. The caller frees *text. If memory runs out, the error flag of
- * the stream is set, which open_memstream does not ensure. Returns NULL on failure. */
+ * is in *size. A NUL byte follows; *text is NULL if nothing was written. The caller frees *text. If memory
+ * runs out, the error flag of the stream is set, which open_memstream does not ensure. Returns NULL on
+ * failure. */
 FILE *io_memory(char **text, size_t *size);
 
 #endif

@@ -213,12 +213,13 @@ struct memory {
 static ssize_t memory_write(void *cookie, const char *bytes, size_t count)
 {
     const struct memory *m = cookie;
-    char *text = realloc(*m->text, *m->size + count);
+    char *text = realloc(*m->text, *m->size + count + 1);
     if (!text)
         return 0;
     memcpy(text + *m->size, bytes, count);
     *m->text = text;
     *m->size += count;
+    text[*m->size] = '\0';
     return (ssize_t)count;
 }
 
