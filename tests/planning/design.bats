@@ -62,7 +62,7 @@ session_has() { "$DOMINO" -e "$1" | grep 'session now has'; } # COMMANDS
 
 @test "design: keeps walls, width and thickness as they were typed, and says what it replaces" {
     local kept='set d 8 mm; set width 24 mm; set walls 2 mm 9 cm; set h 60 mm'
-    same 'kept' 'd 8 mm,width 24 mm,walls 2 mm' \
+    same 'kept' 'd 8 mm,width 24 mm,walls 2 mm,' \
         "$("$DOMINO" -e "$kept; design 1 m; show" | awk '/^(d|width|walls) / { print $1, $2, $3 }' | paste -sd ,)"
     same 'and in the row' '0.008 0.024' "$(json "$kept; design 1 m; row" | values thickness | sed -n 1p) $(json "$kept; design 1 m; row" | values width | sed -n 1p)"
     json "$kept; design 1 m > made.csv" >made

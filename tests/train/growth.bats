@@ -89,7 +89,7 @@ END
     done
 }
 
-# bats test_tags=sweeps
+# bats test_tags=sweeps,explain
 @test "tables and sentences round a limit down, csv keeps all digits" {
     limit='1\.64422'
     for command in 'rmax; details' why explain 'sweep s 0.4 0.5 2 : rmax' 'curve 0.3 0.5 3' 'count 112; details'; do
