@@ -57,13 +57,19 @@ static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
     return c->error ? 0 : (ssize_t)size;
 }
 
+/* Closes the file of a channel that is not freed. */
+static int channel_end(void *cookie)
+{
+    const struct channel *c = cookie;
+    const int closed = close(c->file);
+    errno = c->error ? c->error : errno;
+    return c->error ? -1 : closed;
+}
+
 static int channel_close(void *cookie)
 {
-    struct channel *c = cookie;
-    int closed = close(c->file);
-    errno = c->error ? c->error : errno;
-    closed = c->error ? -1 : closed;
-    free(c);
+    const int closed = channel_end(cookie);
+    free(cookie);
     return closed;
 }
 
@@ -126,10 +132,11 @@ static double flushed; /* when standard output was last flushed, as terminal_clo
 
 FILE *io_stdout(const volatile sig_atomic_t *interrupt)
 {
-    const struct channel channel = {.file = STDOUT_FILENO, .interrupt = interrupt};
-    const struct system_stream functions = {.write = channel_write, .close = channel_close};
+    static struct channel channel = {.file = STDOUT_FILENO};
+    const struct system_stream functions = {.write = channel_write, .close = channel_end};
     if (!standard) {
-        standard = cookie_stream(&channel, sizeof channel, "w", functions);
+        channel.interrupt = interrupt;
+        standard = system_stream(&channel, "w", functions);
         if (standard)
             setvbuf(standard, NULL, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, HELD_MOST);
     }
