@@ -22,7 +22,7 @@ DEPS_lint     := python3 musl-tools clang clang-format clang-tidy mandoc shellch
 # with a tag. The tag 'whole' is for sessions that need every feature.
 NAMED   := $(sort $(shell sed -nE 's|^# bats .*_tags=||p; s|^/\* Needs: (.*) \*/|\1|p' tests/*/*.bats tests/*/*.c | tr ',' ' '))
 GONE    := $(filter-out $(BUILT) $(JOINT) whole,$(sort $(NAMED) $(PART)))
-LACK     = $(if $(GONE),$(shell grep -lE 'Needs:.*\<($(subst $(eval) ,|,$(GONE)))\>' $(1)))
+LACK     = $(if $(GONE),$(shell grep -lE 'Needs:.*\<(whole|$(subst $(eval) ,|,$(GONE)))\>' $(1)))
 WITHOUT := $(if $(GONE),$(subst $(eval) ,$(,),!whole $(GONE:%=!%)))
 export WITHOUT
 UNIT    := $(filter-out $(call LACK,$(wildcard tests/unit/test_*.c)),$(wildcard tests/unit/test_*.c))

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: whole */
 /* Completion offers only words that the parser accepts. This is checked at every argument of every
  * command. */
 #include "support.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: whole */
 /* Fast paths for reading and writing lines. Each must give the same result as the general path, or as the C
  * library. */
 #include "support.h"
