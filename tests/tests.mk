@@ -98,8 +98,6 @@ quick test unit hard sessions:
 REMOVABLE := $(filter-out $(JOINT) train,$(EVERY))
 REMOVED   ?= centre $(REMOVABLE)
 LEFT      ?= unit sessions
-# One of them, another one after each commit, for CI.
-TURN       = $(word $(shell expr $$(git rev-list --count HEAD) % $(words $(REMOVABLE)) + 1),$(REMOVABLE))
 left_by    = $(foreach f,$(REMOVABLE),$(if $(filter centre,$(1))$(filter $(1),$(call with_needs,$f)),,$f))
 removable: $(REMOVED:%=without-%)
 without-%: all
