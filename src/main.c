@@ -258,13 +258,16 @@ static bool output_close(const struct output *standard, bool ignores_pipe)
 {
     errno = 0;
     bool is_gone = reader_gone(), is_lost = ferror(standard->out) != 0;
-    if (fclose(standard->out) == 0 && !is_lost)
+    /* The stream knows the reason of its first failure; a later write may know none. */
+    const bool is_closed = fclose(standard->out) == 0;
+    const int closing = is_closed ? 0 : errno;
+    if (is_closed && !is_lost)
         return true;
-    if (!ignores_pipe && (is_gone || errno == EPIPE)) {
+    if (!ignores_pipe && (is_gone || closing == EPIPE)) {
         signal(SIGPIPE, SIG_DFL);
         raise(SIGPIPE);
     }
-    int reason = standard->error ? standard->error : errno;
+    const int reason = closing ? closing : standard->error;
     if (!ended)
         fprintf(io_stderr(), "domino: cannot write the output%s%s\n", reason ? ": " : "",
                 reason ? strerror(reason) : "");
