@@ -266,7 +266,7 @@ run: all
 
 # ---- Tests, checks, fuzzing, speed ----
 
-include tests/tests.mk
+-include tests/tests.mk # the program is built without it, too
 
 # All that the goals of this call need, for 'deps'.
 NEEDED := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
