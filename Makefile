@@ -147,6 +147,7 @@ $(P)/feature_list.h: FORCE
 	@mkdir -p $(@D)
 	@echo '#define FEATURES(X) $(foreach f,$(BUILT) shell,X($f))' > $@.new
 	@cmp -s $@.new $@ || mv $@.new $@
+FORCE:
 
 # Renames each function of the kernels after its precision, as in chain_sum_double, for debuggers.
 KERNEL_C := $(filter-out $(MODEL),$(wildcard $(TRAIN)/*/*.c $(TRAIN)/*/*.h))

@@ -77,7 +77,6 @@ $(P)/tap/hard/%.count: $(P)/hard/% FORCE
 $(P)/tap/shell/python.bats.count: $(if $(PART),,python)
 $(P)/tap/%.bats.count: tests/%.bats all FORCE
 	@tests/run --suite $(P) $<
-FORCE:
 
 # Runs the quick tests: the unit tests, the short sessions, and a twentieth of the points of the sweeps.
 QUICK_HARD := $(P)/hard/test_sweep $(P)/hard/test_properties
