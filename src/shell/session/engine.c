@@ -11,11 +11,6 @@ void scene_engine_use(const struct engine_driver *used)
     driver = used;
 }
 
-bool scene_engine_exists(void)
-{
-    return driver != NULL;
-}
-
 const char *scene_engine_version(void)
 {
     return driver ? driver->version() : NULL;

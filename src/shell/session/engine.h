@@ -28,9 +28,6 @@ struct scene_engine {
 /* Sets the engine of this build. Without one, no row can be run that needs it. */
 void scene_engine_use(const struct engine_driver *driver);
 
-/* Returns true if this build has an engine, even if its library is not installed. */
-bool scene_engine_exists(void);
-
 /* Returns the version of the engine, or NULL if it cannot be loaded. */
 const char *scene_engine_version(void);
 
