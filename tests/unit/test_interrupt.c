@@ -197,6 +197,23 @@ TEST(trains)
     ENDS_SOON(prove);
 }
 
+/* Interrupts the search for the best gap of thin dominoes, whose margins dip, at many checks. The sanitizers
+ * see whether a function uses what an interrupted one has not computed. */
+TEST(a_search_with_dips)
+{
+    enum dom_status status;
+    train_set(0.4, 1, 0, 0);
+    train.d = 1e-12;
+    const size_t all = checks_of(best, SIZE_MAX, &status);
+    if (status != DOM_OK)
+        fail_msg("%s", dom_status_text(status));
+    for (size_t at = 1; at + 1 < all; at += 1 + all / 150) {
+        checks_of(best, at, &status);
+        if (status != DOM_INTERRUPTED)
+            fail_msg("check %zu of %zu: %s", at, all, dom_status_text(status));
+    }
+}
+
 /* Checks that GSL's solvers do not end the program if they see the value of an interrupted function. */
 TEST(trains_with_the_solvers_of_gsl)
 {

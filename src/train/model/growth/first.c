@@ -205,14 +205,16 @@ static enum dom_status find_minimum(struct first *s, const struct stretch *in, s
         return s->c->status;
     /* near the minimum, the margin changes with the square of the distance */
     const real tol = sqrt(REAL_EPSILON) * (hi - lo) / fabs(lo);
-    enum dom_status status =
-        model_status(s->c->status, num_root_between(scaled_slope, s, lo, at_lo, hi, at_hi, tol, &dip->x));
+    const enum num_status solver = num_root_between(scaled_slope, s, lo, at_lo, hi, at_hi, tol, &dip->x);
+    enum dom_status status = model_status(s->c->status, solver);
     if (status == DOM_OK)
         status = sample_finely(s, r_of(s->c, dip->x), minimum);
+    if (status != DOM_OK)
+        return status;
     dip->value = scaled(s, minimum, 0);
     dip->power = 2;
-    *found = status == DOM_OK;
-    return status;
+    *found = true;
+    return DOM_OK;
 }
 
 /* Takes note of a root. Converts its slope from r to x, and to the unit of `scaled`. */

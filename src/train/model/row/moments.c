@@ -108,9 +108,10 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
         s->span = sqrt((s->to - st->lo) / passage_size(s));
     if (!isnan(lasts))
         return DOM_OK;
-    return s->rests
-               ? model_status(st->status, num_integral(slowness_to_rest, s, 0, 1, s->tol, &s->lasts, NULL))
-               : segment_integral(st, slowness, st->lo, s->to, s->tol, &s->lasts);
+    if (!s->rests)
+        return segment_integral(st, slowness, st->lo, s->to, s->tol, &s->lasts);
+    const enum num_status solver = num_integral(slowness_to_rest, s, 0, 1, s->tol, &s->lasts, NULL);
+    return model_status(st->status, solver);
 }
 
 /* Returns the time from x, the variable of slowness_to_rest, until the head comes to rest, minus s->left. */
