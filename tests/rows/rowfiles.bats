@@ -112,7 +112,7 @@ END
 @test "unknown columns are reported once and written back with the row; a misspelt name is an error" {
     printf 'colour, height (mm), thickness (mm), gap (mm), shop\nred, 48, 7.5, -, a\nblue, 50, 7.5, 20, b\n' >more.csv
     run -0 --separate-stderr "$DOMINO" -e 'effect row more.csv; verdict'
-    same 'one note' "-e:1: effect: more.csv:1: ignored columns: 'colour', 'shop'; recognized columns: height, thickness, gap, and, if known, mass or density, width, radius, lean" "$stderr"
+    same 'one note' "-e:1: effect: more.csv:1: ignored columns: 'colour', 'shop'; recognized columns: height, thickness, gap (or pitch, or position), and, if known, mass or density, width, radius, lean" "$stderr"
     printf 'height (mm);thickness (mm);gap (mm);"a;b";note\r\n48,5;7;-;red;"1 "" wide\nor # 2"\r\n50;7;20\r\n' >more.csv
     "$DOMINO" -e 'effect row more.csv; place 2 3 cm; row > saved.csv; effect row saved.csv; row > again.csv'
     same_file saved.csv again.csv
@@ -254,4 +254,44 @@ END
     done
     same 'a number is the number of dominoes' 12 "$(json 'effect row 12; row' | wc -l)"
     same 'a safe session does not look' "$(cd / && "$DOMINO" --safe -e 'effect row 2.5m' 2>&1)" "$("$DOMINO" --safe -e 'effect row 2.5m' 2>&1)"
+}
+
+@test "a pitch or the position of a front face takes the place of the gap" {
+    # Own gaps in mm; the pitch is the gap plus the domino's own thickness, and a position is the sum of the pitches.
+    cat >gaps <<'END'
+48 7.5 0 18
+50 8 20 21
+55 9 22.5 22
+55 7 0 17.25
+62 10 31 30
+END
+    awk 'BEGIN { print "height (mm),thickness (mm),gap (mm),mass (g)" } { print $1 "," $2 "," $3 "," $4 }' gaps >gap.csv
+    awk 'BEGIN { print "height (in);thickness (inch);pitch in cm;mass (g)" }
+        { printf "%.17g;%.17g;%s;%s\n", $1/25.4, $2/25.4, NR == 1 ? "-" : ($3 + $2)/10, $4 }' gaps >pitch.csv
+    awk 'BEGIN { print "Masse (g),Höhe (mm),Dicke (mm),Position (cm)" }
+        { at += NR == 1 ? -31.4 : $3 + $2; printf "%s,%s,%s,%.17g\n", $4, $1, $2, at/10 }' gaps >position.csv
+    for file in pitch position; do
+        while read -r of expected got; do
+            close "$file: gap of domino $of" "$expected" "$got" 1e-15
+        done < <(paste -d ' ' <(seq 5) <(awk '{ print $3/1000 }' gaps) <(json "set row $file.csv; row" | values gap))
+        same "$file" "$("$DOMINO" -e 'set row gap.csv; set push 8; fall')" "$("$DOMINO" -e "set row $file.csv; set push 8; fall")"
+        # Saved rows have gaps, and a change of a thickness keeps the gap.
+        "$DOMINO" -e "set row $file.csv; change 2 thickness 9 mm; row > saved.csv" >changed
+        close "$file: saved" 0.02 "$(json 'set row saved.csv; row' | values gap | sed -n 2p)" 1e-15
+    done
+    # The examples: the last position minus the first, 42.5 in - 13 in, and the sum of the pitches.
+    length() { jq -s '[.[1:][] | .gap + .thickness] | add*1000' <<<"$1"; }
+    close tape "$(awk 'BEGIN { print 29.5*25.4 }')" "$(length "$(json "set row $root/examples/measured/tape.csv; row")")" 1e-5
+    close pitch 245 "$(length "$(json "set row $root/examples/measured/pitch.csv; row")")" 1e-5
+    try() { # PATTERN TEXT
+        printf '%b' "$2" >wrong.csv
+        wrong 'set row wrong.csv' "wrong.csv:$1"
+    }
+    try '1:48: both gap and pitch are given; leave one of these columns out' 'height (mm), thickness (mm), gap (mm),         pitch (mm)\n48, 7, -, -\n'
+    try '1:40: both pitch and position are given' 'height (mm),thickness (mm),pitch (mm), position (mm)\n48, 7, -, 0\n'
+    try '4:7: the front face of domino 3, at 0.02 m, is not beyond that of domino 2, at 0.03 m; list' 'height (mm),thickness (mm),position (mm)\n48,7,0\n48,7,30\n48,7, 20\n'
+    try '3:6: the front face of domino 2 is 0.006 m beyond that of domino 1, but domino 2 is 0.007 m thick, so they would overlap; if these are gaps' 'height (mm),thickness (mm),pitch (mm)\n48,7,-\n48,7,6\n'
+    try '2:6: position is missing' 'height (mm),thickness (mm),position (mm)\n48,7,-\n48,7,6\n'
+    try "1:1: the column 'gap' is missing; the first line must name height, thickness, gap \(or pitch, or position\)" 'height (mm),thickness (mm)\n48,7\n'
+    try '2:6: position = .* is too large' 'height (mm),thickness (mm),position (m)\n48,7,1e10\n'
 }

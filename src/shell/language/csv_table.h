@@ -5,8 +5,10 @@
  * make no difference.
  * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm", "height_mm",
  *   "height/mm" or "height in mm". The second line may also give them.
- * - A cell is an expression. A cell that contains only a dash counts as empty. If a cell has a unit, the unit
- *   of the column does not apply to the cell.
+ * - A cell is an expression. A cell that contains only a dash counts as empty. If a cell has a unit or a
+ *   per cent sign, the unit of the column does not apply to the cell.
+ * - A measurement may have several columns, such as "speed 1 (m/s)" and "speed 2 (m/s)", or "trial 1 (m/s)"
+ *   and "trial 2 (m/s)". Its value is then their mean. A column "average speed" is not used beside them.
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
  *   radians.
  */
@@ -29,16 +31,19 @@ enum {
     CSV_NOT_FIRST = 4, /* the cell of the first row is ignored, and may be empty or out of range */
     CSV_WHOLE = 8,     /* the values of the column are whole numbers */
     CSV_BARE = 16,     /* a number without a unit is in the SI unit of the column */
+    CSV_ONE_OF = 32,   /* at most one of the columns with this property may occur, and one must occur if any
+                          of them is required */
+    CSV_REPEATED = 64, /* the column may occur several times; at most one column has this property */
 };
 
 /* A column that a kind of table may have. */
 struct csv_column {
     const char *name;
-    unsigned traits;
-    const char *unit;       /* the SI unit of the values; "" for plain numbers, NULL for text */
-    const char *units;      /* for messages: a list of the units that a file may use */
-    const char *usual;      /* for messages: the unit to suggest */
-    const char *advice;     /* advice for messages, for example "write a length such as 48 mm" */
+    unsigned traits;    /* a name that ends in " %" is that of a column in per cent: its values are shares */
+    const char *unit;   /* the SI unit of the values; "" for plain numbers, NULL for text */
+    const char *units;  /* for messages: a list of the units that a file may use */
+    const char *usual;  /* for messages: the unit to suggest */
+    const char *advice; /* advice for messages, for example "write a length such as 48 mm" */
     double lowest, highest; /* the ends of the range, which are included */
     const char *range;      /* for messages: the range, such as "0 .. 1e9 m" */
 };
@@ -82,6 +87,9 @@ struct csv_table {
     /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives none. */
     domq_real unit[CSV_COLUMNS_MOST];
     domq_real value[CSV_COLUMNS_MOST];      /* the values of the current row, in SI units, or NaN */
+    bool repeats[CSV_CELLS_MOST];           /* true for each column of a measurement with several columns */
+    int repeated;                           /* how many values the current row has in these columns */
+    domq_real squares;                      /* the sum of the squares of their deviations from the mean */
     bool other[CSV_CELLS_MOST];             /* true for each unknown column of the file */
     const volatile sig_atomic_t *interrupt; /* once this flag is raised, no more rows are read; may be NULL */
     /* the names of the unknown columns of the file, except columns of notes */

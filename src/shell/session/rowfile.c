@@ -68,7 +68,7 @@ struct csv_table *csv_named(const struct scene *scene, const struct run_context 
 
 /* ---- Rows ---- */
 
-enum { DENSITY = ROW_MEASURES, RELATIVE, DOMINO, KINDS };
+enum { DENSITY = ROW_MEASURES, RELATIVE, DOMINO, PITCH, POSITION, KINDS };
 
 #define LENGTH                                                                                               \
     CSV_LENGTH, "write a length such as 48 mm or 5*4.8 cm, or a number in the unit of the first line"
@@ -79,7 +79,7 @@ enum { DENSITY = ROW_MEASURES, RELATIVE, DOMINO, KINDS };
 static const struct csv_column columns[KINDS] = {
     [MEASURE_HEIGHT] = {"height", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
     [MEASURE_THICKNESS] = {"thickness", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11, "more than 0, up to 1e11 m"},
-    [MEASURE_GAP] = {"gap", CSV_REQUIRED | CSV_NOT_FIRST, LENGTH, 0, 1e9, "0 .. 1e9 m"},
+    [MEASURE_GAP] = {"gap", CSV_REQUIRED | CSV_NOT_FIRST | CSV_ONE_OF, LENGTH, 0, 1e9, "0 .. 1e9 m"},
     [MEASURE_MASS] = {"mass", 0, "kg", "kg, g, t, lb, oz", "g", WEIGHT "'mass (g)'", 1e-40, 1e38,
                       "1e-40 .. 1e38 kg"},
     [MEASURE_RADIUS] = {"radius", 0, LENGTH, 0, 1e9, "0 .. 1e9 m"},
@@ -91,6 +91,8 @@ static const struct csv_column columns[KINDS] = {
                   "1e-40 .. 1e38"},
     [DOMINO] = {"domino", 0, PLAIN "the number of the domino (the program ignores this column)", 1, 1e6,
                 "1 .. 1e6"},
+    [PITCH] = {"pitch", CSV_NOT_FIRST | CSV_ONE_OF, LENGTH, 0, 1e9, "0 .. 1e9 m"},
+    [POSITION] = {"position", CSV_ONE_OF, LENGTH, -1e9, 1e9, "-1e9 .. 1e9 m"},
 };
 
 const struct csv_kind rowfile_kind = {
@@ -99,7 +101,8 @@ const struct csv_kind rowfile_kind = {
     .rows_most = 100000,
     .item = "domino",
     .items = "dominoes",
-    .names = "height, thickness, gap, and, if known, mass or density, width, radius, lean",
+    .names =
+        "height, thickness, gap (or pitch, or position), and, if known, mass or density, width, radius, lean",
     .example = "height (mm), thickness (mm), gap (mm)",
 };
 
@@ -131,7 +134,38 @@ enum row_measure domino_misfit(const struct domq_domino *d, domq_real slope, cha
     return d->lean == 0 || lean_stands(d, slope, message) ? ROW_MEASURES : MEASURE_LEAN;
 }
 
-static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *rows)
+/* Finds the gap before the domino in the current row of the file. `before` is the number of dominoes before
+ * it, and `position` is that of the last of them. Pitches and positions are those of front faces, which look
+ * in the direction of the fall. */
+static bool gap_find(struct csv_table *csv, size_t before, domq_real position, domq_real *gap)
+{
+    const bool is_position = csv->column[POSITION];
+    const domq_real here = is_position ? csv->value[POSITION] : 0, thickness = csv->value[MEASURE_THICKNESS],
+                    pitch = is_position ? here - position : csv->value[PITCH];
+    if (before == 0 || csv->column[MEASURE_GAP]) {
+        *gap = before == 0 ? 0 : csv->value[MEASURE_GAP];
+        return true;
+    }
+    if (pitch <= 0)
+        return csv_wrong(
+            &csv->file, csv_cell(csv, is_position ? POSITION : PITCH).at,
+            "the front face of domino %zu, at %s m, is not beyond that of domino %zu, at %s m; list "
+            "the dominoes in the order in which they fall, with positions that increase",
+            before + 1, quad_text(here, 6), before, quad_text(position, 6));
+    *gap = pitch - thickness;
+    if (quad(fabs)(*gap) <
+        (domq_real)1e-12 * (quad(fabs)(here) + pitch)) /* dominoes that touch, but for roundoff */
+        *gap = 0;
+    return *gap >= 0 ||
+           csv_wrong(&csv->file, csv_cell(csv, is_position ? POSITION : PITCH).at,
+                     "the front face of domino %zu is %s m beyond that of domino %zu, but domino %zu is %s m "
+                     "thick, "
+                     "so they would overlap; if these are gaps, call the column 'gap'",
+                     before + 1, quad_text(pitch, 6), before, before + 1, quad_text(thickness, 6));
+}
+
+/* Adds the domino in the current row of the file. `position` is that of the domino before. */
+static bool row_keep(struct csv_table *csv, domq_real slope, domq_real position, struct listed_row *rows)
 {
     const domq_real *value = csv->value, height = value[MEASURE_HEIGHT], thickness = value[MEASURE_THICKNESS];
     const domq_real width = csv->column[MEASURE_WIDTH] ? value[MEASURE_WIDTH] : 0;
@@ -139,13 +173,14 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
     struct domq_domino domino = {
         .height = height,
         .thickness = thickness,
-        .gap = rows->count > 0 ? value[MEASURE_GAP] : 0,
         .mass = csv->column[MEASURE_MASS] ? value[MEASURE_MASS]
                                           : density * height * thickness * (width > 0 ? width : height / 2),
         .radius = csv->column[MEASURE_RADIUS] ? value[MEASURE_RADIUS] : 0,
         .lean = csv->column[MEASURE_LEAN] ? quad(asin)(value[MEASURE_LEAN] / height) : 0,
         .width = width};
     char message[MISFIT_MESSAGE];
+    if (!gap_find(csv, rows->count, position, &domino.gap))
+        return false;
     if (csv->column[RELATIVE] && !rows->has_masses)
         domino.mass = value[RELATIVE];
     const enum row_measure misfit = domino_misfit(&domino, slope, message);
@@ -169,8 +204,10 @@ static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row 
     putc('\0', others);
     rows->has_masses = csv->column[MEASURE_MASS] || csv->column[DENSITY];
     bool good = true;
+    domq_real position = 0;
     while (good && csv_next(csv)) {
-        good = row_keep(csv, slope, rows);
+        good = row_keep(csv, slope, position, rows);
+        position = csv->value[POSITION];
         csv_write_others(csv, false, others);
         putc('\0', others);
     }
