@@ -17,58 +17,8 @@
 
 #include "domino_quad.h"
 #include "language/csv.h"
+#include "language/csv_names.h"
 #include <signal.h>
-
-/* CSV_COLUMNS_MOST is the maximum number of columns that a kind of table knows. A file may also have unknown
- * columns, but at most CSV_OTHERS_MOST. When a row is saved, the unknown columns are written next to the
- * known ones, and a line can have at most CSV_CELLS_MOST columns. */
-enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
-
-/* Properties of a column, as bits. */
-enum {
-    CSV_REQUIRED = 1,  /* every file must have this column */
-    CSV_EMPTY = 2,     /* the cells of the column may be empty */
-    CSV_NOT_FIRST = 4, /* the cell of the first row is ignored, and may be empty or out of range */
-    CSV_WHOLE = 8,     /* the values of the column are whole numbers */
-    CSV_BARE = 16,     /* a number without a unit is in the SI unit of the column */
-    CSV_ONE_OF = 32,   /* at most one of the columns with this property may occur, and one must occur if any
-                          of them is required */
-    CSV_REPEATED = 64, /* the column may occur several times; at most one column has this property */
-};
-
-/* A column that a kind of table may have. */
-struct csv_column {
-    const char *name;
-    unsigned traits;    /* a name that ends in " %" is that of a column in per cent: its values are shares */
-    const char *unit;   /* the SI unit of the values; "" for plain numbers, NULL for text */
-    const char *units;  /* for messages: a list of the units that a file may use */
-    const char *usual;  /* for messages: the unit to suggest */
-    const char *advice; /* advice for messages, for example "write a length such as 48 mm" */
-    double lowest, highest; /* the ends of the range, which are included */
-    const char *range;      /* for messages: the range, such as "0 .. 1e9 m" */
-};
-#define CSV_ABOVE_0 4.9e-324 /* the smallest double above 0, for a range that does not include 0 */
-
-/* Initialises the members unit, units and usual for a column of lengths. */
-#define CSV_LENGTH "m", "m, mm, cm, km, in, ft, yd", "mm"
-
-/* A kind of table, such as a row of dominoes or a series of measurements. */
-struct csv_kind {
-    const struct csv_column *column;
-    int columns; /* at most CSV_COLUMNS_MOST */
-    /* The first line, which names the columns, may be missing. The columns must then be those of `column`, in
-     * the same order. */
-    bool headless;
-    size_t rows_most;
-    /* for messages: the noun for what a row describes, and its plural, such as "domino" and "dominoes" */
-    const char *item, *items;
-    const char *names;   /* for messages: a list of the names of the columns */
-    const char *example; /* for messages: an example of a first line */
-    /* If the file lacks a required column of this kind, the table may be of the kind `otherwise`, which is
-     * tried next. NULL if there is no other kind. If no kind fits, messages are about the first kind that was
-     * tried. */
-    const struct csv_kind *otherwise;
-};
 
 /* A table that is being read. The arrays `column`, `unit` and `value` have an element for each column in
  * kind->column. */
