@@ -20,6 +20,7 @@ load common
     all=$(json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|costs|effect' | paste -sd ' ' -)
     parameters=$(json show | values name | paste -sd ' ' -)
     effects=$(completed 'effect ')
+    landmarks=$(csv landmarks | sed '1d; s/,.*//' | paste -sd ' ' -)
     [ "$(wc -w <<<"$effects")" -ge 5 ]
     [ "$(wc -w <<<"$all")" -ge 22 ]
     while IFS='|' read -r line expected; do
@@ -51,7 +52,7 @@ help dig|digits
 theta1 at|atan( atan2(
 rmax 0.9*rm|0.9*rmax
 rmax (rm|(rmax
-count |h
+count |h $landmarks
 count 112 |r rmax pair m mm cm km in ft yd
 count 112 m |r rmax pair
 set h 48 |m mm cm km in ft yd

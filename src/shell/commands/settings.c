@@ -410,7 +410,8 @@ const struct command session_commands[] = {
          "angles; 3/8 in is "
          "(3/8) in. The functions are "
          "sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max. A name "
-         "is a parameter, or something that 'let' has defined. 'ans' is the last value, and 'ans.KEY' is a "
+         "is a parameter, something that 'let' has defined, or one of the 'landmarks'. 'ans' is the last "
+         "value, and 'ans.KEY' is a "
          "number of the last answer. A command stands for one number of its answer, and a key chooses "
          "another: rmax, rmax(0.3).r_max_paper. g and t are units directly after a number or a ')': '10 g'. "
          "Elsewhere g is gravity: 'h/g', '2*g'. The comparisons are < <= > >= == and !=. The value of a "
@@ -420,7 +421,7 @@ const struct command session_commands[] = {
          "hollow d 0.1'. In an expression, 'with' needs parentheses: '2*(rmax with friction 0.2)'. A text in "
          "double quotes is written as 'echo' writes it.",
      .example = "print ln(112 m / h) / ln(rmax)",
-     .see = "let set",
+     .see = "let set landmarks",
      .typed.shortest = "pr",
      .is_print = true,
      ANSWER(print)},
@@ -443,6 +444,17 @@ const struct command session_commands[] = {
      .see = "print set show",
      .access.changes = true,
      .run = run_let},
+    {.name = "landmarks",
+     .synonyms = "buildings monuments monument building landmark",
+     .summary = "list the towers and other landmarks whose heights have names",
+     .help =
+         "A name in this list stands for the height, in 'count big_ben' and in every expression: "
+         "'eiffel/h'. Blanks may stand for '_', so 'count big ben' works, too. A height "
+         "holds for the year or the state in the list. If 'let' defines the same name, that value counts.",
+     .example = "landmarks; count big ben; print domtoren / 5 cm",
+     .see = "count print let",
+     .rows = true,
+     ANSWER(landmarks)},
     {.name = "save",
      .synonyms = "script store export keep file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},

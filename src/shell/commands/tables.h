@@ -23,6 +23,8 @@ bool run_diff(const struct query *query, struct answer *a, struct problem *probl
 bool run_print(const struct query *query, struct answer *a, struct problem *problem);
 /* Prints the variable that the arguments name, or all variables if they name none. */
 bool show_variables(const struct query *query, struct answer *a);
+extern const struct column landmarks_columns[];
+bool run_landmarks(const struct query *query, struct answer *a, struct problem *problem);
 bool run_let(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

@@ -3,6 +3,7 @@
 #include "commands/tables.h"
 #include "interpreter/command_read.h"
 #include "interpreter/question.h"
+#include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include <ctype.h>
@@ -124,6 +125,26 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
         answer_row(a, ROW({.kind = CELL_NONE}, cell_word(unit)), reason);
     } else
         answer_cells(a, cell, cell_word(unit));
+    return true;
+}
+
+/* ---- landmarks ---- */
+
+const struct column landmarks_columns[] = {
+    {"name", "", "the name, for expressions and for 'count'", 20},
+    {"height", "m", "the height", 0},
+    {"what", "", "where the landmark is, and for which year or state the height holds", 42},
+    {"source", "", "who publishes the height", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+bool run_landmarks(const struct query *query, struct answer *a, struct problem *problem)
+{
+    (void)query;
+    (void)problem;
+    for (const struct landmark *l = landmarks; l->name; l++)
+        answer_cells(a, cell_word(l->name), cell_without_error(quad_read(l->height, NULL)),
+                     cell_word(l->what), cell_word(l->source));
     return true;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command.h"
+#include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
@@ -113,6 +114,9 @@ const char *value_names(const void *context, int k)
         if (k-- == 0)
             return expression_names(NULL, n);
     int count = state ? (int)state->variables.count : 0;
+    for (int n = 0; state && landmark_names(NULL, n); n++)
+        if (k-- == 0)
+            return landmark_names(NULL, n);
     return k == 0                ? "ans"
            : state && k <= count ? state->variables.list[k - 1].name
                                  : topic_names(NULL, k - 1 - count);

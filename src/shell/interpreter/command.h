@@ -186,9 +186,9 @@ const char *topic_names(const void *context, int k);  /* all commands and parame
 const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
 const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
-/* A names_list of the names that are known in expressions: the built-in names, 'ans', the variables of the
- * state `context`, and all commands and parameters, even those without a value, such as 'quit'. If `context`
- * is NULL, the list has no variables. */
+/* A names_list of the names that are known in expressions: the built-in names, landmarks, 'ans', the variables
+ * of the state `context`, and all commands and parameters, even those without a value, such as 'quit'. If
+ * `context` is NULL, the list has no variables and no landmarks, which a variable may hide. */
 const char *value_names(const void *context, int k);
 
 /* Several topics can have the same synonym, such as 'speed'. Returns the name of topic number k, counted from

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command_read.h"
+#include "language/landmarks.h"
 #include "session/parameters.h"
 #include <ctype.h>
 #include <string.h>
@@ -91,7 +92,7 @@ bool goes_on(const char *c)
 /* Returns true if the line is meant as an expression, even one with errors. */
 static bool is_expression(const struct state *state, const struct head *h)
 {
-    const char *c = h->begin;
+    const char *c = h->begin, *end;
     int fewest;
     if (h->end == c)
         return *c && (isdigit((unsigned char)*c) || strchr("(.+-", *c));
@@ -101,6 +102,10 @@ static bool is_expression(const struct state *state, const struct head *h)
         return command_arity(h->command, &fewest) >= 0 && goes_on(h->next);
     if (strcmp(h->name, "not") == 0)
         return h->next > h->end;
+    if (!h->variable && landmark_scan(h->begin, &end)) {
+        end = skip_blanks(end);
+        return command_ends(end) || *end == '>' || goes_on(end);
+    }
     return names_exact(value_names, state, h->name) >= 0 &&
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }

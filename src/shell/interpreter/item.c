@@ -122,6 +122,7 @@ bool item_parse(struct reader *r, const struct argument *a, struct item *item)
                       .error = &error,
                       .arena = r->arena,
                       .no_unit = r->no_unit,
+                      .variables = &r->query->state->variables,
                       .with = with_parse,
                       .context = r,
                       .depth = r->depth};

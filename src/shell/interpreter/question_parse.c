@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command_read.h"
 #include "interpreter/question.h"
+#include "language/landmarks.h"
 #include "session/parameters.h"
 #include "session/rowfile.h"
 #include <ctype.h>
@@ -109,6 +110,8 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     if (v)
         return true;
     int k = is_topic && group_named(word) ? -1 : parameter_search(a->choices, a->noun, word, message);
+    if (k < 0 && is_topic && landmark_find(word))
+        k = names_exact(a->choices, NULL, "landmarks");
     if (k < 0 && is_topic && is_expression_topic(word))
         k = names_exact(a->choices, NULL, "print");
     q->item[i].number = k;

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/symbols.h"
+#include "language/landmarks.h"
+#include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
 #include <ctype.h>
@@ -165,6 +167,9 @@ static bool unknown(struct resolver *r, const struct tree *t)
         return fail(r, t, "'%s' is a value of %s; enter 'set %s %s', or write 'with %s %s' at the end",
                     t->name, p->name, p->name, t->name, p->name, t->name);
     const char *close = names_closest(value_names, r->state, t->name);
+    for (int k = 0; !close && t->name[1] && landmark_names(NULL, k); k++)
+        if (strncmp(landmark_names(NULL, k), t->name, strlen(t->name)) == 0)
+            close = landmark_names(NULL, k);
     const struct parameter *suggested = parameter_by_synonym(t->name, !close);
     if (suggested && names_exact(value_names, r->state, suggested->name) >= 0)
         close = suggested->name;
@@ -196,6 +201,13 @@ static bool name_resolve(struct resolver *r, struct tree *t)
     if (t->count == 0 && strcmp(t->name, "ans") == 0)
         return ans_resolve(r, t);
     const struct command *c = command_find(t->name);
+    const struct landmark *l = c || !is_bare ? NULL : landmark_find(t->name);
+    if (l) {
+        t->kind = TREE_NUMBER;
+        t->value = expression_unit("m");
+        t->value.value = quad_read(l->height, NULL);
+        return true;
+    }
     return c ? command_resolve(r, t, c) : unknown(r, t);
 }
 

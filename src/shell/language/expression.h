@@ -60,6 +60,7 @@ enum tree_operator {
 };
 
 struct function;
+struct variables;
 
 struct tree {
     enum tree_kind kind;
@@ -104,6 +105,8 @@ struct parse {
      * "sg", then the s in "r 2 s 0.3" is the parameter s, not seconds. If this member is not NULL, the word
      * "feet" after a blank is also a name, because there is an effect called feet. */
     const char *no_unit;
+    /* The names that 'let' has defined, or NULL. They hide landmarks. */
+    const struct variables *variables;
     /* Parses a "with" after a value in parentheses, as in "(rmax with q hollow d 0.1)". The "with" begins at
      * parse->end. Returns a tree for the value and its "with", or NULL after an error. If the pointer `with`
      * itself is NULL, the parser does not accept "with". */

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parses expressions by recursive descent. */
-#include "language/expression.h"
+#include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "language/variables.h"
 #include <ctype.h>
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { NODES_MAX = 1000000, NAME_SIZE = 32 };
@@ -142,14 +144,26 @@ static bool parse_arguments(struct parse *p, struct tree *name)
     return true;
 }
 
+/* Returns the landmark at p->end if its name contains blanks, as in "big ben", and stores the end of the
+ * name. Returns NULL if there is none, or if its first word is the name of a variable. */
+static const struct landmark *landmark_of_words(const struct parse *p, const char **end)
+{
+    const size_t length = name_length(p->end);
+    const struct landmark *l = landmark_scan(p->end, end);
+    char first[NAME_SIZE];
+    snprintf(first, sizeof first, "%.*s", (int)length, p->end);
+    return *end > p->end + length && !(p->variables && variable_find(p->variables, first)) ? l : NULL;
+}
+
 static struct tree *parse_name(struct parse *p)
 {
-    const char *at = p->end;
-    size_t length = name_length(at);
+    const char *at = p->end, *end;
+    const struct landmark *l = landmark_of_words(p, &end);
+    size_t length = l ? (size_t)(end - at) : name_length(at);
     if (length >= NAME_SIZE)
         return parse_fail(p, "this name is too long");
     struct tree *t = make_node(p, TREE_NAME, at);
-    if (!t || !(t->name = arena_text(p->arena, at, length)))
+    if (!t || !(t->name = l ? l->name : arena_text(p->arena, at, length)))
         return parse_fail(p, "out of memory");
     p->end += length;
     if (*p->end == '(' && !parse_arguments(p, t))

@@ -3,6 +3,7 @@
  * valid. */
 #include "interpreter/preview.h"
 #include "io/escape.h"
+#include "language/landmarks.h"
 #include "prompt/input.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -80,6 +81,11 @@ static void emit_values(const struct completion *c)
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
     emit_name(c, "ans", "", !is_any);
+    const bool has_landmarks = *c->name ? is_any || quantity_alike(expression_unit("m"), argument_unit(a))
+                                        : a->kind == ARGUMENT_HEIGHT && !c->offer.is_inside;
+    for (int i = 0; (name = landmark_names(NULL, i)) != NULL; i++)
+        if (has_landmarks)
+            emit_name(c, name, "", !is_any);
     for (const struct variable *v = variables->list; v && v < variables->list + variables->count; v++)
         if (is_any || v->body || quantity_alike(v->value, argument_unit(a)))
             emit_name(c, v->name, v->body ? "(" : "", !is_any);
