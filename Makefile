@@ -80,7 +80,7 @@ DOUBLE  := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c d
            $(wildcard $(TRAIN)/compare/*.c) $(filter $(wildcard $(IN_DOUBLE:%=src/%/model/*.c)),$(MODELS))
 QUAD    := $(addprefix $(TRAIN)/precision/,float.c quad.c)
 MODEL   := $(DOUBLE) $(TYPED) $(QUAD)
-ENGINE_C := $(filter-out %/feature.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
+ENGINE_C := $(filter-out %/feature.c %/row_engine.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
 # The sources of a feature are in its folder, and in folders within it that are neither a model nor a feature.
 SHELL_C := src/main.c $(wildcard src/shell/*/*.c) $(filter-out $(ENGINE_C) \
            $(foreach f,$(EVERY),$(if $(filter $f,$(BUILT)),,src/$(subst _,/,$f)/%)) src/train/model/% $(BUILT:%=src/%/model/%), \

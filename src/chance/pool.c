@@ -57,8 +57,8 @@ static uint32_t scene_checksum(const struct scene_row *scene)
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         checksum_add(&sum, all[i]);
     if (row->engine) {
-        checksum_add(&sum, scene->engine.effects.feet);
-        checksum_add(&sum, scene->engine.effects.bounce);
+        checksum_add(&sum, scene->engine.feet);
+        checksum_add(&sum, scene->engine.bounce);
     }
     for (size_t k = 0; k < row->count; k++) {
         checksum_add(&sum, row->domino[k].height);

@@ -207,7 +207,7 @@ static bool design_find(const struct query *query, struct domq_wish *wish, const
     struct scene with_row = *query->scene;
     with_row.effect[DOM_EFFECT_row].on = true;
     if (scene_has_engine(&with_row)) {
-        if (!scene_engine_make(&with_row, 1, engine, problem))
+        if (!row_engine->make(&with_row, 1, engine, problem))
             return false;
         wish->engine = &engine->engine;
     }
@@ -227,7 +227,7 @@ static bool design_find(const struct query *query, struct domq_wish *wish, const
     if (d->limit == DOM_DESIGN_FAILED)
         return search_failed(query->scene, d, problem);
     /* Check now that the engine can run a row of this length. */
-    return !wish->engine || scene_engine_make(&with_row, d->steps + 1, engine, problem);
+    return !wish->engine || row_engine->make(&with_row, d->steps + 1, engine, problem);
 }
 
 /* Prints how safe the design is. Adds a list of its dominoes to the details. */

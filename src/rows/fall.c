@@ -45,13 +45,13 @@ struct falling {
 
 static bool is_slippery(const struct scene_row *scene)
 {
-    return scene->row.engine && isfinite(scene->engine.effects.feet);
+    return scene->row.engine && isfinite(scene->engine.feet);
 }
 
 /* Returns how far the foot of domino k, counted from 0, has slid. Only the engine computes this. */
 static domq_real foot_slid(const struct scene_row *scene, size_t k)
 {
-    return scene->row.engine ? (domq_real)scene->report.hit[k].slid : DOMQ_NAN;
+    return scene->row.engine ? (domq_real)scene->report.slid[k] : DOMQ_NAN;
 }
 
 /* ---- In words ---- */
@@ -73,7 +73,7 @@ static void all_fall_say(struct answer *a, const struct falling *f)
 static const char *end_reason(const struct row_run *run)
 {
     const struct domq_verdict *v = &run->verdict;
-    if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->scene.report.settled.fall.lies)
+    if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->scene.report.lies)
         return "this domino falls, and the next one stays upright";
     if (!run->scene.row.engine && v->end == DOM_ROW_STOPS && !isfinite(v->short_by))
         return "its energy is too small; with more energy, friction would lock the row at a larger tilt";
@@ -117,7 +117,7 @@ static void slide_say(struct answer *a, const struct scene_row *scene, size_t hi
 /* If the engine ran the row, prints how far feet slide and how accurate the engine is. */
 static void engine_say(struct answer *a, const struct row_run *run)
 {
-    const struct engine_settled *s = &run->scene.report.settled;
+    const struct engine_report *s = &run->scene.report;
     if (is_slippery(&run->scene))
         slide_say(a, &run->scene, run->verdict.domino);
     if (run->scene.row.engine)
@@ -126,7 +126,7 @@ static void engine_say(struct answer *a, const struct row_run *run)
             "Chipmunk %s, a rigid-body engine, ran the row with at least %g time steps per sqrt(h/g), where "
             "h is the height of the domino that was hit last. With half as many steps the verdict is the "
             "same, and times agree within %.2g %%.",
-            scene_engine_version(), s->grain.steps, 100 * s->change);
+            row_engine->version(), s->steps, 100 * s->change);
 }
 
 /* ---- The run ---- */
@@ -191,9 +191,8 @@ static void verdict_row(struct answer *a, const struct row_run *run)
         cell_count((domq_real)v->domino),
         cell_computed(v->short_by),
         cell_uncertain(falls ? v->seconds : DOMQ_NAN,
-                       run->scene.row.engine
-                           ? (domq_real)(run->scene.report.settled.change * (double)v->seconds)
-                           : DOMQ_NAN),
+                       run->scene.row.engine ? (domq_real)(run->scene.report.change * (double)v->seconds)
+                                             : DOMQ_NAN),
         v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
         cell_computed(v->spare)};
     snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));

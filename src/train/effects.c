@@ -34,7 +34,7 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     struct domq_compute compute = scene->compute;
     compute.work = work;
     if (scene->effect[DOM_EFFECT_row].on && row->row.engine)
-        return scene_engine_rough(&row->row, &compute); /* a single run, with coarse steps */
+        return row_engine->rough(&row->row, &compute); /* a single run, with coarse steps */
     if (scene->effect[DOM_EFFECT_row].on) {
         enum dom_status status;
         const struct feature *f;
@@ -205,7 +205,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
         if (scene->effect[k].on && effect_at(k)->dissipates)
             text_add(loses, sizeof loses, "%s%s is on", *loses ? ", " : "", effect_at(k)->name);
     if (is_engine) /* the engine's library is loaded only for a scene that needs the engine */
-        version = scene_engine_version();
+        version = row_engine->version();
     snprintf(engine, sizeof engine, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",
              version ? version : "7 (not installed)");
     motion_why = is_engine ? scene_engine_why(scene) : has_losses ? loses : "no losses";

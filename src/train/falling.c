@@ -14,8 +14,8 @@ bool row_run_begin(const struct query *query, struct problem *problem, struct ro
     if (!scene->row.engine)
         return true;
     scene->engine.report = &scene->report;
-    scene->report.hit = malloc(scene->row.count * sizeof *scene->report.hit);
-    if (scene->report.hit)
+    scene->report.slid = malloc(scene->row.count * sizeof *scene->report.slid);
+    if (scene->report.slid)
         return true;
     row_run_free(run);
     (void)query_status(query, problem, DOM_NO_MEMORY);
@@ -47,7 +47,7 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
 
 void row_run_free(struct row_run *run)
 {
-    free(run->scene.report.hit);
+    free(run->scene.report.slid);
     free(run->scene.domino);
     free(run->fall);
 }

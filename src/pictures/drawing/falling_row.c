@@ -127,7 +127,7 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
     const struct scene_row *scene = &row->run.scene;
     struct domq_verdict verdict;
     if (scene->row.engine)
-        return scene_engine_watch(&scene->row, &scene->compute, times, count, visit, context, row->slid);
+        return row_engine->watch(&scene->row, &scene->compute, times, count, visit, context, row->slid);
     return domq_row_watch(&scene->row, &scene->compute, times, count, visit, context, &verdict);
 }
 

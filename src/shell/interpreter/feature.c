@@ -37,7 +37,7 @@ void features_register(const struct feature *const *list)
         for (int k = 0; (*f)->parameter && (p = (*f)->parameter(k)) != NULL; k++)
             parameters_add(p, feature_has);
         if ((*f)->engine)
-            scene_engine_use((*f)->engine);
+            row_engine = (*f)->engine;
         for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++)
             group_add(all, count++, g);
     }

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects that only the shell has, in addition to the effects of the library: their names, their numbers,
- * and declarations of their descriptions. */
+/* The effects that features of the program describe, in addition to the effects of the library: their names
+ * and their numbers. */
 #ifndef SHELL_EFFECT_KINDS_H
 #define SHELL_EFFECT_KINDS_H
 
 #include "domino_quad.h"
 
+/* The effects of the rigid-body engine, which the feature 'engine' describes. */
 #define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
 /* The kinds of random error that have their own effect, which the feature 'chance' describes, and the feature
@@ -30,10 +31,6 @@ enum {
 #undef ERROR_EFFECT_ENUM
         EFFECT_COUNT
 };
-
-#define ENGINE_EFFECT_DECLARE(name) extern const struct domq_effect engine_effect_##name;
-ENGINE_EFFECTS(ENGINE_EFFECT_DECLARE)
-#undef ENGINE_EFFECT_DECLARE
 
 /* Returns true for an effect that gives rows random errors. */
 static inline bool effect_is_random(int effect)

@@ -1,15 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Descriptions of all effects: first the effects of the library, then the effects of the rigid-body engine,
- * and then random errors.
- *
- * To add an effect of the model, follow src/train/model/dynamics/README.md. To add an effect of the engine,
- * add
- * - its name to effect_kinds.h
- * - its description to effect_list.c
- * - its value to scene_engine_make (engine.c)
- * - its code to src/engine/
- */
+/* Descriptions of all effects: first the effects of the library, then those that features of the program
+ * describe (effect_kinds.h). To add an effect of the model, follow src/train/model/dynamics/README.md. */
 #ifndef SHELL_EFFECT_LIST_H
 #define SHELL_EFFECT_LIST_H
 

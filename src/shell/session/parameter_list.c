@@ -134,10 +134,6 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define MORE_floor .example = "set row 5; set floor 0.4; fall; set floor off; set row off", RANGE(0, 3),
 #define MORE_placement .feature = "chance", RANGE(0, 0.1), \
     .example = "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
-#define MORE_feet .feature = "engine", RANGE(0.05, 2), \
-    .example = "set q hollow; set row 8; set feet 0.4; fall; set feet off; set row off",
-#define MORE_bounce .feature = "engine", RANGE(0, 1), \
-    .example = "set q hollow; set row 8; set bounce 0.5; verdict; set bounce off; set row off",
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
 /* The first members of an entry: the name, and the offset and description of the value. */
 #define ENTRY(name_, member, unit_, meaning_, ...) \
@@ -150,11 +146,11 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define COMPUTE_NUMBER(...) NUMBER(scene.compute, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scene.scale, __VA_ARGS__)
 #define DYNAMICS(name, member, status) EFFECT(name)
-#define EFFECT(name) EFFECT_ENTRY(name, domq_effect_##name, DOM_EFFECT_##name)
-#define ENGINE_EFFECT(name) EFFECT_ENTRY(name, engine_effect_##name, EFFECT_##name)
-#define EFFECT_ENTRY(name_, of, number) \
-    {.name = #name_, MORE_##name_ .value = of.argument, .effect = &of, .which = number, .words = effect_words},
-/* The feature 'chance' has these entries; here are only their names and what they need. */
+#define EFFECT(name_) \
+    {.name = #name_, MORE_##name_ .value = domq_effect_##name_.argument, .effect = &domq_effect_##name_, \
+     .which = DOM_EFFECT_##name_, .words = effect_words},
+/* Features have these entries; here are only their names and what they need. */
+#define ENGINE_EFFECT(name_) {.name = #name_, .feature = "engine"},
 #define ERROR_EFFECT(name_, feature_) {.name = "error_" #name_, .feature = feature_},
 
 const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON}, {NULL, 0}};
@@ -233,7 +229,11 @@ void parameters_add(const struct parameter *p, bool (*has)(const char *feature))
     effect_use(p->which, p->effect);
     if (end == built + EVERY - 1 || (p->feature && !has(p->feature)))
         return;
-    *end++ = *p;
+    /* in the order of the effects, whatever the order of the features */
+    struct parameter *at = end++;
+    for (; at > built && at[-1].effect && at[-1].which > p->which; at--)
+        *at = at[-1];
+    *at = *p;
     end->name = NULL;
 }
 

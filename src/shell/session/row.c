@@ -164,7 +164,7 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
         return false;
     bool good = scene_row_check(scene, row, problem);
     if (good && scene_has_engine(scene)) {
-        good = scene_engine_make(scene, row->row.count, &row->engine, problem);
+        good = row_engine->make(scene, row->row.count, &row->engine, problem);
         row->row.engine = &row->engine.engine;
         row->compute.tol = quad_larger(row->compute.tol, ENGINE_TOL);
     }

@@ -1,0 +1,323 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Runs the row of a scene in the engine: converts dominoes to boxes, and what the engine finds to the answers
+ * that the library and the commands ask for. */
+#include "engine/row_engine.h"
+#include "engine/engine.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Conversion between the library's and the engine's rows and units ---- */
+
+/* The units in which the engine computes: the height h and the mass of the first domino, and the time
+ * sqrt(h/g). With these units, rounding errors do not depend on the size of the dominoes. */
+struct unit {
+    double length, mass, time;
+};
+
+static struct unit unit_of(const struct domq_row *row)
+{
+    double h = (double)row->domino[0].height;
+    return (struct unit){h, (double)row->domino[0].mass, sqrt(h / (double)row->g)};
+}
+
+/* Returns the moment of inertia of a box about its centre. The unit is the moment of inertia of a solid block
+ * with the same size and mass. For a solid domino, returns 0. */
+static double box_inertia(const struct domq_row *row, const struct domq_domino *d)
+{
+    struct domq_box box;
+    if (row->walls == 0 || d->height <= row->boxes_above ||
+        domq_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
+            DOM_OK)
+        return 0;
+    /* box.inertia is the moment of inertia about a lower edge, divided by that of a solid block. In the unit
+     * of this function, the moment about the edge is the moment about the centre plus 3 (parallel axis
+     * theorem), so it is 1 + 3 = 4 for a solid block. */
+    return 4 * (double)box.inertia - 3;
+}
+
+/* Converts a row to the engine's units. The caller frees *boxes, even after a failure. */
+static enum dom_status row_convert(const struct domq_row *row, struct engine_row *engine,
+                                   struct engine_box **boxes)
+{
+    const struct scene_engine *of_scene = row->engine->context;
+    const struct unit unit = unit_of(row);
+    struct engine_box *box = *boxes = malloc(row->count * sizeof *box);
+    if (!box)
+        return DOM_NO_MEMORY;
+    for (size_t k = 0; k < row->count; k++) {
+        const struct domq_domino *d = &row->domino[k];
+        box[k] = (struct engine_box){(double)d->height / unit.length,
+                                     (double)d->thickness / unit.length,
+                                     (double)d->gap / unit.length,
+                                     (double)d->mass / unit.mass,
+                                     box_inertia(row, d),
+                                     (double)d->radius / unit.length};
+        if (!(box[k].height > 0 && box[k].thickness > 0 && box[k].gap >= 0 && box[k].mass > 0) ||
+            !isfinite(box[k].height + box[k].thickness + box[k].gap + box[k].mass))
+            return DOM_BAD_HEIGHT;
+    }
+    *engine = (struct engine_row)ENGINE_ROW(box, row->count);
+    engine->bounce = of_scene->bounce;
+    engine->feet = fmax(of_scene->feet + (double)row->feet, 0);
+    engine->push = (double)row->push * unit.time;
+    engine->mu = (double)row->mu;
+    engine->slope = (double)row->alpha;
+    engine->radius = (double)row->rho;
+    return DOM_OK;
+}
+
+static enum dom_status status_of(enum engine_status status)
+{
+    switch (status) {
+    case ENGINE_OK:
+        return DOM_OK;
+    case ENGINE_NO_MEMORY:
+        return DOM_NO_MEMORY;
+    case ENGINE_INTERRUPTED:
+        return DOM_INTERRUPTED;
+    case ENGINE_NO_LIBRARY:
+        return DOM_NO_METHOD;
+    case ENGINE_NO_END:
+        break;
+    }
+    return DOM_NOT_CONVERGED;
+}
+
+/* Converts the records of hits from the engine's units to m, s and kg. */
+static void hits_scale(struct engine_hit *hit, struct unit unit, size_t hits)
+{
+    for (size_t k = 0; k < hits; k++) {
+        double speed = unit.length / unit.time;
+        hit[k].time *= unit.time;
+        hit[k].until *= unit.time;
+        hit[k].omega /= unit.time;
+        hit[k].kinetic *= unit.mass * speed * speed;
+        hit[k].slid *= unit.length;
+    }
+}
+
+static void hits_visit(const struct engine_hit *hit, const struct engine_fall *fall,
+                       bool (*visit)(const struct domq_fall *, void *), void *context)
+{
+    const domq_real none = DOMQ_NAN;
+    for (size_t k = 0; k < fall->hits; k++) {
+        struct domq_fall f = {.domino = k + 1,
+                              .time = (domq_real)hit[k].time,
+                              .duration = (domq_real)(hit[k].until - hit[k].time),
+                              .omega = (domq_real)hit[k].omega,
+                              .kinetic = (domq_real)hit[k].kinetic,
+                              .barrier = none,
+                              .margin = none,
+                              .lost = none,
+                              .friction_work = none,
+                              .theta_m = none,
+                              .theta = none,
+                              .moving = k + 1,
+                              .floor_motion = none,
+                              .floor_hit = none};
+        if (!visit(&f, context))
+            return;
+    }
+}
+
+static void verdict_fill(const struct engine_fall *fall, const struct domq_row *row, double seconds,
+                         struct domq_verdict *verdict)
+{
+    const size_t last = fall->hits - 1;
+    bool beyond = fall->lies && !fall->all && row->domino[last + 1].gap >= row->domino[last].height;
+    *verdict = (struct domq_verdict){.end = fall->all     ? DOM_ROW_FALLS
+                                            : fall->leans ? DOM_ROW_LEANS
+                                            : beyond      ? DOM_ROW_MISSES
+                                                          : DOM_ROW_STOPS,
+                                     .domino = fall->hits,
+                                     .short_by = fall->all ? 0 : DOMQ_NAN,
+                                     .seconds = (domq_real)seconds,
+                                     .spare = DOMQ_NAN};
+}
+
+static void report_fill(const struct engine_settled *settled, const struct engine_hit *hit, struct unit unit,
+                        struct engine_report *report)
+{
+    for (size_t k = 0; k < settled->fall.hits; k++)
+        report->slid[k] = hit[k].slid;
+    *report = (struct engine_report){.slid = report->slid,
+                                     .lies = settled->fall.lies,
+                                     .change = settled->change,
+                                     .steps = settled->grain.steps,
+                                     .tolerance = settled->grain.tolerance,
+                                     .zero = settled->fall.zero * unit.time};
+}
+
+/* Runs a row in the engine. The library calls this function through struct domq_engine. */
+static enum dom_status run_row(const struct domq_row *row, const struct domq_compute *compute, bool times,
+                               bool (*visit)(const struct domq_fall *fall, void *context), void *context,
+                               struct domq_verdict *verdict)
+{
+    const struct scene_engine *of_scene = row->engine->context;
+    const struct unit unit = unit_of(row);
+    struct engine_row engine;
+    struct engine_box *box;
+    struct engine_settled settled = {.same = false};
+    const struct engine_fall *fall = &settled.fall;
+    struct engine_hit *hit = times ? malloc(row->count * sizeof *hit) : NULL;
+    enum dom_status status = row_convert(row, &engine, &box);
+    if (times && !hit)
+        status = DOM_NO_MEMORY;
+    if (status == DOM_OK)
+        status = status_of(engine_settle(&engine, times, compute->interrupt, hit, &settled));
+    if (status == DOM_OK && times && !settled.same)
+        status = DOM_NOT_CONVERGED;
+    if (status == DOM_OK)
+        verdict_fill(fall, row, times ? fall->seconds * unit.time : (double)NAN, verdict);
+    if (status == DOM_OK && times) {
+        hits_scale(hit, unit, fall->hits);
+        if (of_scene->report)
+            report_fill(&settled, hit, unit, of_scene->report);
+        if (visit)
+            hits_visit(hit, fall, visit, context);
+    }
+    free(hit);
+    free(box);
+    return status;
+}
+
+/* ---- Runs for commands ---- */
+
+static enum dom_status run_once(const struct domq_row *row, const struct domq_compute *compute,
+                                const struct engine_grain *grain, engine_visit *visit, void *context)
+{
+    struct engine_fall fall;
+    struct engine_row engine;
+    struct engine_box *box;
+    enum dom_status status = row_convert(row, &engine, &box);
+    if (status == DOM_OK)
+        status = status_of(engine_run(&engine, grain, compute->interrupt, NULL, visit, context, &fall));
+    free(box);
+    return status;
+}
+
+static enum dom_status row_rough(const struct domq_row *row, const struct domq_compute *compute)
+{
+    return run_once(row, compute, &engine_coarsest, NULL, NULL);
+}
+
+struct watch {
+    struct unit unit;
+    double zero;             /* the reading of the engine's clock in s when the visitor's clock reads 0 */
+    const domq_real *times;  /* the next times to visit, in s */
+    size_t left;             /* the number of elements left in `times` */
+    domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
+    double *feet;            /* how far the feet have slid by the end of the last step, in m */
+    double time;             /* the time of the last step, in s */
+    size_t head;
+    domq_moment_visit *visit;
+    void *context;
+    bool more; /* the visitor has not asked to stop */
+};
+
+/* Passes the state after the last step, and its time in s, to the visitor. */
+static void watch_visit(struct watch *w, double time)
+{
+    const struct domq_moment moment = {.time = (domq_real)time,
+                                       .head = w->head + 1,
+                                       .moving = w->head + 1,
+                                       .tilt = w->tilt,
+                                       .omega = w->omega};
+    w->more = w->visit(&moment, w->context);
+    w->times++;
+    w->left--;
+}
+
+/* The engine calls this function after each step. */
+static bool watch_step(const struct engine_moment *m, void *context)
+{
+    struct watch *w = context;
+    const double time = m->time * w->unit.time - w->zero, last = w->time, dt = time - last;
+    w->time = time;
+    w->head = m->head;
+    for (size_t k = 0; k < m->count; k++) {
+        w->omega[k] = dt > 0 ? (domq_real)((m->tilt[k] - (double)w->tilt[k]) / dt) : 0;
+        w->tilt[k] = (domq_real)m->tilt[k];
+        w->feet[k] = m->foot[k] * w->unit.length;
+    }
+    /* Steps are so short that the state after a step serves for all times within the step. */
+    while (w->more && w->left > 0 && (double)*w->times <= time)
+        watch_visit(w, (double)*w->times);
+    return w->more && w->left > 0;
+}
+
+static enum dom_status row_watch(const struct domq_row *row, const struct domq_compute *compute,
+                                 const domq_real *times, size_t count, domq_moment_visit *visit,
+                                 void *context, double *feet)
+{
+    const struct scene_engine *of_scene = row->engine->context;
+    const struct engine_report *report = of_scene->report;
+    const struct engine_grain grain = {.steps = report->steps, .tolerance = report->tolerance};
+    struct watch w = {.unit = unit_of(row),
+                      .zero = report->zero,
+                      .times = times,
+                      .left = count,
+                      .feet = feet,
+                      .visit = visit,
+                      .context = context,
+                      .more = true};
+    w.time = -w.zero;
+    w.tilt = calloc(2 * row->count, sizeof *w.tilt);
+    if (!w.tilt)
+        return DOM_NO_MEMORY;
+    w.omega = w.tilt + row->count;
+    memset(feet, 0, row->count * sizeof *feet);
+    enum dom_status status = run_once(row, compute, &grain, watch_step, &w);
+    /* The state no longer changes after the motion has ended. */
+    while (status == DOM_OK && w.more && w.left > 0)
+        watch_visit(&w, w.time);
+    free(w.tilt);
+    return status;
+}
+
+/* ---- Preparation ---- */
+
+/* Returns true if the engine includes all effects that are on. Otherwise reports the problem. */
+static bool effects_check(const struct scene *scene, struct problem *problem)
+{
+    const unsigned known = 1U << DOM_EFFECT_friction | 1U << DOM_EFFECT_slope | 1U << DOM_EFFECT_edges |
+                           1U << DOM_EFFECT_walls | 1U << DOM_EFFECT_row | 1U << DOM_EFFECT_push |
+                           1U << DOM_EFFECT_placement;
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+        if (scene->effect[k].on && !(known >> k & 1))
+            return problem_error(problem,
+                                 "the rigid-body engine runs this row because %s, but does not include %s; "
+                                 "first enter 'set %s off'",
+                                 scene_engine_why(scene), effect_at(k)->name, effect_at(k)->name);
+    return true;
+}
+
+static bool row_make(const struct scene *scene, size_t count, struct scene_engine *engine,
+                     struct problem *problem)
+{
+    const struct effect_state *feet = &scene->effect[EFFECT_feet], *bounce = &scene->effect[EFFECT_bounce];
+    const char *why = scene_engine_why(scene);
+    if (!effects_check(scene, problem))
+        return false;
+    if (count > ENGINE_MOST)
+        return problem_error(problem,
+                             "a row of %zu dominoes is too long for the rigid-body engine, which runs this "
+                             "row because %s; the maximum is %d; enter, for example, 'set row 20'",
+                             count, why, ENGINE_MOST);
+    const enum engine_status loaded = engine_load();
+    if (loaded == ENGINE_NO_MEMORY)
+        return problem_status(problem, scene, DOM_NO_MEMORY);
+    if (loaded != ENGINE_OK)
+        return problem_error(
+            problem,
+            "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian, run 'apt-get "
+            "install libchipmunk7'",
+            why);
+    *engine = (struct scene_engine){.engine = {.run = run_row, .context = engine},
+                                    .feet = feet->on ? (double)feet->value[0] : HUGE_VAL,
+                                    .bounce = bounce->on ? (double)bounce->value[0] : 0};
+    return true;
+}
+
+const struct engine_driver chipmunk_driver = {
+    .version = engine_version, .make = row_make, .rough = row_rough, .watch = row_watch};
