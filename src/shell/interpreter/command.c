@@ -114,6 +114,8 @@ const char *value_names(const void *context, int k)
         if (k-- == 0)
             return expression_names(NULL, n);
     int count = state ? (int)state->variables.count : 0;
+    if (state && k-- == 0)
+        return "sum";
     for (int n = 0; state && landmark_names(NULL, n); n++)
         if (k-- == 0)
             return landmark_names(NULL, n);
@@ -285,20 +287,34 @@ const char *command_unit(const struct command *c, int column, const struct scene
     return c->in_joules && strcmp(unit, "mgh/2") == 0 && c->in_joules(scene) ? "J" : unit;
 }
 
-int command_arity(const struct command *c, int *fewest)
+int command_values(const struct command *c, int *fewest)
 {
     int most = 0;
     *fewest = 0;
     for (int i = 0; i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
         const struct argument *a = &c->argument[i];
-        /* an argument can be given in an expression if it and all arguments before it are values */
-        bool is_value = a->kind >= ARGUMENT_TILT && a->kind <= ARGUMENT_PLACE && most == i;
+        /* an argument can be given in an expression if it and all arguments before it are values that need no
+         * function of their own */
+        bool is_value = a->kind >= ARGUMENT_TILT && a->kind <= ARGUMENT_PLACE && most == i && !a->bind;
         if (!is_value && !a->optional)
             return -1;
         most += is_value;
         *fewest += is_value && !a->optional;
     }
+    return most;
+}
+
+int command_arity(const struct command *c, int *fewest)
+{
+    const int most = command_values(c, fewest);
     return c->columns && c->principal ? most : -1;
+}
+
+bool command_is_table(const struct command *c)
+{
+    int fewest;
+    return c && c->rows && !c->principal && c->columns && c->columns->key && c->run && !c->writes &&
+           !c->access.changes && command_values(c, &fewest) >= 0;
 }
 
 struct answer answer_kept(const struct query *query, const struct command *c, struct cell kept[ANSWER_CELLS])

@@ -186,9 +186,10 @@ const char *topic_names(const void *context, int k);  /* all commands and parame
 const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
 const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
-/* A names_list of the names that are known in expressions: the built-in names, landmarks, 'ans', the variables
- * of the state `context`, and all commands and parameters, even those without a value, such as 'quit'. If
- * `context` is NULL, the list has no variables and no landmarks, which a variable may hide. */
+/* A names_list of the names that are known in expressions: the built-in names, 'sum', landmarks, 'ans', the
+ * variables of the state `context`, and all commands and parameters, even those without a value, such as
+ * 'quit'. If `context` is NULL, the list has no variables, nor 'sum' and landmarks, which a variable may
+ * hide. */
 const char *value_names(const void *context, int k);
 
 /* Several topics can have the same synonym, such as 'speed'. Returns the name of topic number k, counted from
@@ -204,10 +205,16 @@ const char *command_unit(const struct command *command, int column, const struct
 /* Returns the index of the command's principal column. The command must have one. */
 int command_principal(const struct command *command);
 
-/* Returns the maximum number of arguments that the command takes in an expression and stores the minimum in
- * *fewest. In an expression, only values can be arguments. If a command cannot be used in an expression,
- * returns -1. */
+/* Returns the maximum number of values that the command takes in parentheses and stores the minimum in
+ * *fewest. Returns -1 if the command needs an argument that is not a value. */
+int command_values(const struct command *command, int *fewest);
+
+/* Like command_values. Also returns -1 if the command has no value in an expression. */
 int command_arity(const struct command *command, int *fewest);
+
+/* Returns true if an expression can use the columns of the command's answer, as in 'sum(chain(0).weight)'.
+ * The command may be NULL. */
+bool command_is_table(const struct command *command);
 
 /* Returns a string that shows the arguments of a command, such as "rmax [S]". The string is in a compound
  * literal, so it lives until the end of the block that contains the call. */

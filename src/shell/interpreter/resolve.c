@@ -5,6 +5,7 @@
 #include "language/text.h"
 #include "session/parameters.h"
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Reports an error in a tree. The value of the macro is false. */
@@ -68,9 +69,12 @@ static struct routine *routine_parse(struct resolver *r, const struct tree *t, c
     *routine = (struct routine){.function = f, .body = body, .is_open = true, .next = r->routines};
     r->routines = routine;
     const int deepest = r->deepest;
+    const char *aggregate = r->aggregate;
     r->scope = f;
+    r->aggregate = NULL;
     r->deepest = r->depth;
     const bool good = resolve(r, body);
+    r->aggregate = aggregate;
     routine->height = r->deepest - r->depth;
     r->deepest = deepest > r->deepest ? deepest : r->deepest;
     r->scope = outer;
@@ -125,10 +129,49 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
     return index;
 }
 
+size_t call_length(const struct tree *t)
+{
+    const char *end = t->at + name_length(t->at);
+    for (int open = 0; *end && (open > 0 || *end == '('); end++) {
+        open += (*end == '(') - (*end == ')');
+        if (open == 0) {
+            end++;
+            break;
+        }
+    }
+    return (size_t)(end - t->at);
+}
+
+/* Returns the key of a column, for examples. The first column often just counts the rows. */
+static const char *example_key(const struct command *c)
+{
+    return c->columns[1].key ? c->columns[1].key : c->columns[0].key;
+}
+
+/* Reports that a command whose answer is a table has no value, and shows how to make a number of a column. */
+static bool table_wrong(struct resolver *r, const struct tree *t, const struct command *c)
+{
+    char call[64];
+    int fewest;
+    command_values(c, &fewest);
+    if (t->called || fewest == 0)
+        snprintf(call, sizeof call, "%.*s", (int)call_length(t), t->at);
+    else
+        snprintf(call, sizeof call, "%s(%s)", c->name, c->argument[0].name);
+    return fail(r, t,
+                "'%s' has no value: its answer is a table; 'sum', 'min', 'max' and 'count' make a number of "
+                "a column, as in "
+                "'%s(%s.%s)'",
+                c->name, r->aggregate ? r->aggregate : "sum", call, t->key ? t->key : example_key(c));
+}
+
 static bool command_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
-    int fewest, most = command_arity(c, &fewest);
-    if (!c->principal)
+    int fewest, most = command_values(c, &fewest);
+    const bool has_rows = command_is_table(c);
+    if (has_rows && (!r->aggregate || !t->key))
+        return table_wrong(r, t, c);
+    if (!c->principal && !has_rows)
         return fail(r, t,
                     t->count > 0 ? "'%s' has no value; enter the command without parentheses"
                                  : "'%s' has no value: the answer of this command consists of words or rows",
@@ -137,14 +180,21 @@ static bool command_resolve(struct resolver *r, struct tree *t, const struct com
         return fail(r, t, "'%s' cannot be used in an expression: it needs an argument that is not a number",
                     command_usage(c));
     const char *next = skip_blanks(t->at + name_length(t->at));
-    if (!t->called && fewest == 1 && (isdigit((unsigned char)*next) || *next == '.'))
+    if (!t->called && !t->key && fewest == 1 && isdigit((unsigned char)next[*next == '.']))
         return fail(r, t, "in an expression, the argument of '%s' stands in parentheses: '%s(%.*s)'", c->name,
                     c->name, (int)strcspn(next, " \t;,)"), next);
     if (t->count < fewest || t->count > most)
         return fail(r, t, "'%s' does not take %d value%s", command_usage(c), t->count,
                     t->count == 1 ? "" : "s");
     int index = column_resolve(r, t, c);
-    return index >= 0 && symbol(t, SYMBOL_COMMAND, c, index) && children_resolve(r, t);
+    if (index < 0)
+        return false;
+    symbol(t, has_rows ? SYMBOL_COLUMN : SYMBOL_COMMAND, c, index);
+    const char *aggregate = r->aggregate;
+    r->aggregate = has_rows ? NULL : aggregate; /* the arguments of a table are the same for all its rows */
+    const bool good = children_resolve(r, t);
+    r->aggregate = aggregate;
+    return good;
 }
 
 static bool ans_resolve(struct resolver *r, struct tree *t)
@@ -156,6 +206,44 @@ static bool ans_resolve(struct resolver *r, struct tree *t)
         return fail(r, t, "there is no earlier answer");
     int index = column_resolve(r, t, c);
     return index >= 0 && symbol(t, SYMBOL_ANS, c, index);
+}
+
+/* ---- Aggregates ---- */
+
+static const char *const aggregates[] = {"sum", "min", "max", "count", NULL};
+
+/* Returns the number of an enum aggregate if the node is a call such as "sum(X)", or -1. */
+static int aggregate_of(const struct tree *t)
+{
+    for (int k = 0; t->kind == TREE_NAME && t->called && !t->key && t->count == 1 && aggregates[k]; k++)
+        if (strcmp(aggregates[k], t->name) == 0)
+            return k;
+    return -1;
+}
+
+/* Returns true if the value of the tree depends on the row of a table. */
+static bool has_column(const struct tree *t)
+{
+    if (t->kind == TREE_NAME && command_is_table(command_find(t->name)))
+        return true;
+    bool has = false;
+    for (const struct tree *child = t->child; child && !has; child = child->next)
+        has = aggregate_of(child) < 0 ? has_column(child) : false;
+    return has;
+}
+
+static bool aggregate_resolve(struct resolver *r, struct tree *t, enum aggregate kind)
+{
+    const char *outer = r->aggregate;
+    if (kind == AGGREGATE_COUNT && t->child->kind != TREE_NAME)
+        return fail(
+            r, t,
+            "'count' counts the rows of a table and takes one of its columns; 'sum(CONDITION)' counts "
+            "the rows for which a condition is true");
+    r->aggregate = aggregates[kind];
+    const bool good = children_resolve(r, t);
+    r->aggregate = outer;
+    return good && symbol(t, SYMBOL_AGGREGATE, NULL, (int)kind);
 }
 
 /* ---- Names ---- */
@@ -193,6 +281,12 @@ static bool name_resolve(struct resolver *r, struct tree *t)
         t->value = v->value;
         return true;
     }
+    const int aggregate = aggregate_of(t);
+    if (aggregate >= 0 && has_column(t))
+        return aggregate_resolve(r, t, (enum aggregate)aggregate);
+    if (aggregate != AGGREGATE_COUNT && (aggregate >= 0 || strcmp(t->name, "sum") == 0))
+        return fail(r, t, "'%s' takes a column of a table, as in '%s(chain(0).weight)'%s", t->name, t->name,
+                    strcmp(t->name, "sum") == 0 ? "" : ", or two values");
     const struct parameter *p = is_bare ? parameter_find(t->name) : NULL;
     if (p && parameter_is_number(p)) {
         t->value = expression_unit(p->value->unit);
@@ -214,8 +308,11 @@ static bool name_resolve(struct resolver *r, struct tree *t)
 static bool with_resolve(struct resolver *r, struct tree *t)
 {
     bool good = descend(r, t, NESTING_WITH) && children_resolve(r, t);
+    const char *aggregate = r->aggregate;
+    r->aggregate = NULL; /* the assignments are the same for all rows of a table */
     for (const struct assignment *a = t->refers; a && good; a = a->next)
         good = !a->item.value || resolve(r, (struct tree *)a->item.value);
+    r->aggregate = aggregate;
     r->depth -= NESTING_WITH;
     return good;
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The names in expressions. A name can stand for a parameter, a variable, a 'let' function, a command or the
- * last answer. To choose one column of an answer, the user appends a dot and the key of the column, as in
- * 'rmax.r' or 'ans.margin'. To resolve a name means to find what it stands for. A sweep resolves the names of
- * its expression once and evaluates the resolved tree at every point. */
+ * last answer. The functions sum, min, max and count take a column of a table. To choose one column of an
+ * answer, the user appends a dot and the key of the column, as in 'rmax.r' or 'ans.margin'. To resolve a name
+ * means to find what it stands for. A sweep resolves the names of its expression once and evaluates the
+ * resolved tree at every point. */
 #ifndef SHELL_SYMBOLS_H
 #define SHELL_SYMBOLS_H
 
@@ -36,8 +37,12 @@ enum symbol {
     /* Column `index` of the last answer. `refers` points to the struct command that gave this answer. If
      * `refers` is NULL, the symbol stands for the last value that 'print' has shown. */
     SYMBOL_ANS,
-    SYMBOL_WITH, /* the linked list of assignments that apply while the child node is evaluated */
+    SYMBOL_COLUMN,    /* a struct command whose answer is a table; the value is column `index` in one row */
+    SYMBOL_AGGREGATE, /* NULL; `index` is an enum aggregate of the child node over the rows of a table */
+    SYMBOL_WITH,      /* the linked list of assignments that apply while the child node is evaluated */
 };
+
+enum aggregate { AGGREGATE_SUM, AGGREGATE_MIN, AGGREGATE_MAX, AGGREGATE_COUNT };
 
 /* A 'let' function whose names have been resolved. Each expression has a copy of its own. */
 struct routine {
@@ -59,12 +64,18 @@ struct resolver {
     void *context;                /* for `with` */
     const struct variable *scope; /* the function whose body is being resolved, or NULL */
     struct routine *routines;
+    /* The aggregate whose child is being resolved, such as "sum", or NULL. Only there, and not in the body of
+     * a function, a name may stand for a column. */
+    const char *aggregate;
     int depth;   /* the level of the node that is being resolved, counted up to NESTING_MOST */
     int deepest; /* the largest level so far */
 };
 
 /* Resolves all names of a tree. On failure, sets *resolver->error and returns false. */
 bool resolve(struct resolver *resolver, struct tree *tree);
+
+/* Returns the length of the call at the beginning of a name, such as "chain(0)" in "chain(0).weight". */
+size_t call_length(const struct tree *name);
 
 /* Adds the name of a 'let' function to the message of an error that has occurred in its body. `at` is the
  * place where the function is called. */

@@ -181,6 +181,11 @@ static struct tree *parse_name(struct parse *p)
         t->kind = TREE_FUNCTION;
         if (t->count == wanted)
             return t;
+        /* perhaps of a column, as in max(chain(0).weight) */
+        if (t->count == 1 && (strcmp(t->name, "min") == 0 || strcmp(t->name, "max") == 0)) {
+            t->kind = TREE_NAME;
+            return t;
+        }
         p->end = at;
         return parse_fail(p, "%s takes %d value%s", t->name, wanted, wanted == 1 ? "" : "s");
     }

@@ -72,6 +72,10 @@ static void emit_values(const struct completion *c)
             emit_name(c, p->name, "", !is_any);
     for (int i = 0; (name = command_names(NULL, i)) != NULL; i++) {
         const struct command *command = command_find(name);
+        if (c->offer.is_inside && *c->name && command_is_table(command) && (command->train || has_row)) {
+            command_values(command, &fewest);
+            emit_name(c, name, fewest ? "(" : "", false);
+        }
         if (command_arity(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
             continue;
         const struct column *column = &command->columns[command_principal(command)];
@@ -81,6 +85,8 @@ static void emit_values(const struct completion *c)
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
     emit_name(c, "ans", "", !is_any);
+    if (is_any && *c->name)
+        emit_name(c, "sum", "(", false);
     const bool has_landmarks = *c->name ? is_any || quantity_alike(expression_unit("m"), argument_unit(a))
                                         : a->kind == ARGUMENT_HEIGHT && !c->offer.is_inside;
     for (int i = 0; (name = landmark_names(NULL, i)) != NULL; i++)
@@ -159,7 +165,7 @@ static void emit_keys(const struct completion *c, const char *dot)
         begin--;
     snprintf(name, sizeof name, "%.*s", (int)(end - begin), begin);
     const struct command *command = command_find(name);
-    if (command && command_arity(command, &fewest) >= 0)
+    if (command && (command_arity(command, &fewest) >= 0 || command_is_table(command)))
         for (int k = 0; (key = command_keys(command, k)) != NULL; k++)
             emit_name(c, key, "", false);
 }
