@@ -10,18 +10,27 @@ static const struct command fit_commands[] = {
                   {.name = "FILE", .kind = ARGUMENT_FILE},
                   {.name = "FPS", .kind = ARGUMENT_NUMBER, .optional = true}},
      .summary = "the parameters that explain measurements best",
-     .help = "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
-             "'friction, push'. FILE is a csv file of one of three kinds. The columns 'domino' and 'time "
-             "(s)' (or 'frame') say when each domino of the row is hit, as a camera shows it. The columns "
-             "'time (s)' (or 'frame') and 'angle (deg)' say how domino 1 turns; a column 'domino' can name "
-             "another domino. In a file with 'gap (mm)' and 'speed (m/s)', each line has the speed of one "
-             "row of equal dominoes. FPS is the number of frames per second; a column 'rate' can give this "
-             "number instead. A column 'run' numbers several runs, each with its own clock. A column 'gap "
-             "(mm)' gives the gap of each run, and a column 'error' gives the standard errors. 'set row' "
-             "sets the dominoes; without this effect, their growth is r. Each residual is divided by "
-             "its error, and 'fit' finds the values with the smallest sum of squares. It also finds their "
-             "standard deviations and correlations. 'fit ... > fit.svg' (or .png, .pdf) draws "
-             "the measurements against the fitted values.",
+     .help =
+         "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
+         "'friction, push'. FILE is a csv file of one of five kinds. In a file with 'gap (mm)' and 'speed "
+         "(m/s)', each line has the speed of one row of equal dominoes. With 'gap (mm)', 'dominoes' and "
+         "'time (s)', it has how long a row of so many equal dominoes takes to fall, as 'fall' measures it: "
+         "from the push or, without a push, from the first hit, until the last one lies on the floor. The "
+         "columns 'domino' and 'time (s)' (or 'frame') say when each domino of the row is hit, as a camera "
+         "shows it. A file with only 'time (s)' has the hits of a sound, some of which may be missing: the "
+         "first is that of domino 2, and the others are numbered by the row that the session has. The "
+         "columns "
+         "'time (s)' (or 'frame') and 'angle (deg)' say how domino 1 turns; a column 'domino' can name "
+         "another domino.\n\n"
+         "A 'pitch', from front face to front face, can take the place of the gap. FPS is the number of "
+         "frames per second; a column 'rate' can give this number instead. A column 'run' numbers several "
+         "runs, each with its own clock. A column 'gap (mm)' gives the gap of each run. A column 'error' "
+         "gives the standard errors, for speeds and rows also 'error (%)'. Columns 'speed 1', 'speed 2', or "
+         "'trial 1 (s)', 'trial 2 (s)', have repeated measurements, whose spread is their error.\n\n"
+         "'set row' sets the dominoes of hits and angles; without this effect, their growth is r. Each "
+         "residual is divided by its error, and 'fit' finds the values with the smallest sum of squares. It "
+         "also finds their standard deviations and correlations. 'fit ... > fit.svg' (or .png, .pdf) draws "
+         "the measurements against the fitted values.",
      .see = "plot solve duration fall sensitivity",
      .access.files = true,
      .rows = true,

@@ -66,21 +66,24 @@ bool fit_parse(struct reader *r, struct question *q)
 
 const struct column fit_columns[] = {
     {"gap", "m",
-     "the clear gap between neighbouring dominoes, if a speed was measured; all gaps of the row are equal",
+     "the clear gap between neighbouring dominoes, if a speed or a total time was measured; all gaps of the "
+     "row "
+     "are equal",
      0},
+    {"dominoes", "", "the number of dominoes of the row, if a total time was measured", 0},
     {"run", "", "the number of the run, if a hit or an angle was measured", 5},
     {"domino", "", "the number of the domino, if a hit or an angle was measured", 0},
     {"time", "s", "the time of the measurement, if an angle was measured", 0},
     {"measured", "", "the measurement: a speed in m/s, a time in s, or an angle", 0},
     {"fitted", "", "the model's result with the fitted values", 0},
-    {"residual", "", "measured - fitted; for a speed, measured / fitted - 1", 0},
+    {"residual", "", "measured - fitted; for a speed or a total time, measured / fitted - 1", 0},
     {"friction", "", "the fitted value of friction; every fitted parameter has a column", 0},
     {"friction_sd", "", "the standard deviation of the fitted value", 0},
     {"friction_push", "",
      "the correlation of friction and push; every pair of fitted parameters has a column", 0},
     {NULL, NULL, NULL, 0},
 };
-enum { GAP, RUN, DOMINO, TIME, MEASURED, FITTED, RESIDUAL, UNKNOWN };
+enum { GAP, DOMINOES, RUN, DOMINO, TIME, MEASURED, FITTED, RESIDUAL, UNKNOWN };
 
 /* The keys of the columns for standard deviations and correlations. */
 struct fit_keys {
@@ -91,9 +94,11 @@ struct fit_keys {
  * table has sentences below it instead. */
 static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
 {
-    static const char *const units[] = {"m/s", "rad", "s"};
+    static const char *const units[] = {"m/s", "rad", "s", "s"}, *const unused[] = {
+                                                                     "dominoes run domino time",
+                                                                     "gap dominoes", "gap dominoes time",
+                                                                     "run domino time"};
     struct column *c = answer_columns(a, fit_columns) + UNKNOWN;
-    const bool speeds = f->data.kind == FIT_SPEEDS;
     for (int i = 0, n = 0; i < f->unknowns && !answer_for_people(a); i++) {
         const struct parameter *p = f->unknown[i].parameter;
         snprintf(keys->deviation[i], sizeof keys->deviation[i], "%.24s_sd", p->name);
@@ -108,8 +113,8 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
     *c = (struct column){NULL, NULL, NULL, 0};
     answer_describe(a, "measured", units[f->data.kind], NULL);
     answer_describe(a, "fitted", units[f->data.kind], NULL);
-    answer_describe(a, "residual", speeds ? "share" : units[f->data.kind], NULL);
-    answer_leave_out(a, speeds ? "run domino time" : f->data.kind == FIT_HITS ? "gap time" : "gap");
+    answer_describe(a, "residual", fit_has_rows(&f->data) ? "share" : units[f->data.kind], NULL);
+    answer_leave_out(a, unused[f->data.kind]);
 }
 
 /* Computes the measured value, the fitted value and the residual of point k. If intervals are compared,
@@ -118,7 +123,7 @@ static bool compared(const struct fit *f, size_t k, double *measured_, double *f
 {
     *measured_ = f->data.point[k].measured - (f->data.intervals && k > 0 ? f->data.point[k - 1].measured : 0);
     *fitted = f->computed[k] - (f->data.intervals && k > 0 ? f->computed[k - 1] : 0);
-    *residual = f->data.kind == FIT_SPEEDS ? *measured_ / *fitted - 1 : *measured_ - *fitted;
+    *residual = fit_has_rows(&f->data) ? *measured_ / *fitted - 1 : *measured_ - *fitted;
     return !(f->data.intervals && fit_is_first(f, k));
 }
 
@@ -131,6 +136,7 @@ static void rows_write(struct answer *a, const struct fit *f)
             continue;
         struct cell cell[ANSWER_COLUMNS] = {
             [GAP] = cell_real((domq_real)p->gap),
+            [DOMINOES] = cell_count((domq_real)p->domino),
             [RUN] = cell_real((domq_real)f->data.run[p->run].number),
             [DOMINO] = cell_count((domq_real)p->domino),
             [TIME] = cell_real((domq_real)p->time),
@@ -196,10 +202,11 @@ static void values_say(struct answer *a, const struct fit *f)
 
 static void residuals_say(struct answer *a, const struct fit *f)
 {
-    static const char *const units[] = {"share", "rad", "s"}, *const alike[] = {
-                                                                  "All speeds have the same relative weight.",
-                                                                  "All angles have the same weight.",
-                                                                  "All times have the same weight."};
+    static const char *const units[] = {"share", "rad", "s", "share"},
+                             *const alike[] = {"All speeds have the same relative weight.",
+                                               "All angles have the same weight.",
+                                               "All times have the same weight.",
+                                               "All times have the same relative weight."};
     double most = 0;
     size_t worst = 0;
     for (size_t k = 0; k < f->data.points; k++) {
@@ -213,12 +220,19 @@ static void residuals_say(struct answer *a, const struct fit *f)
         answer_say(
             a, "The measured times drift away from the model's times, as they do if the gaps of a row are "
                "not all equal. The fit and the table therefore compare the times between successive hits.");
+    else if (f->data.spread > 0)
+        answer_say(a,
+                   "Each line is the mean of its trials. Single trials differ from their mean by %s, and the "
+                   "mean of n "
+                   "trials has this error divided by sqrt(n)%s.",
+                   measured((domq_real)f->data.spread, "share", 2).text,
+                   f->reduced_chi_squared > 2 ? ", which is smaller than the residuals" : "");
     else if (f->data.has_errors)
         answer_say(a, "The measurements are weighted by their errors%s.",
                    f->reduced_chi_squared > 2 ? ", which are smaller than the residuals" : "");
     else
         answer_say(a, "%s", alike[f->data.kind]);
-    if (f->data.kind == FIT_SPEEDS)
+    if (fit_has_rows(&f->data))
         answer_say(a, "The largest residual is %s.", measured((domq_real)most, units[f->data.kind], 2).text);
     else
         answer_say(a, "The largest residual is %s, at domino %zu.",
@@ -227,16 +241,17 @@ static void residuals_say(struct answer *a, const struct fit *f)
 
 /* ---- The command ---- */
 
-/* Checks that no gap is longer than a domino is tall, and that there are as many different gaps as unknowns.
- * Several measurements at one gap determine one unknown. */
-static bool speeds_check(const struct fit *f, const char *shown, struct problem *problem)
+/* Checks that no gap is longer than a domino is tall, and that there are as many different rows as unknowns.
+ * Several measurements of one row determine one unknown. */
+static bool rows_check(const struct fit *f, const char *shown, struct problem *problem)
 {
     const domq_real h = f->query->scene->scale.h;
     int gaps = 0;
     for (size_t k = 0; k < f->data.points; k++) {
         const domq_real gap = (domq_real)f->data.point[k].gap;
         size_t earlier = 0;
-        while (f->data.point[earlier].gap != f->data.point[k].gap)
+        while (f->data.point[earlier].gap != f->data.point[k].gap ||
+               f->data.point[earlier].domino != f->data.point[k].domino)
             earlier++;
         gaps += earlier == k;
         if (gap > h)
@@ -247,9 +262,24 @@ static bool speeds_check(const struct fit *f, const char *shown, struct problem 
     }
     return gaps >= f->unknowns ||
            problem_no_answer(problem,
-                             "%s has the speeds at %d gap%s, which cannot determine %d unknowns; measure at "
+                             "%s has the %s at %d gap%s, which cannot determine %d unknowns; measure at "
                              "another gap, or name fewer unknowns",
-                             shown, gaps, gaps == 1 ? "" : "s", f->unknowns);
+                             shown, f->data.kind == FIT_SPEEDS ? "speeds" : "times", gaps,
+                             gaps == 1 ? "" : "s", f->unknowns);
+}
+
+/* The gaps follow from pitches and the thickness, which must therefore be known. */
+static bool pitch_check(const struct fit *f, const char *shown, struct problem *problem)
+{
+    bool known = true;
+    for (int i = 0; i < f->unknowns && f->data.has_pitch; i++)
+        known = known && f->unknown[i].parameter != parameter_find("d") &&
+                f->unknown[i].parameter != parameter_find("h");
+    return known ||
+           problem_no_answer(problem,
+                             "%s has pitches, from which the gaps follow only if the thickness is known; "
+                             "measure gaps to fit the size of a domino",
+                             shown);
 }
 
 static const struct parameter *undetermined(const struct fit *f)
@@ -271,8 +301,9 @@ bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
         f->unknown[i].highest = given->parameter[i]->to;
     }
     const double rate = query->given->count > 2 ? (double)query->given->number[2] : (double)NAN;
-    if (!fit_read(query, query->given->word[1], rate, &f->data, problem) ||
-        (f->data.kind == FIT_SPEEDS && !speeds_check(f, shown, problem)) || !fit_solve(f, problem))
+    if (!fit_read(query, query->given->word[1], rate, &f->data, problem) || !pitch_check(f, shown, problem) ||
+        (fit_has_rows(&f->data) && !rows_check(f, shown, problem)) || !fit_number(f, problem) ||
+        !fit_solve(f, problem))
         return false;
     const struct parameter *open = undetermined(f);
     return !open || problem_no_answer(

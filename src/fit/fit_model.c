@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes the model's result for each measurement of 'fit'. */
 #include "fit/fit.h"
+#include "language/names.h"
 #include "train/falling.h"
 #include <stdlib.h>
 
@@ -10,35 +11,43 @@ struct trial {
     struct query query;
 };
 
-/* Makes a scene with these values of the unknowns. For hits and angles, the scene has a row, with the gap of
- * the run if it is known. */
-static bool trial_make(struct fit *f, const double *value, const struct fit_run *run, struct trial *t)
+/* Makes a scene with these values of the unknowns; if `value` is NULL, they keep the values of the session.
+ * The scene has a row of `dominoes` dominoes, or that of the session if `dominoes` is 0. Their gap is that of
+ * the session if `gap` is NaN. If the measurements are those of rows, all dominoes are equal. */
+static bool trial_make(struct fit *f, const double *value, size_t dominoes, double gap, struct trial *t)
 {
-    const struct scene *scene = f->query->scene;
-    struct assigned assigned[FIT_UNKNOWNS + 2];
+    struct assigned assigned[FIT_UNKNOWNS + 3];
     int count = 0;
     problem_begin(&f->problem, "fit");
-    if (f->data.kind != FIT_SPEEDS && !scene->effect[DOM_EFFECT_row].on)
+    if (fit_has_rows(&f->data))
+        assigned[count++] = (struct assigned){.parameter = parameter_find("r"), .value = 1};
+    if (dominoes > 0)
         assigned[count++] =
-            (struct assigned){.parameter = parameter_find("row"), .value = (domq_real)(run->dominoes + 1)};
-    if (f->data.kind != FIT_SPEEDS && !isnan(run->gap))
+            (struct assigned){.parameter = parameter_find("row"), .value = (domq_real)dominoes};
+    if (!isnan(gap))
         assigned[count++] =
-            (struct assigned){.parameter = parameter_find("s"), .length = {.m = (domq_real)run->gap}};
-    for (int i = 0; i < f->unknowns; i++)
+            (struct assigned){.parameter = parameter_find("s"), .length = {.m = (domq_real)gap}};
+    for (int i = 0; i < f->unknowns && value; i++)
         assigned[count++] =
             (struct assigned){.parameter = f->unknown[i].parameter, .value = (domq_real)value[i]};
     return query_with(f->query, assigned, count, &t->state, &t->query, &f->problem);
 }
 
-/* ---- Speeds ---- */
+/* Makes the scene of a run, whose row is that of the session or, if there is none, as long as the run. */
+static bool run_trial(struct fit *f, const double *value, const struct fit_run *run, struct trial *t)
+{
+    const bool has_row = f->query->scene->effect[DOM_EFFECT_row].on;
+    return trial_make(f, value, has_row ? 0 : run->dominoes + 1, run->gap, t);
+}
+
+/* ---- Speeds and total times ---- */
 
 static bool speeds_compute(struct fit *f, const double *value, double *computed)
 {
     struct trial t;
-    if (!trial_make(f, value, f->data.run, &t))
+    if (!trial_make(f, value, 0, (double)NAN, &t))
         return false;
     struct domq_train train = t.query.scene->train;
-    train.r = 1;
     for (size_t k = 0; k < f->data.points; k++) {
         domq_real duration;
         train.s = (domq_real)f->data.point[k].gap / t.query.scene->scale.h;
@@ -46,6 +55,29 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
         if (status != DOM_OK)
             return problem_status(&f->problem, t.query.scene, status);
         computed[k] = (double)domq_scale_speed(&t.query.scene->scale, &train, duration);
+    }
+    return true;
+}
+
+/* Fills in how long each row takes to fall, as 'verdict' says. */
+static bool totals_compute(struct fit *f, const double *value, double *computed)
+{
+    struct trial t;
+    struct row_run row;
+    for (size_t k = 0; k < f->data.points; k++) {
+        const struct fit_point *p = &f->data.point[k];
+        if (!trial_make(f, value, p->domino, p->gap, &t) || !row_run(&t.query, &f->problem, true, &row))
+            return false;
+        const struct domq_verdict verdict = row.verdict;
+        row_run_free(&row);
+        if (verdict.end != DOM_ROW_FALLS || !isfinite((double)verdict.seconds))
+            return problem_no_answer(&f->problem,
+                                     "%s:%ld: %zu dominoes with gaps of %s fell in %g s, but in the scene "
+                                     "such a row ends at domino %zu; if "
+                                     "the row was pushed, enter 'set push'",
+                                     names_shown(f->query->given->word[1]), p->line, p->domino,
+                                     measured((domq_real)p->gap, "m", 4).text, p->measured, verdict.domino);
+        computed[k] = (double)verdict.seconds;
     }
     return true;
 }
@@ -76,7 +108,7 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
 {
     struct trial t;
     struct row_run row;
-    if (!trial_make(f, value, run, &t) || !row_run(&t.query, &f->problem, true, &row))
+    if (!run_trial(f, value, run, &t) || !row_run(&t.query, &f->problem, true, &row))
         return false;
     size_t i = 0;
     bool done = true;
@@ -91,6 +123,25 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
     row_run_free(&row);
     return timeless ? row_status(&t.query, &f->problem, DOM_NO_MARGIN)
                     : done || row_long_enough(f, run, last, falls);
+}
+
+bool fit_hits(struct fit *f, const struct fit_run *run, double **time, size_t *count)
+{
+    struct trial t;
+    struct row_run row;
+    *time = calloc(*count + 1, sizeof **time);
+    if (!*time)
+        return problem_status(&f->problem, f->query->scene, DOM_NO_MEMORY);
+    if (!run_trial(f, NULL, run, &t) || !row_run(&t.query, &f->problem, true, &row))
+        return false;
+    for (size_t k = 0; k <= *count; k++)
+        (*time)[k] = (double)NAN;
+    size_t last = 0;
+    for (size_t i = 0; i < row.hits && row.fall[i].domino <= *count; i++)
+        (*time)[last = row.fall[i].domino] = (double)row.fall[i].time;
+    *count = last;
+    row_run_free(&row);
+    return true;
 }
 
 /* ---- Angles ---- */
@@ -126,7 +177,7 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
     struct trial t;
     struct scene_row row;
     struct domq_verdict verdict;
-    if (!trial_make(f, value, run, &t) || !scene_row_make(t.query.scene, &row, &f->problem))
+    if (!run_trial(f, value, run, &t) || !scene_row_make(t.query.scene, &row, &f->problem))
         return false;
     const bool engine = row.row.engine, fits = run->dominoes <= row.row.count;
     enum dom_status status = DOM_OK;
@@ -210,7 +261,7 @@ bool fit_clocks(struct fit *f, const double *value, double *clock)
 double fit_error(const struct fit *f, size_t k)
 {
     const struct fit_point *point = &f->data.point[k];
-    return f->data.has_errors ? point->error : f->data.kind == FIT_SPEEDS ? point->measured : 1;
+    return f->data.has_errors ? point->error : fit_has_rows(&f->data) ? point->measured : 1;
 }
 
 /* Shifts the computed times of a run to minimise the sum of its squared residuals. */
@@ -231,6 +282,8 @@ bool fit_compute(struct fit *f, const double *value, const double *clock, double
     const struct fit_data *d = &f->data;
     if (d->kind == FIT_SPEEDS)
         return speeds_compute(f, value, computed);
+    if (d->kind == FIT_TOTALS)
+        return totals_compute(f, value, computed);
     bool done = true;
     for (size_t k = 0; k < d->runs && done; k++) {
         const struct fit_run *run = &d->run[k];

@@ -346,14 +346,14 @@ static int fit_once(struct fit *f)
 
 bool fit_solve(struct fit *f, struct problem *problem)
 {
-    const size_t fitted = (size_t)f->unknowns + (f->data.kind == FIT_SPEEDS ? 0 : f->data.runs);
+    const size_t fitted = (size_t)f->unknowns + (fit_has_rows(&f->data) ? 0 : f->data.runs);
     if (f->data.points <= fitted)
         return problem_no_answer(
             problem,
             "%zu measurements are too few for %d unknown%s%s; measure more, or name fewer "
             "unknowns",
             f->data.points, f->unknowns, f->unknowns > 1 ? "s" : "",
-            f->data.kind == FIT_SPEEDS ? "" : " and the start time of each run");
+            fit_has_rows(&f->data) ? "" : " and the start time of each run");
     f->computed = malloc(f->data.points * sizeof *f->computed);
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
     int status = f->computed ? fit_once(f) : GSL_ENOMEM;

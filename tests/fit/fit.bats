@@ -179,3 +179,103 @@ noisy_hits() { # SEED
         [ "$(grep -oE '[0-9.]+( rad/s)? to [0-9.]+' <<<"$line" | wc -l)" -ge 2 ] || same "$digits digits" 'two intervals' "$line"
     done
 }
+
+# The times of a row of equal blocks without friction, by plain sums of energies (row.awk).
+row_times() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_TEST_DIRNAME/row.awk"; }
+block='set h 44 mm; set d 7 mm; set r 1; '
+
+@test "the total times of rows of n dominoes, in the units and with the columns that people have" {
+    for gap in 10 14 18 26; do
+        for n in 15 28; do
+            echo "$gap $n $(row_times $n 0.0$gap | tail -n 1)"
+        done
+    done >totals
+    awk 'BEGIN { print "gap (mm),dominoes,time (s)" } { print $1 "," $2 "," $3 }' totals >plain.csv
+    awk 'BEGIN { print "pitch (mm),Number of dominoes,Total time (ms)" } { printf "%d,%d,%.6f\n", $1 + 7, $2, 1000*$3 }' totals >pitch.csv
+    awk 'BEGIN { print "Abstand [cm];Anzahl;Gesamtzeit (s);Fehler (%)" } { printf "%g;%d;%s;2,5\n", $1/10, $2, $3 }' totals | sed 's/\./,/g' >german.csv
+    awk 'BEGIN { print "Spacing (in),n,Trial 1 (s),Trial 2 (s),Trial 3 (s),Average time (s)" }
+        { printf "%.12g,%d,%.9f,%.9f,,99\n", $1/25.4, $2, 0.98*$3, 1.02*$3 }' totals >trials.csv
+    for file in plain pitch german trials; do
+        close "$file: push" 5 "$(json "$block set push 4; fit push $file.csv" | values push | head -n 1)" 1e-6
+    done
+    # Without the column, 'set row' says how many dominoes fell.
+    grep -v ',15,' plain.csv | cut -d , -f 1,3 >bare.csv
+    close 'set row' 5 "$(json "$block set push 4; set row 28; fit push bare.csv" | values push | head -n 1)" 1e-6
+    same 'the columns' '28 0.01' "$(json "$block set push 4; fit push plain.csv" | jq -r 'select(.dominoes == 28) | "\(.dominoes) \(.gap)"' | head -n 1)"
+    wrong "$block set push 4; fit push bare.csv" "bare.csv:1:1: how many dominoes fell in this time\? Add a column 'dominoes', or enter, for example, 'set row 28'"
+    wrong "$block fit friction plain.csv" "plain.csv:2: 15 dominoes with gaps of 1 cm fell in .* s, but in the scene such a row ends at domino 2; if the row was pushed, enter 'set push'"
+    wrong "$block set d 17 mm; set push 4; fit push pitch.csv" "pitch.csv:2:1: the pitch 1.7 cm is not longer than a domino is thick, d h = 1.7 cm"
+    wrong "$block set push 4; fit d pitch.csv" 'pitch.csv has pitches, from which the gaps follow only if the thickness is known'
+    printf 'gap (mm),pitch (mm),n,time (s)\n10,17,20,0.6\n' >both.csv
+    wrong "$block fit friction both.csv" 'both.csv:1:10: both gap and pitch are given; leave one of these columns out'
+}
+
+@test "errors in per cent, trials in columns of their own, and averages" {
+    printf 'gap (mm),speed (m/s),error (m/s)\n9,1.3,0.026\n15,1.1,0.022\n21,1.05,0.021\n' >plain.csv
+    printf 'gap (cm);Average speed (cm/s);error (%%)\n0,9;130;2\n1,5;110;2 %%\n2,1;105;2\n' >share.csv
+    printf 'Gap in cm,Mean velocity (mm/s),Relative error\n0.9,1300,0.02\n1.5,1100,2 %%\n2.1,1050,2 %%\n' >relative.csv
+    # The deviations are +-3 %, +-1 % and +-2 %, in 6 trials at 3 gaps: the spread is sqrt(28/3) %, and a mean of two has
+    # the error sqrt(14/3) %.
+    printf 'gap (mm),speed 1 (cm/s),speed 2 (cm/s),average speed (m/s)\n9,133.9,126.1,77\n15,108.9,111.1,77\n21,107.1,102.9,77\n' >trials.csv
+    sed '1s/.*/gap (mm),v1 (cm\/s),v2 (cm\/s),mean/' trials.csv >letters.csv
+    sed '1s/.*/gap (mm),Trial 1 (cm\/s),Trial #2 (cm\/s),Average/' trials.csv >numbers.csv
+    sed '1s/.*/gap (mm),speed (cm\/s),speed (cm\/s),Durchschnittsgeschwindigkeit (cm\/s)/' trials.csv >alike.csv
+    awk 'BEGIN { print "gap (mm),speed (m/s),error (m/s)"; e = sqrt(14/3)/100; print "9,1.3," 1.3*e; print "15,1.1," 1.1*e; print "21,1.05," 1.05*e }' >spread.csv
+    fitted() { json "set r 1; set d 7.5/48; fit friction $1.csv" | head -n 1 | jq -r '"\(.friction) \(.friction_sd)"'; }
+    like() { # EXPECTED FILE...
+        local expected file
+        read -ra expected <<<"$(fitted "$1")"
+        for file in "${@:2}"; do
+            close "$file: friction" "${expected[0]}" "$(fitted "$file" | cut -d ' ' -f 1)" 1e-5
+            close "$file: its error" "${expected[1]}" "$(fitted "$file" | cut -d ' ' -f 2)" 1e-4
+        done
+    }
+    like plain share relative
+    like spread trials letters numbers alike
+    run -0 "$DOMINO" -e 'set r 1; set d 7.5/48; fit friction trials.csv'
+    [[ $output == *'Single trials differ from their mean by 3.1 %'* ]]
+    try() { # PATTERN TEXT
+        printf '%b' "$2" >wrong.csv
+        wrong 'set r 1; fit friction wrong.csv' "wrong.csv:$1"
+    }
+    try '1:28: both error and error % are given; leave one' 'gap (mm), speed (m/s), m,  error (%), error (m/s)\n9, 1.3, 1, 2, 0.1\n'
+    try '1:31: both repeated measurements, whose spread is their error, and a column of errors are given' 'gap (mm), v1 (m/s), v2 (m/s), error (%)\n9, 1.3, 1.2, 2\n'
+    try '1:25: .\(m/s\). differs from the unit of speed in the first line; use one unit in all its columns' 'gap (mm), v1 (cm/s),    v2 (m/s)\n9, 130, 1.2\n'
+    try '2:7: speed is missing' 'gap (mm), v1 (m/s), v2 (m/s)\n9,    , -\n'
+    try '2:9: error: this is a percentage; write a speed' 'gap (mm), speed (m/s), error (m/s)\n9, 1.3, 2 %\n'
+    try '2:9: error % = 2 is too large; the range of error % is more than 0, up to 100 %' 'gap (mm), speed (m/s), relative error\n9, 1.3, 2\n'
+    printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 50 %%, 20\n' >share.csv
+    wrong 'set row share.csv' 'share.csv:3:5: thickness: this is a percentage; write a length'
+}
+
+@test "hits by sound are numbered, although some are missing" {
+    local numbers
+    # The times in ms on the clock of the recorder, with errors of up to 5 % of an interval, without dominoes 5, 9, 10, 17.
+    row_times 26 0.018 | head -n 25 | awk 'BEGIN { srand(3); print "time (ms)" }
+        { n++; shift = 0.002*(rand() - 0.5) } n != 4 && n != 8 && n != 9 && n != 16 { printf "%.3f\n", 1000*($1 + 7 + shift) }' >sound.csv
+    numbers=$(seq 2 26 | grep -vxE '5|9|10|17' | paste -sd ' ')
+    hits() { json "$block set s 18 mm; set push $2; fit push $1.csv" | jq -r "select(.run).domino" | paste -sd ' '; }
+    same 'with the right push' "$numbers" "$(hits sound 5)"
+    same 'with another push' "$numbers" "$(hits sound 4)"
+    awk -v push="$(json "$block set s 18 mm; set push 4; fit push sound.csv" | values push | head -n 1)" 'BEGIN { exit !(push > 4.8 && push < 5.2) }'
+    # Some lines may have numbers: here the first hits are missing.
+    sed '1s/.*/domino, time (ms)/; 2,4d; 2,$s/^/,/' sound.csv | sed '2s/,/6,/' >some.csv
+    same 'some numbers' "$(cut -d ' ' -f 4- <<<"$numbers")" "$(hits some 5)"
+    # Real hits, on film, of rows with uneven gaps: without every fifth hit, none gets a wrong number. With all hits, as
+    # many as the row has, there is nothing to doubt.
+    measured=$BATS_TEST_DIRNAME/../../examples/measured
+    for run in 3 7 15; do
+        awk -F , -v run=$run '$1 == run && $4 > 4 { print $4, $5/$2 }' "$measured/hard-floor-frames.csv" >film
+        awk 'BEGIN { print "domino,time (s)" } NR == 1 { print $1 "," $2 } NR > 1 && NR % 5 { print "," $2 }' film >film.csv
+        wrong "set r 1; set d 7.5438/48; set s 9.38 mm; set push 4; set row 300; fit friction film.csv" 'film.csv:[0-9]+: the hit .* cannot be numbered'
+        awk 'BEGIN { print "time (s)" } NR <= 30 { print $2 }' film >whole.csv
+        same "run $run, of which the answer compares intervals" "$(seq 3 31 | paste -sd ' ')" \
+            "$(json "set r 1; set d 7.5438/48; set s 9.38 mm; set push 4; set row 31; fit friction whole.csv" | jq -r 'select(.run).domino' | paste -sd ' ')"
+    done
+    # An echo, half of an interval late; a row that is too short; a push that the session does not know.
+    awk 'NR == 12 { before = $1 } NR == 13 { print (before + $1)/2 } { print }' sound.csv >echo.csv
+    wrong "$block set s 18 mm; set push 5; fit push echo.csv" 'echo.csv:13: the hit [0-9.]+ s after that of domino 15 cannot be numbered: the next one is due after about [0-9.]+ s; if it is an echo, delete the line'
+    wrong "$block set s 18 mm; set push 5; set row 20; fit push sound.csv" "sound.csv:17: this hit would be that of domino 21 or a later one, but the row has only 20 dominoes"
+    printf 'domino,time (s)\n6,0\n,0.028\n7,0.056\n' >twice.csv
+    wrong "$block set s 18 mm; set push 5; fit push twice.csv" 'twice.csv:4: domino 7 comes after domino 7'
+}

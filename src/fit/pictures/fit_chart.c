@@ -35,7 +35,8 @@ static void run_points(struct chart *chart, const struct fit *f, size_t i, size_
 /* Draws a point for each measurement, and the line on which measured and fitted values are equal. */
 static void points_draw(struct chart *chart, const struct fit *f, const struct answer_style *style)
 {
-    static const char *const what[] = {"speed", "angle", "time"}, *const units[] = {"m/s", NULL, "s"};
+    static const char *const what[] = {"speed", "angle", "time", "time"}, *const units[] = {"m/s", NULL, "s",
+                                                                                            "s"};
     const char *unit = units[f->data.kind] ? units[f->data.kind] : style_angle_unit(style);
     const double size = f->data.kind == FIT_ANGLES ? 1 / (double)style_angle(style, 1) : 1;
     double most = 0;

@@ -39,9 +39,9 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
         return csv_wrong(&csv->file, at, "'%s' is not a unit of %s; its units are: %s", shown, c->name,
                          c->units);
     if (csv->unit[k] > 0 && csv->unit[k] != q.value)
-        return csv_wrong(&csv->file, at,
-                         "'%s' differs from the unit of %s in the first line; delete one of the two units",
-                         shown, c->name);
+        return csv_wrong(
+            &csv->file, at, "'%s' differs from the unit of %s in the first line; %s", shown, c->name,
+            c->traits & CSV_REPEATED ? "use one unit in all its columns" : "delete one of the two units");
     csv->unit[k] = q.value;
     return true;
 }
