@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The command 'fit', which finds the parameter values that best explain the measurements. The measurements
- * come from a csv file (see language/csv_table.h) of one of these kinds:
+ * come from a csv file (see tables/csv_table.h) of one of these kinds:
  *
  *     gap (mm), speed (m/s)          the speed of the front in a row of equal dominoes
  *     gap (mm), dominoes, time (s)   how long a row of equal dominoes takes to fall
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
- *     time (s)                       when dominoes are hit, as a microphone hears it: some hits may be
- * missing time (s), angle (deg)          the tilt of a domino over time
+ *     time (s)                       when dominoes are hit, as a microphone hears some of them
+ *     time (s), angle (deg)          the tilt of a domino over time
  *
  * fit_read.c reads the file, fit_sound.c numbers the hits of a sound, and fit_model.c computes the model's
  * results. fit_solve.c finds the smallest sum of squares. fit_answer.c writes the answer, and fit_chart.c

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads the measurements of 'fit'. */
 #include "fit/fit.h"
-#include "session/rowfile.h"
+#include "tables/csv_named.h"
 #include <stdlib.h>
 
 #define SPEED  "m/s", "m/s, cm/s, mm/s, ft/s", "m/s", "write a speed such as 1.3 m/s"

@@ -2,6 +2,7 @@
 /* Copies the dimensions of dominoes to the row of the scene, in the same way as 'change'. */
 #include "language/quad.h"
 #include "planning/planning.h"
+#include "rows/row_edit.h"
 #include <stdlib.h>
 
 /* Changes one measurement of domino k, such as its height; k counts from 0. If `times` is true, multiplies

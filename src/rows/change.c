@@ -2,8 +2,9 @@
 /* The commands 'change', 'place', 'remove' and 'insert'. */
 #include "interpreter/question.h"
 #include "language/quad.h"
+#include "rows/row_edit.h"
+#include "rows/rowfile.h"
 #include "rows/rows.h"
-#include "session/rowfile.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: tables */
 /* The reader of csv files: separators, quotes, line ends, units, decimal marks, limits, and errors. */
 #include "suite.h"
 
-#include "language/csv_table.h"
+#include "tables/csv_table.h"
 #include <math.h>
 #include <string.h>
 

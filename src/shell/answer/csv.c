@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The csv format (RFC 4180): a line of column names, followed by a line for each row. */
 #define _GNU_SOURCE /* fputs_unlocked */
-#include "language/csv.h"
 #include "answer/answer.h"
+#include "io/escape.h"
 #include <ctype.h>
 #include <string.h>
 

@@ -137,7 +137,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     const struct typed_length length = length_typed(given);
     if (!height_likely(query, problem))
         return false;
-    if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->run_context, problem)
+    if (!(given->word[1] ? p->load(&next->scene, given->word[1], query->run_context, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, &length, problem)))
         return false;
     /* In a script, the next line may set the parameter `moved` too, so no message is printed. */

@@ -3,13 +3,22 @@
 #include "interpreter/question.h"
 #include "language/landmarks.h"
 #include "session/parameters.h"
-#include "session/rowfile.h"
 #include <ctype.h>
 #include <limits.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 /* ---- Parameters and topics ---- */
+
+static bool file_exists(const struct run_context *run_context, const char *name)
+{
+    char *path = run_context->safe ? NULL : path_beside(run_context, name);
+    const bool exists = path && access(path, F_OK) == 0;
+    free(path);
+    return exists;
+}
 
 /* Returns true if the next word looks like the path of a file rather than the beginning of an expression. The
  * name of any file that exists is a path, unless it is a number. */
@@ -20,7 +29,7 @@ static bool is_path(const struct reader *r)
     const size_t length = strlen(word);
     return strchr("\"./~", *word) || (length > 4 && strcasecmp(word + length - 4, ".csv") == 0) ||
            (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(r->query->state, word)) ||
-           (word[strspn(word, "0123456789")] && csv_exists(r->query->run_context, word));
+           (word[strspn(word, "0123456789")] && file_exists(r->query->run_context, word));
 }
 
 static bool too_many(struct reader *r, const char *word, const char *prefix, const char *usage)

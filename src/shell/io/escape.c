@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* fputs_unlocked */
 #include "io/escape.h"
 #include <stdint.h>
 #include <stdlib.h>
@@ -154,4 +155,17 @@ const char *escape_tex(char letter, char piece[ESCAPE_PIECE])
                  letter);
         return piece;
     }
+}
+
+void csv_write(FILE *out, const char *text, const char *quoted)
+{
+    char piece[ESCAPE_PIECE];
+    const char *quote = strpbrk(text, quoted) ? "\"" : "";
+    fputs_unlocked(quote, out);
+    for (size_t length; *text; text += length) {
+        length = escape_next(text, piece);
+        bool plain = *text == '\n' || *text == '\t';
+        fputs_unlocked(*text == '"' ? "\"\"" : plain ? (char[]){*text, '\0'} : piece, out);
+    }
+    fputs_unlocked(quote, out);
 }

@@ -3,7 +3,6 @@
 #include "language/names.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "session/rowfile.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,48 +45,6 @@ const char *effect_setting_write(const struct scene *scene, int effect, char set
 static bool needs(int effect, int other)
 {
     return other != DOM_EFFECT_row && (effect_at(effect)->needs >> other & 1) != 0;
-}
-
-static bool row_read(const struct scene *scene, const char *name, const struct run_context *run_context,
-                     struct listed_row *row, struct problem *problem)
-{
-    struct csv_table *csv = csv_named(scene, run_context, name, false, &rowfile_kind, problem);
-    if (!csv)
-        return false;
-    bool good = rowfile_read(csv, scene->train.alpha, row), rounded = false;
-    for (size_t k = 0; k < row->count; k++)
-        rounded = rounded || row->domino[k].radius > 0;
-    if (rounded && !scene->effect[DOM_EFFECT_edges].on)
-        run_context_note(run_context, "%s:%ld: the radii have no effect until you enter 'set edges on'",
-                         csv->path, csv->head.at.line);
-    if (good && *csv->unused)
-        run_context_note(run_context, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path,
-                         csv->head.at.line, csv->unused, csv->kind->names);
-    /* 'save' needs an absolute path, since its script may be in another directory. */
-    row->path = good ? realpath(csv->path, NULL) : NULL;
-    /* A pipe has no absolute path. */
-    if (good && !row->path) {
-        row->path = csv->path;
-        csv->path = NULL;
-    }
-    return csv_end(csv, problem);
-}
-
-bool scene_row_load(struct scene *scene, const char *name, const struct run_context *run_context,
-                    struct problem *problem)
-{
-    struct listed_row file = {.domino = NULL};
-    if (run_context->safe)
-        return problem_error(problem,
-                             "'set row %s' reads a file, which a safe session cannot do; use 'set row N'",
-                             names_shown(name));
-    if (!row_read(scene, name, run_context, &file, problem))
-        return false;
-    listed_free(&scene->listed);
-    scene->listed = file;
-    scene->effect[DOM_EFFECT_row] = (struct effect_state){.on = true};
-    scene_apply_lengths(scene);
-    return true;
 }
 
 bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem)
@@ -185,6 +142,4 @@ void effect_save(const struct scene *scene, int effect, const char *folder, FILE
                     e->argument[i].words ? e->argument[i].words[(int)state->value[i]]
                                          : quad_exact(state->value[i], WIDE_DIGITS, number));
     putc('\n', out);
-    if (effect == DOM_EFFECT_row)
-        row_changes_save(scene, out);
 }

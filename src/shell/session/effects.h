@@ -39,13 +39,8 @@ bool effect_check_needs(const struct scene *scene, int effect, struct problem *p
  * problem. */
 bool effects_savable(const struct scene *scene, struct problem *problem);
 
-/* Writes the commands that give an effect its current values. If the effect is 'row', also writes the
- * 'change' commands. `folder` is the directory of the script, or NULL. */
+/* Writes the command that gives an effect its current values. `folder` is the directory of the script, or
+ * NULL. */
 void effect_save(const struct scene *scene, int effect, const char *folder, FILE *out);
-
-/* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem, changes nothing and
- * returns false. */
-bool scene_row_load(struct scene *scene, const char *name, const struct run_context *run_context,
-                    struct problem *problem);
 
 #endif

@@ -129,7 +129,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define MORE_walls .example = "set walls 1 mm; duration; set walls off", RANGE(1e-4, 0.07),
 #define MORE_air .example = "set density 650; set air on; rmax 0.4; set air off", RANGE(0, 5),
 #define MORE_drag .example = "set density 650; set air on; set drag 2; rmax 0.4; set drag off; set air off", RANGE(0.5, 3),
-#define MORE_row .feature = "rows", .example = "set row 13; fall; set row off",
+#define MORE_row .feature = "rows",
 #define MORE_push .example = "set row 5; set push 3; fall; set push off; set row off", RANGE(0, 30),
 #define MORE_floor .example = "set row 5; set floor 0.4; fall; set floor off; set row off", RANGE(0, 3),
 #define MORE_placement .feature = "chance", RANGE(0, 0.1), \
@@ -233,6 +233,10 @@ void parameters_add(const struct parameter *p, bool (*has)(const char *feature))
     struct parameter *at = end++;
     for (; at > built && at[-1].effect && at[-1].which > p->which; at--)
         *at = at[-1];
+    if (at > built && at[-1].effect == p->effect) {
+        memmove(at, at + 1, (size_t)(end-- - at) * sizeof *at);
+        at--;
+    }
     *at = *p;
     end->name = NULL;
 }

@@ -44,6 +44,12 @@ struct parameter {
     bool (*check)(const struct state *state, domq_real value, struct problem *problem);
     /* Changes other members of the state before the value is stored. */
     void (*before)(struct state *state, domq_real value);
+    /* Sets the effect from the file that the user named instead of a number. On failure, sets *problem,
+     * changes nothing and returns false. */
+    bool (*load)(struct scene *scene, const char *name, const struct run_context *run_context,
+                 struct problem *problem);
+    /* Writes the commands that must follow 'set' in a saved script. */
+    void (*save)(const struct scene *scene, FILE *out);
 };
 
 /* The parameters of this build in the order of 'show', followed by the effects. The last name is NULL. */
@@ -55,8 +61,8 @@ extern const struct word effect_words[];
 /* Leaves out the parameters of features for which `has` returns false. */
 void parameters_of_features(bool (*has)(const char *feature));
 
-/* Adds an effect that a feature describes. If it needs a feature for which `has` returns false, adds its
- * description alone. */
+/* Adds an effect that a feature describes, in place of the entry that it may have. If it needs a feature for
+ * which `has` returns false, adds its description alone. */
 void parameters_add(const struct parameter *effect, bool (*has)(const char *feature));
 
 /* Returns the feature to which a parameter belongs that this build lacks, or NULL. */

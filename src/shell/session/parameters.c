@@ -294,6 +294,8 @@ void parameter_save(const struct state *state, const struct parameter *p, const 
     char text[WIDE_TEXT];
     if (p->effect) {
         effect_save(&state->scene, p->which, folder, out);
+        if (p->save)
+            p->save(&state->scene, out);
         return;
     }
     const char *value = parameter_text(p, parameter_get(state, p), WIDE_DIGITS, text);

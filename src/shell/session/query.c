@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* asprintf */
 #include "session/query.h"
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 void run_context_note(const struct run_context *run_context, const char *format, ...)
 {
@@ -25,4 +29,17 @@ struct range shard_range(const struct shard *shard, size_t points)
     size_t whole = points / s.parts, rest = points % s.parts, k = s.part - 1;
     size_t first = whole * k + rest * k / s.parts, end = whole * (k + 1) + rest * (k + 1) / s.parts;
     return (struct range){first, end - first};
+}
+
+char *path_beside(const struct run_context *run_context, const char *name)
+{
+    const char *slash = run_context->script && *name != '/' ? strrchr(run_context->script, '/') : NULL;
+    char *path = NULL;
+    if (slash &&
+        asprintf(&path, "%.*s%s", (int)(slash + 1 - run_context->script), run_context->script, name) < 0)
+        return NULL;
+    if (path && access(path, F_OK) == 0)
+        return path;
+    free(path);
+    return strdup(name);
 }

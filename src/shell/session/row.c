@@ -2,7 +2,6 @@
 #include "session/row.h"
 #include "answer/measure.h"
 #include "language/quad.h"
-#include "session/rowfile.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -51,21 +51,4 @@ domq_real scene_row_measure(const struct scene *scene, const struct domq_domino 
 /* Reports that the session has no row. Returns false. */
 bool problem_no_row(struct problem *problem);
 
-/* Changes one measurement of all dominoes in the ranges. If the measurement is a size, the domino keeps its
- * density. The changes are lost when the row is replaced. On failure, sets *problem, changes nothing and
- * returns false. */
-bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
-                      int ranges, struct problem *problem);
-
-/* Removes the dominoes in the ranges. The gaps before the other dominoes stay the same. On failure, sets
- * *problem, changes nothing and returns false. */
-bool scene_row_remove(struct scene *scene, const struct row_range *range, int ranges,
-                      struct problem *problem);
-
-/* Inserts a domino that becomes number k, counted from 1. It is a copy of the domino that had this number, or
- * of the last one. If `height` is not NULL, it changes the height of the copy, which keeps its proportions.
- * On failure, sets *problem, changes nothing and returns false. */
-bool scene_row_insert(struct scene *scene, size_t k, const struct row_change *height,
-                      struct problem *problem);
-
 #endif

@@ -1,23 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/row_change.h"
 #include "language/quad.h"
-#include "session/rowfile.h"
 #include <stddef.h>
 #include <stdlib.h>
-
-const char *row_measure_names(const void *context, int k)
-{
-    (void)context;
-    return k < ROW_MEASURES ? rowfile_kind.column[k].name : NULL;
-}
-
-bool row_selected(const struct row_range *range, int ranges, size_t k)
-{
-    bool is_in = false;
-    for (int i = 0; i < ranges; i++)
-        is_in = is_in || (range[i].first <= k && k <= range[i].last);
-    return is_in;
-}
 
 domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure)
 {
@@ -96,45 +81,4 @@ bool row_changes_equal(const struct scene *a, const struct scene *b)
         }
     }
     return equal;
-}
-
-/* Writes the commands that remove and insert dominoes. Dominoes are removed from the end of the row, so that
- * the numbers of those before them stay the same. */
-static void origins_save(const struct listed_row *row, size_t planned, FILE *out)
-{
-    for (size_t k = row->changes, end = planned; end > 0;) {
-        const size_t last = k > 0 ? row->change[k - 1].origin + 1 : 0; /* the last domino that is left */
-        if (last + 1 < end)
-            fprintf(out, "remove %zu-%zu\n", last + 1, end);
-        else if (last < end)
-            fprintf(out, "remove %zu\n", end);
-        end = last > 0 ? last - 1 : 0;
-        while (k > 0 && row->change[k - 1].origin + 1 == last)
-            k--;
-    }
-    for (size_t k = 1; k < row->changes; k++)
-        if (row->change[k].origin == row->change[k - 1].origin)
-            fprintf(out, "insert %zu\n", k);
-}
-
-void row_changes_save(const struct scene *scene, FILE *out)
-{
-    const struct listed_row *row = &scene->listed;
-    char number[WIDE_TEXT];
-    if (row->changes > 0)
-        origins_save(row, scene_row_planned(scene), out);
-    for (size_t k = 0; k < row->changes; k++)
-        for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
-            domq_real value = changed(row, k, m);
-            if (isnan(value))
-                continue;
-            /* A lean needs the '=', because it can be negative. Without the '=', 'change' would add a
-             * negative value to the current lean. */
-            fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
-                    m == MEASURE_LEAN ? "= " : "",
-                    quad_exact(m == MEASURE_MASS ? 100 * value : value, WIDE_DIGITS, number),
-                    m == MEASURE_LEAN   ? "rad"
-                    : m == MEASURE_MASS ? "%"
-                                        : "m");
-        }
 }

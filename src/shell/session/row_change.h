@@ -4,23 +4,6 @@
 #define SHELL_ROW_CHANGE_H
 
 #include "session/scene.h"
-#include <stdio.h>
-
-/* A range of consecutive dominoes, counted from 1. */
-struct row_range {
-    size_t first, last;
-};
-
-/* Returns true if domino k is in one of the ranges. */
-bool row_selected(const struct row_range *range, int ranges, size_t k);
-
-struct row_change {
-    enum row_measure measure;
-    enum { CHANGE_TO, CHANGE_BY, CHANGE_TIMES } how; /* replace the measurement, add to it, or multiply it */
-    domq_real value; /* a new value or a difference, in m or kg; or a factor */
-    bool is_angle;   /* the value is a lean angle in rad, not the distance of the top from plumb */
-    bool is_bare;    /* the value was typed without a unit */
-};
 
 /* Returns a pointer to the member that holds a measurement. `domino` may be the
  * member `to` of struct changed_domino. */
@@ -44,11 +27,5 @@ size_t row_changes_count(const struct listed_row *row);
 
 /* Returns true if two scenes have made the same changes to a row. */
 bool row_changes_equal(const struct scene *a, const struct scene *b);
-
-/* Writes the changes as commands for a saved script: 'remove', 'insert' and 'change'. */
-void row_changes_save(const struct scene *scene, FILE *out);
-
-/* A names_list (see names.h) of the measurements that can change. */
-const char *row_measure_names(const void *context, int k);
 
 #endif

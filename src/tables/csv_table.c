@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "language/csv_table.h"
+#include "tables/csv_table.h"
 #include "io/escape.h"
-#include "language/csv_names.h"
 #include "language/expression.h"
 #include "language/names.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "tables/csv_names.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#define _GNU_SOURCE /* fputs_unlocked */
-#include "language/csv.h"
+#include "tables/csv.h"
 #include "io/escape.h"
 #include "language/text.h"
 #include "language/units.h"
@@ -232,17 +231,4 @@ bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
         c += after;
     }
     return true;
-}
-
-void csv_write(FILE *out, const char *text, const char *quoted)
-{
-    char piece[ESCAPE_PIECE];
-    const char *quote = strpbrk(text, quoted) ? "\"" : "";
-    fputs_unlocked(quote, out);
-    for (size_t length; *text; text += length) {
-        length = escape_next(text, piece);
-        bool plain = *text == '\n' || *text == '\t';
-        fputs_unlocked(*text == '"' ? "\"\"" : plain ? (char[]){*text, '\0'} : piece, out);
-    }
-    fputs_unlocked(quote, out);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The headings of columns: a name, perhaps the number of a trial, and a unit. */
-#include "language/csv_names.h"
+#include "tables/csv_names.h"
 #include "language/text.h"
 #include "language/units.h"
 #include <ctype.h>

@@ -12,12 +12,12 @@
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
  *   radians.
  */
-#ifndef SHELL_CSV_TABLE_H
-#define SHELL_CSV_TABLE_H
+#ifndef TABLES_CSV_TABLE_H
+#define TABLES_CSV_TABLE_H
 
 #include "domino_quad.h"
-#include "language/csv.h"
-#include "language/csv_names.h"
+#include "tables/csv.h"
+#include "tables/csv_names.h"
 #include <signal.h>
 
 /* A table that is being read. The arrays `column`, `unit` and `value` have an element for each column in

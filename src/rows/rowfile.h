@@ -1,24 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads the csv files that commands name, in particular rows of dominoes. */
-#ifndef SHELL_ROWFILE_H
-#define SHELL_ROWFILE_H
+/* Reads rows of dominoes from csv files. */
+#ifndef ROWS_ROWFILE_H
+#define ROWS_ROWFILE_H
 
-#include "language/csv_table.h"
 #include "session/query.h"
-
-/* Opens a csv file and reads the first line of its table. The file may be beside the running script, or else
- * in the current directory. If `standard` is true, the name '-' means standard input. On failure, sets
- * *problem and returns NULL. */
-struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
-                            const char *name, bool standard, const struct csv_kind *kind,
-                            struct problem *problem);
-
-/* Returns true if csv_named would find a file of this name. In a safe session, always returns false. */
-bool csv_exists(const struct run_context *run_context, const char *name);
-
-/* Closes a table after it has been read. Returns true if there was no error. Otherwise copies the error from
- * the table to *problem and returns false. If `csv` is NULL, only returns false. */
-bool csv_end(struct csv_table *csv, struct problem *problem);
+#include "tables/csv_named.h"
 
 /*
  * A csv file that describes a measured row of dominoes looks like this:
@@ -51,10 +37,17 @@ enum { MISFIT_MESSAGE = LEAN_MESSAGE };
 enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope,
                                char message[MISFIT_MESSAGE]);
 
-/* Reads all dominoes of a table. It is an error if a leaning domino would fall over by itself on a slope of
- * `slope` radians. On failure, stores the problem in the table, leaves *rows empty and returns false. Free
- * *rows with listed_free. */
+/* Reads all dominoes of a table. On failure, stores the problem in the table, leaves *rows empty and returns
+ * false. Free *rows with listed_free. */
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);
+
+/* Turns on the effect 'row' with the dominoes of a file. It is an error if a leaning domino would fall over
+ * by itself on the slope of the scene. On failure, sets *problem, changes nothing and returns false. */
+bool rowfile_load(struct scene *scene, const char *name, const struct run_context *run_context,
+                  struct problem *problem);
+
+/* A names_list (see names.h) of the measurements that can change. */
+const char *row_measure_names(const void *context, int k);
 
 /* Stores the unknown columns of the row's dominoes, in the form of row->others, in *others. The caller frees
  * them. They are NULL if there are no such columns. Returns false if memory runs out. */

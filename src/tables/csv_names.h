@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The columns that a kind of csv file may have, and the headings by which files call them: a name, perhaps
  * the number of a trial, and a unit. */
-#ifndef SHELL_CSV_NAMES_H
-#define SHELL_CSV_NAMES_H
+#ifndef TABLES_CSV_NAMES_H
+#define TABLES_CSV_NAMES_H
 
-#include "language/csv.h"
 #include "language/names.h"
+#include "tables/csv.h"
 
 /* CSV_COLUMNS_MOST is the maximum number of columns that a kind of table knows. A file may also have unknown
  * columns, but at most CSV_OTHERS_MOST. When a row is saved, the unknown columns are written next to the

@@ -11,8 +11,8 @@
  * comma in a quoted cell. But "1,234" between quotes, and "1.234" below a number with a decimal comma, could
  * mean 1234. These are errors.
  */
-#ifndef SHELL_CSV_H
-#define SHELL_CSV_H
+#ifndef TABLES_CSV_H
+#define TABLES_CSV_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -72,10 +72,5 @@ const char *csv_separator_name(const struct csv_file *file);
 /* Replaces the decimal commas in the text of a cell by points, so that the numbers can be read. `at` is the
  * position of the cell. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
-
-/* Writes a cell. If the cell contains one of the characters in `quoted`, it is put in quotes. Control
- * characters, invisible characters and bytes that are not UTF-8 become escape sequences, as in escape.h. Only
- * newlines and tabs are written unchanged. */
-void csv_write(FILE *out, const char *text, const char *quoted);
 
 #endif

@@ -1,72 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#define _GNU_SOURCE /* asprintf */
-#include "session/rowfile.h"
+#include "rows/rowfile.h"
 #include "io/io.h"
 #include "language/names.h"
 #include "language/quad.h"
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-/* Finds a file that a script names. If there is such a file beside the running script, returns its path.
- * Otherwise returns a copy of `name`. The caller frees the path. */
-static char *path_beside(const struct run_context *run_context, const char *name)
-{
-    const char *slash = run_context->script && *name != '/' ? strrchr(run_context->script, '/') : NULL;
-    char *path = NULL;
-    if (slash &&
-        asprintf(&path, "%.*s%s", (int)(slash + 1 - run_context->script), run_context->script, name) < 0)
-        return NULL;
-    if (path && access(path, F_OK) == 0)
-        return path;
-    free(path);
-    return strdup(name);
-}
-
-bool csv_exists(const struct run_context *run_context, const char *name)
-{
-    char *path = run_context->safe ? NULL : path_beside(run_context, name);
-    bool exists = path && access(path, F_OK) == 0;
-    free(path);
-    return exists;
-}
-
-bool csv_end(struct csv_table *csv, struct problem *problem)
-{
-    bool good = csv && *csv->file.problem.text == '\0';
-    if (csv && !good) {
-        const char *path = strlen(csv->path) < 256 ? csv->path : names_shown(csv->path);
-        problem_error(problem, "%s:%ld:%d: %s", path, csv->file.problem.at.line, csv->file.problem.at.column,
-                      csv->file.problem.text);
-    }
-    csv_close(csv);
-    return good;
-}
-
-struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
-                            const char *name, bool standard, const struct csv_kind *kind,
-                            struct problem *problem)
-{
-    const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
-    standard = standard && strcmp(name, "-") == 0;
-    char *path = path_beside(run_context, name);
-    FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_open_read(path, interrupt);
-    struct csv_table *csv = in ? csv_open(in, path, kind) : NULL;
-    if (csv)
-        csv->interrupt = interrupt;
-    else
-        problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
-    if (in && !standard)
-        fclose(in);
-    if (!csv)
-        free(path);
-    else if (*csv->file.problem.text && !csv_end(csv, problem))
-        csv = NULL;
-    return csv;
-}
-
-/* ---- Rows ---- */
 
 enum { DENSITY = ROW_MEASURES, RELATIVE, DOMINO, PITCH, POSITION, KINDS };
 
@@ -105,6 +43,12 @@ const struct csv_kind rowfile_kind = {
         "height, thickness, gap (or pitch, or position), and, if known, mass or density, width, radius, lean",
     .example = "height (mm), thickness (mm), gap (mm)",
 };
+
+const char *row_measure_names(const void *context, int k)
+{
+    (void)context;
+    return k < ROW_MEASURES ? rowfile_kind.column[k].name : NULL;
+}
 
 /* Makes room for one more domino. */
 static bool row_grow(struct listed_row *rows)
@@ -231,6 +175,48 @@ bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *row
     if (!good)
         listed_free(rows);
     return good;
+}
+
+static bool row_read(const struct scene *scene, const char *name, const struct run_context *run_context,
+                     struct listed_row *row, struct problem *problem)
+{
+    struct csv_table *csv = csv_named(scene, run_context, name, false, &rowfile_kind, problem);
+    if (!csv)
+        return false;
+    bool good = rowfile_read(csv, scene->train.alpha, row), rounded = false;
+    for (size_t k = 0; k < row->count; k++)
+        rounded = rounded || row->domino[k].radius > 0;
+    if (rounded && !scene->effect[DOM_EFFECT_edges].on)
+        run_context_note(run_context, "%s:%ld: the radii have no effect until you enter 'set edges on'",
+                         csv->path, csv->head.at.line);
+    if (good && *csv->unused)
+        run_context_note(run_context, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path,
+                         csv->head.at.line, csv->unused, csv->kind->names);
+    /* 'save' needs an absolute path, since its script may be in another directory. */
+    row->path = good ? realpath(csv->path, NULL) : NULL;
+    /* A pipe has no absolute path. */
+    if (good && !row->path) {
+        row->path = csv->path;
+        csv->path = NULL;
+    }
+    return csv_end(csv, problem);
+}
+
+bool rowfile_load(struct scene *scene, const char *name, const struct run_context *run_context,
+                  struct problem *problem)
+{
+    struct listed_row file = {.domino = NULL};
+    if (run_context->safe)
+        return problem_error(problem,
+                             "'set row %s' reads a file, which a safe session cannot do; use 'set row N'",
+                             names_shown(name));
+    if (!row_read(scene, name, run_context, &file, problem))
+        return false;
+    listed_free(&scene->listed);
+    scene->listed = file;
+    scene->effect[DOM_EFFECT_row] = (struct effect_state){.on = true};
+    scene_apply_lengths(scene);
+    return true;
 }
 
 bool rowfile_others(const struct listed_row *row, char **others)

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tables/csv_named.h"
+#include "io/io.h"
+#include "language/names.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool csv_end(struct csv_table *csv, struct problem *problem)
+{
+    bool good = csv && *csv->file.problem.text == '\0';
+    if (csv && !good) {
+        const char *path = strlen(csv->path) < 256 ? csv->path : names_shown(csv->path);
+        problem_error(problem, "%s:%ld:%d: %s", path, csv->file.problem.at.line, csv->file.problem.at.column,
+                      csv->file.problem.text);
+    }
+    csv_close(csv);
+    return good;
+}
+
+struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
+                            const char *name, bool standard, const struct csv_kind *kind,
+                            struct problem *problem)
+{
+    const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
+    standard = standard && strcmp(name, "-") == 0;
+    char *path = path_beside(run_context, name);
+    FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_open_read(path, interrupt);
+    struct csv_table *csv = in ? csv_open(in, path, kind) : NULL;
+    if (csv)
+        csv->interrupt = interrupt;
+    else
+        problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
+    if (in && !standard)
+        fclose(in);
+    if (!csv)
+        free(path);
+    else if (*csv->file.problem.text && !csv_end(csv, problem))
+        csv = NULL;
+    return csv;
+}
