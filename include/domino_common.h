@@ -38,6 +38,7 @@ extern "C" {
     X(BAD_TIME, "the time is negative, or later than the next hit")                                          \
     X(BAD_G, "the acceleration of gravity g is outside its range")                                           \
     X(BAD_PUSH, "the push is outside its range")                                                             \
+    X(BAD_RELEASE, "the tilt at which the first domino is released is outside its range")                    \
     X(BAD_COUNT, "the row has no dominoes")                                                                  \
     X(BAD_HEIGHT, "a height is outside its range")                                                           \
     X(BAD_THICKNESS, "a thickness is outside its range")                                                     \
@@ -114,7 +115,7 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
     X(edges, rho, DOM_BAD_RHO) X(air, air, DOM_BAD_AIR) X(drag, drag, DOM_BAD_DRAG)
 
 /* The effects that are not in DOM_DYNAMICS. They concern rows and questions about rows: X(effect). */
-#define DOM_EFFECTS(X) X(row) X(push) X(placement) X(floor)
+#define DOM_EFFECTS(X) X(row) X(push) X(release) X(placement) X(floor)
 
 /* All effects, in the order of DOM_DYNAMICS and DOM_EFFECTS. */
 enum dom_effect_name {
@@ -126,6 +127,7 @@ enum dom_effect_name {
     DOM_EFFECT_drag,
     DOM_EFFECT_row,
     DOM_EFFECT_push,
+    DOM_EFFECT_release,
     DOM_EFFECT_placement,
     DOM_EFFECT_floor,
     DOM_EFFECT_COUNT

@@ -21,7 +21,8 @@ extern "C" {
     X(PARTS, "it moves ahead of the dominoes that lean on it, and the model does not include this motion")   \
     X(LOCKS, "friction locks it: the contact force passes on the wrong side of its hinge")                   \
     X(SKEWED, "because it or the next domino leans, the two already touch, or would touch in a way that "    \
-              "the model does not include")
+              "the model does not include")                                                                  \
+    X(BACK, "it falls back, because the tilt at which it is released is too small")
 
 enum dom_row_end {
 #define DOM_ROW_ENUM(name, text) DOM_ROW_##name,
@@ -153,6 +154,11 @@ struct dom_row {
     /* The push: the angular velocity in rad/s, >= 0, that the first domino gets while it is upright. NaN
      * means that there is no push. The first domino is then tipped over its edge and released. */
     dom_real push;
+    /* The tilt in rad, >= 0, at which the first domino gets the push. With a push of 0, it is released there
+     * at rest. INFINITY stands for the tilt at which it leans against the second domino (dom_row_touch); with
+     * a larger finite tilt, the fall ends with DOM_ROW_SKEWED. Unless the tilt is 0, it takes the place of
+     * the lean of the first domino. It has no effect without a push. */
+    dom_real release;
     /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is a length in m, and `air` a density in
      * kg/m^3, so all masses must be in kg. */
     dom_real mu, alpha, walls, rho, air, drag;
@@ -199,7 +205,7 @@ struct dom_verdict {
     /* The domino at which the fall ends: the last domino that was hit. If the status is DOM_BAD_..., it is
      * the domino with the bad value. */
     size_t domino;
-    /* the missing energy in J: > 0 for DOM_ROW_STOPS, infinite if friction locks the row */
+    /* the missing energy in J: > 0 for DOM_ROW_STOPS and DOM_ROW_BACK, infinite if friction locks the row */
     dom_real short_by;
     /* The time in s until all dominoes lie on the floor. If the fall ends early, the time until the last hit.
      * NaN if times were not requested. */
@@ -219,6 +225,10 @@ struct dom_verdict {
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
+
+/* Finds the tilt in rad at which the first domino touches the second one, or pi/2 if it lies on the floor
+ * without touching any. This is the largest row->release. The statuses are those of dom_row_run. */
+enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt);
 
 /*
  * An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` takes the
@@ -419,7 +429,7 @@ struct dom_wish {
     dom_real safety;
     /* the length of the hall in m, > height, as in struct dom_limits; may be infinite */
     dom_real hall;
-    dom_real g, push; /* as in struct dom_row */
+    dom_real g, push, release; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
     /* The thickness of the walls, and the height above which dominoes have walls, in m, as in struct dom_row.
@@ -525,6 +535,8 @@ struct dom_random_error {
  * - A slope on which a domino would fall over by itself becomes the steepest slope on which all stand.
  * - A domino that would fall over by itself gets the largest lean at which it stands.
  * - A friction or a push that would be negative becomes 0.
+ * - If the first domino would touch the second one at a smaller tilt than row->release, it is released where
+ *   they touch.
  */
 struct dom_placement {
     struct dom_random_error error[DOM_ERROR_COUNT];

@@ -51,8 +51,12 @@ static uint32_t scene_checksum(const struct scene_row *scene)
     const struct domq_compute *compute = &scene->compute;
     uint32_t sum = 2166136261u;
 #define VALUE(name, member, status) row->member,
-    const domq_real all[] = {row->g, row->boxes_above, isnan(row->push) ? -1 : row->push,
-                             DOM_DYNAMICS(VALUE) compute->tol, (domq_real)compute->precision};
+    const domq_real all[] = {row->g,
+                             row->boxes_above,
+                             isnan(row->push) ? -1 : row->push,
+                             row->release,
+                             DOM_DYNAMICS(VALUE) compute->tol,
+                             (domq_real)compute->precision};
 #undef VALUE
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         checksum_add(&sum, all[i]);

@@ -25,6 +25,7 @@ struct engine_row {
     double g;
     /* angular velocity given to the first box; NaN if this box is tipped over its edge and released */
     double push;
+    double tilt;   /* tilt at which the first box gets the push; 0 if it is upright */
     double slope;  /* angle at which the floor slopes down in the direction of the row */
     double mu;     /* friction coefficient between boxes */
     double bounce; /* coefficient of restitution between boxes */

@@ -60,6 +60,13 @@ static enum dom_status row_convert(const struct domq_row *row, struct engine_row
     engine->bounce = of_scene->bounce;
     engine->feet = fmax(of_scene->feet + (double)row->feet, 0);
     engine->push = (double)row->push * unit.time;
+    if (row->release > 0 && !isnan(row->push)) {
+        domq_real touch;
+        const enum dom_status status = domq_row_touch(row, NULL, &touch);
+        if (status != DOM_OK)
+            return status;
+        engine->tilt = fmin((double)row->release, (double)touch);
+    }
     engine->mu = (double)row->mu;
     engine->slope = (double)row->alpha;
     engine->radius = (double)row->rho;
@@ -128,6 +135,7 @@ static void verdict_fill(const struct engine_fall *fall, const struct domq_row *
     *verdict = (struct domq_verdict){.end = fall->all     ? DOM_ROW_FALLS
                                             : fall->leans ? DOM_ROW_LEANS
                                             : beyond      ? DOM_ROW_MISSES
+                                            : last == 0 && !fall->lies && row->release > 0 ? DOM_ROW_BACK
                                                           : DOM_ROW_STOPS,
                                      .domino = fall->hits,
                                      .short_by = fall->all ? 0 : DOMQ_NAN,
@@ -282,7 +290,7 @@ static bool effects_check(const struct scene *scene, struct problem *problem)
 {
     const unsigned known = 1U << DOM_EFFECT_friction | 1U << DOM_EFFECT_slope | 1U << DOM_EFFECT_edges |
                            1U << DOM_EFFECT_walls | 1U << DOM_EFFECT_row | 1U << DOM_EFFECT_push |
-                           1U << DOM_EFFECT_placement;
+                           1U << DOM_EFFECT_release | 1U << DOM_EFFECT_placement;
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         if (scene->effect[k].on && !(known >> k & 1))
             return problem_error(problem,

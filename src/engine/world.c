@@ -148,7 +148,7 @@ static void start(struct world *w)
     const struct engine_box *box = &row->box[0];
     double h = box->height, d = box->thickness, rounded = 2 * radius_of(w, 0);
     if (!isnan(row->push)) {
-        turn(w, 0, row->push);
+        turn(w, row->tilt, row->push);
         return;
     }
     double arm = hypot(h, d) / 2, about = w->body[0].moment + box->mass * arm * arm;

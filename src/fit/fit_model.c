@@ -168,7 +168,9 @@ static bool tilt_keep(const struct domq_moment *moment, void *context)
 static void tilts_before(struct watch *w, const struct scene_row *row)
 {
     for (; w->done < w->count && w->point[w->done].time < w->clock; w->done++)
-        w->tilt[w->done] = (double)row->domino[w->point[w->done].domino - 1].lean;
+        w->tilt[w->done] = w->point[w->done].domino == 1
+                               ? (double)scene_row_tilt(row)
+                               : (double)row->domino[w->point[w->done].domino - 1].lean;
 }
 
 /* Fills in w->tilt for the measurements of one run. */

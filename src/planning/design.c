@@ -378,6 +378,7 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
                              .hall = w->hall,
                              .g = query->scene->scale.g,
                              .push = scene_push(query->scene, query->scene->scale.h),
+                             .release = scene_release(query->scene),
                              .least = w->least,
                              .walls = scene_walls(query->scene),
                              .boxes_above = scene_boxes_above(query->scene)};

@@ -120,6 +120,10 @@ static void push_words(const struct scene_row *scene, char *text, size_t size)
     const struct domq_row *row = &scene->row;
     if (isnan(row->push))
         snprintf(text, size, "Tip domino 1 until it falls by itself.");
+    else if (row->release > 0)
+        snprintf(text, size, "%s domino 1 %s and %s.", isinf(row->release) ? "Lean" : "Hold",
+                 isinf(row->release) ? "against domino 2" : release_words(row->release).text,
+                 row->push > 0 ? "push it" : "let it go");
     else
         snprintf(text, size, "Push domino 1 so that its top moves at %s.",
                  measured(row->push * row->domino[0].height, "m/s", 3).text);

@@ -8,7 +8,9 @@ const struct column fall_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
     {"height", "m", "height of the domino", 6},
     {"hit", "s",
-     "time at which the domino is hit, counted from the push or, without a push, from the first hit", 7},
+     "time at which the domino is hit, counted from the push or the release or, without either, from the "
+     "first hit",
+     7},
     {"falls", "s", "time at which the domino hits the next one, or lies on the floor", 7},
     {"omega", "rad/s", "angular velocity of the domino just after it is hit", 6},
     {"kinetic", "mgh/2",
@@ -180,9 +182,9 @@ static bool fall_row(const struct domq_fall *fall, void *context)
 static void verdict_row(struct answer *a, const struct row_run *run)
 {
     static const char *const words[] = {
-        [DOM_ROW_FALLS] = "all fall",      [DOM_ROW_STOPS] = "stops",   [DOM_ROW_MISSES] = "misses",
-        [DOM_ROW_PASSES] = "passes above", [DOM_ROW_LEANS] = "leans",   [DOM_ROW_PARTS] = "parts",
-        [DOM_ROW_LOCKS] = "locks",         [DOM_ROW_SKEWED] = "touches"};
+        [DOM_ROW_FALLS] = "all fall",      [DOM_ROW_STOPS] = "stops",    [DOM_ROW_MISSES] = "misses",
+        [DOM_ROW_PASSES] = "passes above", [DOM_ROW_LEANS] = "leans",    [DOM_ROW_PARTS] = "parts",
+        [DOM_ROW_LOCKS] = "locks",         [DOM_ROW_SKEWED] = "touches", [DOM_ROW_BACK] = "falls back"};
     char reason[ANSWER_REASON];
     const struct domq_verdict *v = &run->verdict;
     bool falls = v->end == DOM_ROW_FALLS;

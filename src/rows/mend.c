@@ -18,7 +18,7 @@ const struct column mend_columns[] = {
 /* Returns true if the first domino does not tip over. In this case, a stronger push may save the row. */
 static bool push_lacks(const struct domq_verdict *v)
 {
-    return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
+    return v->end == DOM_ROW_LEANS || v->end == DOM_ROW_BACK || (v->end == DOM_ROW_STOPS && v->domino == 1);
 }
 
 /* Sets *push to the weakest push that saves the row, or to NaN if there is none. */
@@ -31,6 +31,8 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
         return status;
     answer_say(a, v->end == DOM_ROW_LEANS
                       ? "The row needs a push: its first domino touches the second before it tips over."
+                  : v->end == DOM_ROW_BACK
+                      ? "The row needs a larger tilt or a stronger push: its first domino falls back."
                       : "The row needs a stronger push: its first domino does not tip over.");
     if (isnan(*push))
         answer_say(a, "A push alone cannot save this row; enter 'set push 5', and then 'mend' again.");

@@ -126,7 +126,9 @@ static void growth_say(const struct query *query, struct answer *a, const struct
         answer_say(a, "With these gaps not even equal dominoes keep falling.");
     else if (isnan(kind->tower.growths.r_max) && !kind->tower.start.engine)
         answer_say(a, "With these gaps no row of such dominoes starts %s.",
-                   query->scene->effect[DOM_EFFECT_push].on ? "with this push" : "by itself");
+                   query->scene->effect[DOM_EFFECT_release].on ? "from this tilt"
+                   : query->scene->effect[DOM_EFFECT_push].on  ? "with this push"
+                                                               : "by itself");
     else if (isfinite(n) && n > 0)
         answer_say(a, "%c%s can each be %s times as large as the one before: then %s %s enough.",
                    toupper((unsigned char)*name.text), name.text + 1, quad_growth(most, 9),

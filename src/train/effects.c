@@ -198,8 +198,8 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     const struct domq_effect *law = domq_law(&scene->train);
     const char *version = NULL, *motion_why, *motion;
     bool is_row = scene->effect[DOM_EFFECT_row].on, is_pushed = scene->effect[DOM_EFFECT_push].on,
-         is_engine = scene_has_engine(scene), is_rounded = scene->train.rho != 0,
-         has_losses = law->dissipates != NULL;
+         is_released = scene->effect[DOM_EFFECT_release].on, is_engine = scene_has_engine(scene),
+         is_rounded = scene->train.rho != 0, has_losses = law->dissipates != NULL;
     char engine[96], loses[LOSSES_TEXT] = "";
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
         if (scene->effect[k].on && effect_at(k)->dissipates)
@@ -214,10 +214,14 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
                                      : "energy balance and collision, without integration";
     if (is_row)
         part_row(a, "start",
-                 is_pushed   ? domq_effect(DOM_EFFECT_push)->plan
+                 is_released ? domq_effect(DOM_EFFECT_release)->plan
+                 : is_pushed ? domq_effect(DOM_EFFECT_push)->plan
                  : is_engine ? "domino 1 is tilted until it just tips over"
                              : "(9; b5): energy that domino 1 gains as it tips over",
-                 1, is_pushed ? "push is on" : "no push");
+                 1,
+                 is_released ? "release is on"
+                 : is_pushed ? "push is on"
+                             : "no push");
     if (is_row && !is_engine)
         part_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
     if (is_rounded && !is_engine)

@@ -110,6 +110,16 @@ struct words limit_words(domq_real limit, int digits)
     return words;
 }
 
+struct words release_words(domq_real release)
+{
+    struct words words = {""};
+    if (isinf(release))
+        snprintf(words.text, sizeof words.text, "against the second");
+    else if (release > 0)
+        snprintf(words.text, sizeof words.text, "at %s deg", quad_text(release * (180 / QUAD_PI), 6));
+    return words;
+}
+
 struct words all_fall_words(size_t count)
 {
     struct words words;

@@ -57,6 +57,10 @@ struct words dominoes_words(domq_real q, const char *noun);
  * A growth that is not 1 gets more digits if it would be 1. */
 struct words limit_words(domq_real limit, int digits);
 
+/* Returns where a first domino is released: "at 20 deg", "against the second" or, if it starts upright, "".
+ * The tilt is that of struct domq_row. */
+struct words release_words(domq_real release);
+
 /* Returns a phrase such as "All 8 fall", "Both fall" or "It falls". */
 struct words all_fall_words(size_t count);
 

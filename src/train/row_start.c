@@ -234,6 +234,9 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
                         struct start_growths *growths, struct problem *problem)
 {
     struct scene scene = start_scene(query, train, 2);
+    /* The first domino may have too little room for its tilt at the growths that are tried first. */
+    if (scene.effect[DOM_EFFECT_release].on)
+        scene.effect[DOM_EFFECT_release].value[0] = RELEASE_TOUCH;
     struct search s = {.scene = &scene, .most = START_SEARCHED, .count = FEW};
     *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, scene_has_engine(&scene)};
     scene.train.r = 1;
@@ -245,6 +248,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     free(s.made.domino);
     s.made.row.domino = s.made.domino = malloc(START_SEARCHED * sizeof *s.made.domino);
     s.made.row.floor = false;
+    s.made.row.release = scene_release(query->scene);
     s.made.compute.tol = quad_larger(s.made.compute.tol, START_TOL);
     s.settles = s.made.row.walls == 0;
     if (!s.settles)
@@ -266,8 +270,12 @@ struct words start_words(const struct query *query)
 {
     const domq_real push = scene_push(query->scene, query->scene->scale.h);
     struct words words = {"if its first domino just tips over"};
-    if (!isnan(push))
-        snprintf(words.text, sizeof words.text, "with a push of %.4g rad/s", (double)push);
+    const struct words tilt = release_words(scene_release(query->scene));
+    if (push > 0 || (!isnan(push) && !*tilt.text))
+        snprintf(words.text, sizeof words.text, "with a push of %.4g rad/s%s%.40s", (double)push,
+                 *tilt.text ? " " : "", tilt.text);
+    else if (*tilt.text)
+        snprintf(words.text, sizeof words.text, "if its first domino is released %.40s", tilt.text);
     return words;
 }
 

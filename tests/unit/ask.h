@@ -130,7 +130,7 @@ static inline enum dom_status ask_count_find(enum dom_precision precision, domq_
 struct row_setup {
     const struct domq_domino *domino;
     size_t count;
-    domq_real g, push;
+    domq_real g, push, release;
     DOM_DYNAMICS(SETUP_EFFECT)
     domq_real boxes_above; /* as in struct domq_row */
     bool floor;
@@ -154,6 +154,7 @@ static inline struct domq_row row_setup(const struct row_setup *a)
                              .count = a->count,
                              .g = a->g,
                              .push = a->push,
+                             .release = a->release,
                              .floor = a->floor,
                              .boxes_above = a->boxes_above,
                              DOM_DYNAMICS(SETUP_COPY_EFFECT)};

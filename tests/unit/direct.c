@@ -391,7 +391,9 @@ static double longest_step(const struct run *run, const double y[])
 {
     double swing = sqrt(run->row->height[run->head] / run->row->g);
 
-    return fmin((run->target - lean(run->row, run->head)) / y[OMEGA], swing) / LEAST_STEPS;
+    double whole = y[OMEGA] > 0 ? (run->target - lean(run->row, run->head)) / y[OMEGA] : swing;
+
+    return fmin(whole, swing) / LEAST_STEPS;
 }
 
 /* Makes one step of the integrator. A step that fails is halved and tried again. */
@@ -504,16 +506,24 @@ static const char *finish(struct run *run, const double y[], bool flat)
     return 0;
 }
 
+/* Returns true if the row is at rest at time 0 and begins to move by itself. */
+static bool starts(const struct run *run)
+{
+    return run->began == 0 && run->row->omega == 0 && run->alpha[run->head] > 0;
+}
+
 static const char *run_through(struct run *run)
 {
     double y[DIM] = {lean(run->row, 0), run->row->omega, 0};
 
     set_target(run);
-    while (y[OMEGA] > 0) {
+    for (;;) {
         size_t event = REACH;
 
         if (look(run, y) != GSL_SUCCESS)
             return "The equations of motion are singular.";
+        if (!(y[OMEGA] > 0) && !starts(run))
+            break;
         const char *wrong = move(run, y, &event);
 
         if (wrong)

@@ -15,7 +15,9 @@ struct direct_row {
     size_t n;
     const double *height, *thickness, *gap, *mass;
     double mu, g;
-    double omega; /* angular velocity given to the first domino at time 0 */
+    /* Angular velocity given to the first domino at time 0. If it is 0, the first domino falls only if its lean
+     * makes it fall. */
+    double omega;
     double slope; /* angle in rad by which the floor descends towards the later dominoes */
     double walls,
         boxes_above;     /* thickness of the walls, or 0; only blocks taller than boxes_above have them */

@@ -170,6 +170,15 @@ static void common_draw(struct draw *draw, enum dom_error_of kind, const struct 
         row->push = fmax(row->push + by, 0);
 }
 
+/* A first domino that would be inside the second one is released where it touches it. */
+static void release_limit(struct dom_row *row)
+{
+    dom_real touch;
+    if (row->release > 0 && isfinite(row->release) && !isnan(row->push) &&
+        dom_row_touch(row, NULL, &touch) == DOM_OK && row->release > touch)
+        row->release = (dom_real)INFINITY;
+}
+
 static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)
 {
     if (kind == DOM_ERROR_gap)
@@ -206,4 +215,5 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
         kind_begin(draw, p, i, (int)order[k]);
         kind_draw(draw, order[k], error);
     }
+    release_limit(&draw->row);
 }

@@ -91,10 +91,11 @@ static bool moment_time(struct problem *problem, const struct draw_options *opti
     if (options->has[DRAW_DOMINO])
         return domino_time(problem, options->value[DRAW_DOMINO], row, time);
     *time = options->end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
+    const char *start = falling_row_start(row);
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(
-            problem,
-            "times count from the push and cannot be negative; 'draw at 0' shows the row at the push");
+            problem, "times count from the %s and cannot be negative; 'draw at 0' shows the row at the %s",
+            start, start);
     /* An end time that the user copied from an answer may have been rounded up. */
     return options->end || !((double)*time > row->end * 1.005) ||
            problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows the row at this time",

@@ -34,7 +34,8 @@ void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
     for (size_t k = 0; k < row->stage.count; k++) {
         const struct domq_domino *domino = &row->run.scene.domino[k];
         struct drawn *d = &row->stage.domino[k];
-        double lean = (double)domino->lean, tilt = moment ? (double)moment->tilt[k] : lean;
+        double lean = k == 0 ? (double)scene_row_tilt(&row->run.scene) : (double)domino->lean,
+               tilt = moment ? (double)moment->tilt[k] : lean;
         bool head = moment && k + 1 == moment->head;
         *d = (struct drawn){.number = (int)k + 1,
                             .part = part_of(row, k, moment ? moment->head : 0, tilt > lean || head),
@@ -133,10 +134,9 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
 
 /* ---- Sentences ---- */
 
-/* Returns the event at which the clock starts. */
-static const char *start_of(const struct falling_row *row)
+const char *falling_row_start(const struct falling_row *row)
 {
-    return row_run_tipped(&row->run, 0) ? "first hit" : "push";
+    return row_run_tipped(&row->run, 0) ? "first hit" : row->run.scene.row.release > 0 ? "release" : "push";
 }
 
 static struct words domino_words(const struct falling_row *row, size_t number)
@@ -171,7 +171,7 @@ void falling_row_verdict(const struct falling_row *row, char text[SENTENCE])
     if (v->end == DOM_ROW_FALLS && isfinite(row->end) && row->stage.count > 1)
         snprintf(text, SENTENCE, "%.40s%s lies flat %.40s after the %s.", all_fall_words(row->dominoes).text,
                  row->has_tower ? ", and so does the tower: it" : ": the last one",
-                 measured((domq_real)row->end, "s", 3).text, start_of(row));
+                 measured((domq_real)row->end, "s", 3).text, falling_row_start(row));
     else if (v->end == DOM_ROW_FALLS)
         snprintf(text, SENTENCE, "%.40s.", all_fall_words(row->dominoes).text);
     else if (share < 1)
@@ -226,5 +226,5 @@ void falling_row_moment(const struct falling_row *row, const struct domq_moment 
         snprintf(what, sizeof what, "the fall ends at %.40s; %zu domino%s stand%s",
                  domino_words(row, m->head).text, after, after == 1 ? "" : "es", after == 1 ? "s" : "");
     snprintf(text, SENTENCE, "%.3f s %s the %s: %s.", time < 0 ? -time : time, time < 0 ? "before" : "after",
-             start_of(row), what);
+             falling_row_start(row), what);
 }

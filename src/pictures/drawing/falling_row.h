@@ -61,6 +61,9 @@ void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
  * the weakest. */
 void falling_row_weakest(const struct falling_row *row, char text[SENTENCE]);
 
+/* Returns the event at which the clock starts: "first hit", "push" or "release". */
+const char *falling_row_start(const struct falling_row *row);
+
 /* Writes what happens at a moment, for example "2.500 s after the push: domino 3 falls; 7 dominoes still
  * stand." */
 void falling_row_moment(const struct falling_row *row, const struct domq_moment *moment, char text[SENTENCE]);

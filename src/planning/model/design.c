@@ -62,6 +62,7 @@ static struct planner planner_make(const struct dom_train *train, const struct d
                : !(wish->hall > wish->height)                  ? DOM_BAD_HALL
                : !(wish->g > 0 && isfinite(wish->g))           ? DOM_BAD_G
                : wish->push < 0 || isinf(wish->push)           ? DOM_BAD_PUSH
+               : !(wish->release >= 0)                         ? DOM_BAD_RELEASE
                : limits                                        ? limits_check(limits)
                                                                : DOM_OK;
     if (p.status != DOM_OK)
@@ -243,7 +244,7 @@ static dom_real shortest_on_grid(struct planner *p, size_t fewest, int k, struct
  * most 1e-4. If no such push is found, returns NaN. */
 static dom_real push_enough(struct planner *p, struct choice c)
 {
-    dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
+    dom_real hi = !(p->wish->push > 0) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
     for (int i = 0; i < 16 && planner_row_ratio(p, c, hi, false) < p->wish->safety; i++) {
         lo = hi;
         hi *= 2;

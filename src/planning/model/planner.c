@@ -72,8 +72,12 @@ static bool ratio_seen(const struct dom_fall *fall, void *context)
 struct dom_row planner_row(const struct planner *p, struct choice c, dom_real push,
                            const struct dom_engine *engine)
 {
-    struct dom_row row = {
-        .domino = p->domino, .count = c.steps + 1, .g = p->wish->g, .push = push, .engine = engine};
+    struct dom_row row = {.domino = p->domino,
+                          .count = c.steps + 1,
+                          .g = p->wish->g,
+                          .push = push,
+                          .release = p->wish->release,
+                          .engine = engine};
 #define VALUE(effect, member, status) row.member = p->train.member;
     DOM_DYNAMICS(VALUE)
 #undef VALUE

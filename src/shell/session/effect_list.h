@@ -13,6 +13,11 @@
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
 #define EFFECT_ON  ((domq_real)HUGE_VAL)
 
+/* The word 'touch' for the value of the effect 'release', and its number: the domino leans against the next
+ * one, which it touches before it lies flat. */
+#define RELEASE_TOUCH_WORD "touch"
+#define RELEASE_TOUCH      ((domq_real)1.5707963267948966)
+
 /* Returns the description of effect number k, counted from 0, or NULL if this build lacks the effect.
  * effect_use sets it. */
 void effect_use(int k, const struct domq_effect *effect);

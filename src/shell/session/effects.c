@@ -20,6 +20,16 @@ static bool usual_from(const struct domq_effect *e, const struct effect_state *s
     return usual;
 }
 
+/* Returns the word for value i of an effect, or NULL if it is a number. */
+static const char *value_word(const struct scene *scene, int effect, int i)
+{
+    const domq_real value = scene->effect[effect].value[i];
+    const char *const *words = effect_at(effect)->argument[i].words;
+    return words                                                    ? words[(int)value]
+           : effect == DOM_EFFECT_release && value == RELEASE_TOUCH ? RELEASE_TOUCH_WORD
+                                                                    : NULL;
+}
+
 const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING])
 {
     const struct effect_state *state = &scene->effect[effect];
@@ -30,9 +40,10 @@ const char *effect_setting_write(const struct scene *scene, int effect, char set
         const struct domq_effect_argument *of = &e->argument[i];
         if (usual_from(e, state, i))
             break;
+        const char *word = value_word(scene, effect, i);
         text_add(setting, EFFECT_SETTING, "%s%s%s%s", i ? ", " : "",
-                 of->words ? of->words[(int)state->value[i]] : quad_text(state->value[i], 10),
-                 *of->unit ? " " : "", of->unit);
+                 word ? word : quad_text(state->value[i], 10), *of->unit && !word ? " " : "",
+                 word ? "" : of->unit);
     }
     /* a row from which dominoes were removed, or into which some were inserted */
     if (effect == DOM_EFFECT_row && scene_row_count(scene) != scene_row_planned(scene))
@@ -137,9 +148,9 @@ void effect_save(const struct scene *scene, int effect, const char *folder, FILE
     if (is_length)
         fprintf(out, " %s", length_write(length->m, length->unit, (char[LENGTH_TEXT]){""}));
     for (int i = is_length; !path && state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
-        if (!usual_from(e, state, i))
-            fprintf(out, " %s",
-                    e->argument[i].words ? e->argument[i].words[(int)state->value[i]]
-                                         : quad_exact(state->value[i], WIDE_DIGITS, number));
+        if (!usual_from(e, state, i)) {
+            const char *word = value_word(scene, effect, i);
+            fprintf(out, " %s", word ? word : quad_exact(state->value[i], WIDE_DIGITS, number));
+        }
     putc('\n', out);
 }

@@ -131,6 +131,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define MORE_drag .example = "set density 650; set air on; set drag 2; rmax 0.4; set drag off; set air off", RANGE(0.5, 3),
 #define MORE_row .feature = "rows",
 #define MORE_push .example = "set row 5; set push 3; fall; set push off; set row off", RANGE(0, 30),
+#define MORE_release .example = "set row 5; set release 20 deg; fall; set release off; set row off", RANGE(0, 1.5),
 #define MORE_floor .example = "set row 5; set floor 0.4; fall; set floor off; set row off", RANGE(0, 3),
 #define MORE_placement .feature = "chance", RANGE(0, 0.1), \
     .example = "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
@@ -148,12 +149,16 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define DYNAMICS(name, member, status) EFFECT(name)
 #define EFFECT(name_) \
     {.name = #name_, MORE_##name_ .value = domq_effect_##name_.argument, .effect = &domq_effect_##name_, \
-     .which = DOM_EFFECT_##name_, .words = effect_words},
+     .which = DOM_EFFECT_##name_, \
+     .words = (int)DOM_EFFECT_##name_ == (int)DOM_EFFECT_release ? release_words : effect_words},
 /* Features have these entries; here are only their names and what they need. */
 #define ENGINE_EFFECT(name_) {.name = #name_, .feature = "engine"},
 #define ERROR_EFFECT(name_, feature_) {.name = "error_" #name_, .feature = feature_},
 
 const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON}, {NULL, 0}};
+
+static const struct word release_words[] = {
+    {"off", EFFECT_OFF}, {"on", EFFECT_ON}, {RELEASE_TOUCH_WORD, RELEASE_TOUCH}, {NULL, 0}};
 
 static const struct parameter every_parameter[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)

@@ -118,6 +118,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
         .count = count,
         .g = scene->scale.g,
         .push = scene_push(scene, row->domino->height),
+        .release = scene_release(scene),
 #define VALUE(name, member, status) .member = scene->train.member,
         DOM_DYNAMICS(VALUE)
 #undef VALUE
@@ -149,9 +150,51 @@ static bool row_stands(const struct scene *scene, const struct domq_row *row, st
     return true;
 }
 
+/* Checks that the first domino can be held at the tilt of 'set release'. */
+static bool row_has_room(const struct scene *scene, const struct scene_row *row, struct problem *problem)
+{
+    const domq_real release = row->row.release, deg = 180 / QUAD_PI;
+    const bool leans = isinf(release);
+    domq_real touch = QUAD_PI / 2;
+    if (!(release > 0))
+        return true;
+    if (row->row.count > 1) {
+        const enum dom_status status = domq_row_touch(&row->row, &row->compute, &touch);
+        if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
+            return problem_status(problem, scene, status);
+        if (status != DOM_OK) /* the run of the row reports the domino that is wrong */
+            return true;
+    }
+    const bool reaches = touch < 1.57;
+    if (leans && !reaches)
+        return problem_no_answer(
+            problem, row->row.count > 1 ? "the first domino cannot lean against the second, which is out "
+                                          "of its reach; enter a tilt, as in 'set release 20 deg'"
+                                        : "the first domino cannot lean against a second, since the row "
+                                          "has only one; enter a tilt, as in 'set release 20 deg'");
+    if (leans || release <= touch * (1 + (domq_real)1e-12))
+        return true;
+    return problem_no_answer(problem,
+                             "the first domino cannot be released at %s deg, since it touches the second at "
+                             "%s deg; enter 'set release %s deg' or less, or 'set release touch'",
+                             quad_text(release * deg, 6), quad_text(touch * deg, 6),
+                             quad_limit(touch * deg, 4));
+}
+
 bool scene_row_check(const struct scene *scene, const struct scene_row *row, struct problem *problem)
 {
-    return scene_walls_fit(scene, row, problem) && row_stands(scene, &row->row, problem);
+    return scene_walls_fit(scene, row, problem) && row_stands(scene, &row->row, problem) &&
+           row_has_room(scene, row, problem);
+}
+
+domq_real scene_row_tilt(const struct scene_row *row)
+{
+    domq_real touch;
+    if (isnan(row->row.push) || !(row->row.release > 0))
+        return row->domino->lean;
+    if (domq_row_touch(&row->row, &row->compute, &touch) != DOM_OK)
+        return 0;
+    return quad_smaller(row->row.release, touch);
 }
 
 /* The smallest relative tolerance of searches that run the engine. */
@@ -193,7 +236,14 @@ domq_real scene_push(const struct scene *scene, domq_real height)
 {
     const struct effect_state *push = &scene->effect[DOM_EFFECT_push];
     const domq_real speed = scene->length[SHARE_push].m;
-    return !push->on ? DOMQ_NAN : speed > 0 ? speed / height : push->value[0];
+    const bool is_released = scene->effect[DOM_EFFECT_release].on;
+    return !push->on ? (is_released ? 0 : DOMQ_NAN) : speed > 0 ? speed / height : push->value[0];
+}
+
+domq_real scene_release(const struct scene *scene)
+{
+    const struct effect_state *release = &scene->effect[DOM_EFFECT_release];
+    return !release->on ? 0 : release->value[0] == RELEASE_TOUCH ? (domq_real)HUGE_VAL : release->value[0];
 }
 
 void scene_apply_lengths(struct scene *scene)

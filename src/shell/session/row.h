@@ -36,8 +36,15 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
 /* Returns the height in m of the first domino of the row or, if there is no row, of the train. */
 domq_real scene_first_height(const struct scene *scene);
 
-/* Returns the push in rad/s for a first domino of this height in m, or NaN if there is no push. */
+/* Returns the push in rad/s for a first domino of this height in m, or NaN if there is no push. A first
+ * domino that is released at a tilt has a push of 0. */
 domq_real scene_push(const struct scene *scene, domq_real height);
+
+/* Returns the tilt in rad at which the first domino is released, as in struct domq_row. */
+domq_real scene_release(const struct scene *scene);
+
+/* Returns the tilt in rad of the first domino before the fall. */
+domq_real scene_row_tilt(const struct scene_row *row);
 
 /* Returns true if the masses of the row are known in kg. Energies are then in J. If the masses are not known,
  * the unit of energy is m g h/2 of the first domino. */

@@ -85,6 +85,7 @@ struct row_question row_question_make(const struct dom_row *row, const struct do
                                          .count = row->count,
                                          .g = row->g,
                                          .push = row->push,
+                                         .release = row->release,
                                          .effect = {DOM_DYNAMICS(ROW_VALUE)},
                                          .boxes_above = row->boxes_above,
                                          .floor = row->floor,
@@ -106,6 +107,14 @@ enum dom_status row_verdict(const struct dom_row *row, const struct dom_compute 
     for (size_t k = 0; q.status == DOM_OK && row->engine && k < row->count; k++)
         if (row->domino[k].lean != 0)
             return DOM_NO_LEAN;
+    if (q.status == DOM_OK && row->engine && row->release > 0 && isfinite(row->release)) {
+        dom_real touch;
+        q.status = dom_row_touch(row, given, &touch);
+        if (q.status == DOM_OK && row->release > touch) {
+            *verdict = (struct dom_verdict){.end = DOM_ROW_SKEWED, .domino = 1, .seconds = DOM_NAN};
+            return DOM_OK;
+        }
+    }
     if (q.status == DOM_OK && row->engine)
         return row->engine->run(row, &compute, times, visit, context, verdict);
     return ASK(q, row_run, times, visit, context, verdict);

@@ -91,9 +91,10 @@ struct dynamics {
     /* Finds tau^2 omega^2 at a tilt. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq);
-    /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`.
-     * *slowness is NaN if no energy is left at `end - by`. */
-    enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
+    /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`. If `by`
+     * is negative, the motion starts at rest at `end`. *slowness is NaN if there is no energy at
+     * `end - by`. */
+    enum dom_status (*near_rest)(const struct geometry *geometry, real end, real by, real *slowness);
     /* Finds tau^2 times the angular acceleration of the head. `w` is tau^2 omega^2 at the tilt `head`. Unless
      * n is NULL, sets *n to the number of dominoes that contribute. */
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,

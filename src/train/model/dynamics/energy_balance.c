@@ -91,7 +91,7 @@ static enum dom_status energy_speed(const struct geometry *geometry, const struc
     return DOM_OK;
 }
 
-static enum dom_status energy_before_rest(const struct geometry *geometry, real end, real by, real *slowness)
+static enum dom_status energy_near_rest(const struct geometry *geometry, real end, real by, real *slowness)
 {
     struct tilt head, rest;
     struct sums at;
@@ -131,7 +131,7 @@ static const struct dynamics energy_balance = {
     .slope = energy_slope,
     .required_energy = energy_required,
     .speed = energy_speed,
-    .before_rest = energy_before_rest,
+    .near_rest = energy_near_rest,
     .acceleration = equation_acceleration,
     .gain = energy_gain,
 };

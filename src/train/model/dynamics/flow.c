@@ -317,12 +317,14 @@ KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct 
     return DOM_OK;
 }
 
-KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real end, real by, real *slowness)
+KERNEL enum dom_status flow_near_rest(const struct geometry *geometry, real end, real by, real *slowness)
 {
     real ln_G, u;
     flow_at(geometry, end - by, &ln_G, &u);
-    /* The remaining w is G (u(end) - u), computed without cancellation. */
-    real left = -exp(ln_G) * num_linear_moved(&geometry->flow->solution, end, by);
+    /* w is G (u(end) - u), computed without cancellation. */
+    const struct num_linear *solution = &geometry->flow->solution;
+    real left = exp(ln_G) *
+                (by < 0 ? num_linear_moved(solution, end - by, -by) : -num_linear_moved(solution, end, by));
     *slowness = left > 0 ? 1 / left : REAL_NAN;
     return DOM_OK;
 }

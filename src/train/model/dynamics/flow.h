@@ -42,7 +42,7 @@ KERNEL enum dom_status flow_required(const struct geometry *geometry, struct til
 KERNEL real flow_required_error(const struct geometry *geometry);
 KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct start *start, real theta,
                                   real *omegasq);
-KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real end, real by, real *slowness);
+KERNEL enum dom_status flow_near_rest(const struct geometry *geometry, real end, real by, real *slowness);
 KERNEL real flow_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
                       real J_at);
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked);

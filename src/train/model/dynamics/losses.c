@@ -77,7 +77,7 @@ static const struct dynamics losses = {
     .required_energy = flow_required,
     .required_energy_error = flow_required_error,
     .speed = flow_speed,
-    .before_rest = flow_before_rest,
+    .near_rest = flow_near_rest,
     .acceleration = equation_acceleration,
     .gain = flow_gain,
 };

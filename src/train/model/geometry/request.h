@@ -28,7 +28,7 @@ struct row_request {
     const struct dom_domino *domino;
     const struct block *block; /* the dominoes in the kernel's precision; may be NULL */
     size_t count;
-    dom_real g, push;
+    dom_real g, push, release;
     dom_real effect[DOM_DYNAMICS_COUNT];
     dom_real boxes_above; /* as in struct dom_row */
     bool floor;

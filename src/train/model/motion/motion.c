@@ -37,7 +37,7 @@ KERNEL real slowness_before(real x, void *context)
      * is computed at u = sqrt(REAL_EPSILON) instead of at a smaller u. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
-    st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
+    st->status = st->geometry.dynamics->near_rest(&st->geometry, m->end, delta, &slowness_squared);
     return st->status == DOM_OK ? 2 * m->end * u * sqrt(slowness_squared) : REAL_NAN;
 }
 

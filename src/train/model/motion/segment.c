@@ -119,7 +119,10 @@ static real segment_short(real theta, void *context)
     struct segment *st = context;
     struct barrier b;
     st->status = barrier_up_to(&st->geometry, st->start.from, &st->barrier, theta, &b);
-    return st->status == DOM_OK ? b.height - st->start.kinetic : REAL_NAN;
+    /* A motion that starts at rest may lose height first. All tilts that it passes need no energy, and are no
+     * roots. */
+    return st->status == DOM_OK ? b.height - fmax(st->start.kinetic, REAL_EPSILON * st->barrier.height)
+                                : REAL_NAN;
 }
 
 KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
@@ -148,10 +151,40 @@ KERNEL real slowness(real theta, void *context)
     return st->status == DOM_OK && omegasq > 0 ? 1 / sqrt(omegasq) : REAL_NAN;
 }
 
+/* The part of a motion from rest that is wanted: the tilt is lo + span x^2. */
+struct from_rest {
+    struct segment *st;
+    real span;
+};
+
+/*
+ * Near the tilt lo, where a motion starts from rest, the integrand 1/omega grows like (theta - lo)^(-1/2).
+ * The substitution theta = lo + span x^2 makes it smooth. Returns the new integrand at x.
+ */
+static real slowness_from_rest(real x, void *context)
+{
+    const struct from_rest *from = context;
+    struct segment *st = from->st;
+    const real u = fmax(x, sqrt(REAL_EPSILON));
+    real squared = REAL_NAN;
+    st->status = st->geometry.dynamics->near_rest(&st->geometry, st->lo, -from->span * u * u, &squared);
+    return st->status == DOM_OK ? 2 * from->span * u * sqrt(squared) : REAL_NAN;
+}
+
+/* Finds the time of a motion from rest between two of its tilts. */
+static enum dom_status segment_from_rest(struct segment *st, real from, real to, real tol, real *time)
+{
+    struct from_rest rest = {st, st->hi - st->lo};
+    const real a = sqrt(fmax(from - st->lo, 0) / rest.span), b = sqrt(fmin((to - st->lo) / rest.span, 1));
+    return model_status(st->status, num_integral(slowness_from_rest, &rest, a, b, tol, time, NULL));
+}
+
 KERNEL enum dom_status segment_integral(struct segment *st, num_function *f, real from, real to, real tol,
                                         real *sum)
 {
     const struct barrier *b = &st->barrier;
+    if (f == slowness && st->start.omegasq == 0)
+        return segment_from_rest(st, from, to, tol, sum);
     real width = barrier_width(&st->geometry, st->start.from, b, st->start.kinetic - b->height);
     *sum = 0;
     for (int i = 1; i < b->edges; i++) {
@@ -167,9 +200,20 @@ KERNEL enum dom_status segment_integral(struct segment *st, num_function *f, rea
     return DOM_OK;
 }
 
+KERNEL real segment_noise(const struct segment *st)
+{
+    const real kinetic = st->start.kinetic, spare = kinetic - st->barrier.height;
+    real slope = 0;
+    if (kinetic != 0 || spare != 0)
+        return 16 * REAL_EPSILON * kinetic / spare;
+    return st->geometry.dynamics->slope(&st->geometry, st->start.from, false, &slope) == DOM_OK && slope < 0
+               ? 16 * REAL_EPSILON * st->geometry.steepest / -slope
+               : (real)INFINITY;
+}
+
 KERNEL enum dom_status segment_time(struct segment *st, real *time)
 {
-    real kinetic = st->start.kinetic, noise = 16 * REAL_EPSILON * kinetic / (kinetic - st->barrier.height);
+    const real noise = segment_noise(st);
     *time = REAL_NAN;
     if (!(noise < (real)0.125))
         return DOM_OK;

@@ -9,6 +9,22 @@
 #include "effects/inertia.h"
 #include <stdlib.h>
 
+KERNEL bool row_releases(const struct row_request *row)
+{
+    return row->release > 0 && !isnan(row->push);
+}
+
+KERNEL bool row_overlaps(const struct row_request *row, real lean)
+{
+    return row_releases(row) && isfinite((real)row->release) &&
+           (real)row->release > lean * (1 + REACH_ROUNDED);
+}
+
+KERNEL real row_lean(const struct row_request *row, size_t k)
+{
+    return k == 0 && row_releases(row) ? 0 : (real)row->domino[k].lean;
+}
+
 /* Returns the width of domino k divided by its height. */
 static real row_width(const struct row_request *row, size_t k)
 {
@@ -84,13 +100,13 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     *contact = geometry_contact(&next, geometry_rest(&next));
     *tilt = tilt_follower_back(geometry_rest(&next), *contact);
     contact->arm /= next.r;
-    return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
+    return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= row_lean(row, k);
 }
 
 /* Computes the result of row_end for the case where domino k or the next domino leans at the start. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
-    const struct geometry self = {.lean = (real)row->domino[k].lean};
+    const struct geometry self = {.lean = row_lean(row, k)};
     const struct tilt lies = {1, 0, 1};
     struct contact contact;
     struct tilt tilt;
@@ -108,7 +124,7 @@ static struct tilt row_end(const struct row_request *row, size_t k, const struct
 {
     if (k + 1 == row->count)
         return (struct tilt){1, 0, 1};
-    if (row->domino[k + 1].lean != 0 || row->domino[k].lean != 0)
+    if (row->domino[k + 1].lean != 0 || row_lean(row, k) != 0)
         return lean_end(row, k);
     return geometry->law->hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
 }
@@ -123,7 +139,7 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
                                   .d = block_of(request, k).d,
                                   .width = row_width(request, k),
                                   .inertia_factor = 1,
-                                  .lean = (real)request->domino[k].lean,
+                                  .lean = row_lean(request, k),
                                   .short_of = 1,
                                   .n = k + 1};
     geometry->steepest = hypot(1, geometry->d);
@@ -132,6 +148,8 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
     dynamics_of_domino(request, k, effect);
     enum dom_status status = dynamics_choose(effect, geometry);
     geometry->c = row_end(request, k, geometry);
+    if (k == 0 && row_releases(request))
+        geometry->lean = fmin((real)request->release, tilt_angle(geometry->c));
     if (k > 0)
         joint_make(request, k, &row[k - 1], geometry);
     return status;
@@ -148,9 +166,9 @@ static enum dom_status settings_check(const struct row_request *row)
     return row->count == 0     ? DOM_BAD_COUNT
            : !positive(row->g) ? DOM_BAD_G
            : !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ? DOM_BAD_TOL
-           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))
-               ? DOM_BAD_PUSH
-               : dynamics_check(row->effect);
+           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push)) ? DOM_BAD_PUSH
+           : !(row->release >= 0)                                                ? DOM_BAD_RELEASE
+                                  : dynamics_check(row->effect);
 }
 
 static bool walls_room(const struct row_request *row, size_t k, const struct block *self)
@@ -172,6 +190,7 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
     const struct block self = block_of(row, k);
+    const bool leans = row_lean(row, k) != 0;
     return !positive(d->height)                           ? DOM_BAD_HEIGHT
            : !positive(d->thickness) || !positive(self.d) ? DOM_BAD_THICKNESS
            : !positive(d->mass) || !positive(self.unit)   ? DOM_BAD_MASS
@@ -181,10 +200,10 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
            : dynamics_on(row->effect[DOM_EFFECT_edges]) &&
                    2 * edges_of_domino(row, k) > d->thickness / d->height
                ? DOM_NO_ROUND
-           : !walls_room(row, k, &self)                   ? DOM_NO_ROOM
-           : d->lean != 0 && edges_of_domino(row, k) != 0 ? DOM_NO_LEAN
-           : d->lean != 0 && !lean_stands(row, d)         ? DOM_BAD_LEAN
-                                                          : DOM_OK;
+           : !walls_room(row, k, &self)            ? DOM_NO_ROOM
+           : leans && edges_of_domino(row, k) != 0 ? DOM_NO_LEAN
+           : leans && !lean_stands(row, d)         ? DOM_BAD_LEAN
+                                                   : DOM_OK;
 }
 
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)

@@ -54,6 +54,16 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
 /* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */
 KERNEL bool row_repeats(const struct row_request *row, size_t k);
 
+/* Returns true if the first domino starts at a tilt that takes the place of its lean. */
+KERNEL bool row_releases(const struct row_request *row);
+
+/* Returns true if the first domino would be inside the second one when it is released. It starts at the tilt
+ * `lean` instead. */
+KERNEL bool row_overlaps(const struct row_request *row, real lean);
+
+/* Returns the lean of domino k, which is 0 for a first domino that is released. */
+KERNEL real row_lean(const struct row_request *row, size_t k);
+
 /*
  * Finds where domino k touches domino k + 1, if one of the two leans at the start. Sets *contact to their
  * contact, and *tilt to the tilt of domino k at that moment. Returns false if the edge of domino k misses the

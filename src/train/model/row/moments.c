@@ -63,8 +63,10 @@ static void watch_visit(struct watch *w, dom_real time)
 
 static enum dom_status passage_lean(struct watch *w, const struct passage *s, real theta)
 {
+    const struct segment *st = &s->st;
+    const bool still = (s->rests && theta >= s->to) || (st->start.omegasq == 0 && theta <= st->lo);
     real omegasq = 0;
-    enum dom_status status = s->rests && theta >= s->to ? DOM_OK : segment_speed(&s->st, theta, &omegasq);
+    enum dom_status status = still ? DOM_OK : segment_speed(&s->st, theta, &omegasq);
     return status == DOM_OK ? watch_lean(w, &s->st, s->head, theta, sqrt(fmax(omegasq, 0)) / s->since.tau)
                             : status;
 }
@@ -89,7 +91,7 @@ static real slowness_to_rest(real x, void *context)
     struct passage *s = context;
     real u = fmax(s->span * x, sqrt(REAL_EPSILON)), squared = REAL_NAN;
     real size = passage_size(s), by = fmin(size * u * u, s->to - s->st.lo);
-    s->st.status = s->st.geometry.dynamics->before_rest(&s->st.geometry, s->to, by, &squared);
+    s->st.status = s->st.geometry.dynamics->near_rest(&s->st.geometry, s->to, by, &squared);
     return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
@@ -97,8 +99,7 @@ static real slowness_to_rest(real x, void *context)
 static enum dom_status passage_begin(struct passage *s, real lasts)
 {
     struct segment *st = &s->st;
-    real kinetic = st->start.kinetic,
-         noise = 16 * REAL_EPSILON * kinetic / fabs(kinetic - st->barrier.height);
+    const real noise = fabs(segment_noise(st));
     s->tol = fmax(st->geometry.tol / 8, noise);
     s->at = st->lo;
     s->lasts = lasts;

@@ -176,7 +176,8 @@ KERNEL bool study_passes(struct run *run, size_t k, struct start *at)
 {
     const struct study *s = run->study;
     struct geometry *head = &run->geometry[k];
-    if (!s || !s->quick || !(run->omegasq > 0))
+    /* only a first domino that is released can lean here */
+    if (!s || !s->quick || !(run->omegasq > 0) || head->lean != 0)
         return false;
     head->n = run->moving;
     if (head->dynamics->conservative || (run->moving == 1 && losses_end_alone(head)))

@@ -204,7 +204,9 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
     real top = hits->rounded.rho + hits->rounded.tall * hits->c.y, flat = 1 - geometry->rounded.rho;
     if ((real)next->gap > hits->span * (real)self->height * (1 + REACH_ROUNDED))
         *end = DOM_ROW_MISSES;
-    else if (self->lean != 0 || next->lean != 0)
+    else if (k == 0 && row_overlaps(run->request, hits->lean))
+        *end = DOM_ROW_SKEWED;
+    else if (row_lean(run->request, k) != 0 || next->lean != 0)
         *end = lean_ends(run->request, k);
     else if ((real)self->height * top > flat * (real)next->height)
         *end = DOM_ROW_PASSES;
@@ -229,7 +231,7 @@ static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool
 {
     dom_real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (dom_real)INFINITY;
     v->domino = fall->domino;
-    if (v->end == DOM_ROW_STOPS)
+    if (v->end == DOM_ROW_STOPS || v->end == DOM_ROW_BACK)
         v->short_by = -fall->margin;
     else if (!tipped && fall->margin >= 0 && (v->weakest == 0 || spare < v->spare)) {
         v->weakest = fall->domino;
@@ -287,7 +289,10 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
     if (!tips) {
         run->time += d->stops || d->locks ? 0 : (real)fall->duration;
         if (d->stops || d->locks || d->least_force < 0)
-            run->verdict.end = d->least_force < 0 ? DOM_ROW_PARTS : d->stops ? DOM_ROW_STOPS : DOM_ROW_LOCKS;
+            run->verdict.end = d->least_force < 0                     ? DOM_ROW_PARTS
+                               : d->locks                             ? DOM_ROW_LOCKS
+                               : k == 0 && row_releases(run->request) ? DOM_ROW_BACK
+                                                                      : DOM_ROW_STOPS;
     }
     fall_floor(run->request, k, &d->required_friction, fall);
     verdict_add(&run->verdict, fall, tips);
@@ -441,10 +446,14 @@ static enum dom_status row_answer(const struct row_request *request, bool times,
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     if (status == DOM_OK && watch)
         status = watch_begin(watch, request);
+    if (status == DOM_OK && watch && row_releases(request))
+        watch->tilt[0] = row.geometry[0].lean;
     if (status == DOM_OK) {
         work.entered[DOM_EFFECT_row]++;
         if (!isnan(request->push))
             work.entered[DOM_EFFECT_push]++;
+        if (row_releases(request))
+            work.entered[DOM_EFFECT_release]++;
         row_launch(&run);
         status = row_falls(&run, 0, visit, context);
     }

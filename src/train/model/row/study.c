@@ -31,7 +31,7 @@ static struct mark mark_of(const struct run *before, size_t k, const struct desc
                      .inertia_ratio = before->inertia_ratio,
                      .moving = before->moving,
                      .clear = 1};
-    if (k == 0 && isnan(before->request->push)) /* the first domino tips over by itself */
+    if (k == 0 && before->omegasq == 0) /* the first domino starts at rest, and has no margin */
         return m;
     m.lambda = d->st.gain * before->omegasq / d->st.start.omegasq;
     m.clear = fmin(fabs((real)fall->margin / (real)fall->kinetic), fabs(d->least_force));
@@ -73,7 +73,7 @@ KERNEL bool study_ends(struct run *run, size_t k, const struct run *before, cons
     if (!s)
         return false;
     if (!s->mark) {
-        const bool tips = before->omegasq == 0, pushes = fabs(d->least_force) > LEAST_CLEAR,
+        const bool tips = k == 0 && before->omegasq == 0, pushes = fabs(d->least_force) > LEAST_CLEAR,
                    sure = fabs((real)fall->margin) > ROUGH_CLEAR * (real)fall->kinetic;
         s->doubt = s->rough && !tips && !(pushes && sure && !d->locks);
         return s->doubt;
@@ -184,6 +184,7 @@ KERNEL enum dom_status row_study(struct study *s, const struct dom_row *row, siz
 #undef VALUE
     s->row.request.domino = row->domino;
     s->row.request.push = row->push;
+    s->row.request.release = row->release;
     memcpy(s->row.request.effect, effect, sizeof effect);
     return s->mark ? study_change(s, first, last, verdict) : study_random(s, verdict);
 }

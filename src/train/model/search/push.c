@@ -2,6 +2,26 @@
 /* Finds the weakest push and the growths at which all dominoes of a row fall. */
 #include "search/trial.h"
 
+/* ---- A first domino that is released ---- */
+
+static bool tilt_seen(const struct dom_fall *fall, void *context)
+{
+    *(dom_real *)context = fall->theta;
+    return false;
+}
+
+enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt)
+{
+    struct dom_verdict verdict;
+    struct dom_row two = *row;
+    two.count = row->count < 2 ? row->count : 2;
+    two.engine = NULL;
+    two.floor = false;
+    two.push = 0;
+    two.release = (dom_real)HUGE_VAL;
+    return row_verdict(&two, compute, false, tilt_seen, tilt, &verdict);
+}
+
 /* ---- A push ---- */
 
 #define PUSH_TOL ((dom_real)1e-5)

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A first domino that is released at a tilt, compared with Newton's equations (direct.h), in limiting cases,
+ * and with a push that brings it to the same state. */
+#include "run.h"
+#include "support.h"
+
+static const double g = 9.81, deg = M_PI / 180;
+
+/* Returns the tilt at which a domino tips over. */
+static double tips_at(const struct domq_domino *d)
+{
+    return atan((double)(d->thickness / d->height));
+}
+
+static void released(struct run *run, size_t count, double s, double r, double release)
+{
+    make_row(run, count, s, r, 0);
+    run->row.push = 0;
+    run->row.release = release;
+}
+
+/* ---- Against Newton's equations ---- */
+
+/* Returns the smallest margin / kinetic energy of the dominoes that are hit, without the sign. */
+static double clearance(const struct run *run)
+{
+    double least = INFINITY;
+    for (size_t k = 0; k < run->falls; k++)
+        if (run->fall[k].kinetic > 0)
+            least = fmin(least, fabs((double)(run->fall[k].margin / run->fall[k].kinetic)));
+    return least;
+}
+
+static void compare(struct run *run, struct newton *n)
+{
+    newton_run(run, n);
+    newton_compare(run, n);
+}
+
+TEST(equal_dominoes_from_20_degrees)
+{
+    static struct run run;
+    static struct newton n;
+    released(&run, 10, 0.5, 1, 20 * deg);
+    assert_status(run_whole(&run), DOM_OK);
+    assert_int_equal(run.verdict.end, DOM_ROW_FALLS);
+    compare(&run, &n);
+    /* the potential energy of domino 1 becomes its kinetic energy */
+    const double h = run.domino->height, d = run.domino->thickness, m = run.domino->mass, c = asin(0.5),
+                 lost = m * g / 2 * (h * (cos(20 * deg) - cos(c)) + d * (sin(20 * deg) - sin(c)));
+    assert_near("kinetic", (double)(run.fall[1].kinetic + run.fall[1].lost), lost, 1e-13);
+    assert_true(run.fall->omega == 0 && run.fall->kinetic == 0 && run.fall->barrier == 0 &&
+                run.fall->time == 0);
+    assert_near("hit 2", (double)run.fall[1].time, n.hit[1].time, 1e-10);
+    assert_near("the end", (double)run.verdict.seconds, n.result.end_time, 1e-10);
+}
+
+/* Rows of all kinds, at rest and with a push. */
+TEST(newton_agrees)
+{
+    static struct run run;
+    static struct newton n;
+    static const double mus[] = {0, 0.1, 0.4};
+    uint64_t seed = 513;
+    int falls = 0, stops = 0;
+    for (int i = 0; i < 150; i++) {
+        const double s = 0.2 + 0.6 * random_unit(&seed),
+                     r = 1 + (fmin(0.98 / s, 1.6) - 1) * random_unit(&seed);
+        make_row(&run, 2 + (size_t)(14 * random_unit(&seed)), s, r, mus[i % 3]);
+        run.row.alpha = i % 5 == 0 ? 0.06 * (2 * random_unit(&seed) - 1) : 0;
+        run.row.walls = i % 4 == 0 ? 0.2 * (double)run.domino->thickness : 0;
+        run.row.air = i % 7 == 0 ? 1.2 : 0;
+        for (size_t k = 1; i % 2 == 0 && k < run.row.count; k++)
+            run.domino[k].gap *= 0.8 + 0.2 * random_unit(&seed);
+        const double most = asin((double)(run.domino[1].gap / run.domino->height)),
+                     least = tips_at(run.domino) - (double)run.row.alpha;
+        if (most < least + 0.01)
+            continue;
+        run.row.release = least + (most - least) * (0.01 + 0.98 * random_unit(&seed));
+        run.row.push = i % 6 == 1 ? 3 * random_unit(&seed) : 0;
+        assert_status(run_whole(&run), DOM_OK);
+        if (clearance(&run) < 1e-5)
+            continue;
+        compare(&run, &n);
+        falls += run.verdict.end == DOM_ROW_FALLS;
+        stops += run.verdict.end == DOM_ROW_STOPS;
+    }
+    print_message("# %d fall, %d stop\n", falls, stops);
+    assert_true(falls > 40 && stops > 10);
+}
+
+/* ---- The first domino touches the second ---- */
+
+TEST(touch)
+{
+    static struct run run;
+    static struct newton n;
+    int falls = 0, stops = 0;
+    for (int i = 0; i < 24; i++) {
+        const double s = 0.2 + 0.05 * (i / 2), c = asin(s);
+        domq_real tilt;
+        released(&run, 6, s, 1, INFINITY);
+        run.row.mu = 0.1 * (i % 2);
+        assert_status(run_whole(&run), DOM_OK);
+        const struct domq_fall *f = run.fall;
+        assert_true(f[0].kinetic == 0 && f[0].duration == 0 && f[0].omega == 0 && f[0].barrier == 0);
+        assert_true(f[1].kinetic == 0 && f[1].omega == 0 && f[1].time == 0 && f[1].lost == 0);
+        assert_near("tilt", (double)f[0].theta, c, 1e-14);
+        const struct domq_row row = row_setup(&run.row);
+        assert_status(domq_row_touch(&row, NULL, &tilt), DOM_OK);
+        assert_near("touch", (double)tilt, c, 1e-14);
+        /* The torque of domino 1 turns domino 2 only if it is larger than that of its own weight. */
+        const double d = (double)(run.domino->thickness / run.domino->height);
+        if (i % 2 == 0)
+            assert_int_equal(run.verdict.end == DOM_ROW_FALLS, s - d * cos(c) > d);
+        if (run.verdict.end == DOM_ROW_FALLS)
+            compare(&run, &n);
+        else
+            assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2 && f[1].theta < 1e-7 &&
+                        f[1].margin < 0);
+        falls += run.verdict.end == DOM_ROW_FALLS;
+        stops += run.verdict.end == DOM_ROW_STOPS;
+        /* the tilt of the contact, as a number, is the same start; a larger tilt is none */
+        run.row.release = tilt;
+        const double seconds = (double)run.verdict.seconds;
+        assert_status(run_whole(&run), DOM_OK);
+        assert_true(run.fall[1].kinetic == 0);
+        assert_near("seconds", (double)run.verdict.seconds, seconds, 1e-12);
+        run.row.release = tilt * (1 + 1e-6);
+        assert_int_equal(row_end(&run), DOM_ROW_SKEWED);
+        assert_int_equal(run.verdict.domino, 1);
+    }
+    assert_true(falls > 10 && stops > 3);
+}
+
+/* ---- The first domino falls back, or just tips over ---- */
+
+TEST(tipping)
+{
+    static struct run run;
+    released(&run, 8, 0.5, 1.2, NAN);
+    run.row.push = NAN;
+    run.row.release = 0;
+    assert_status(run_whole(&run), DOM_OK);
+    const double u = tips_at(run.domino), h = run.domino->height, d = run.domino->thickness,
+                 m = run.domino->mass;
+    domq_real omega[8];
+    assert_int_equal(run.falls, 8);
+    for (size_t k = 1; k < 8; k++)
+        omega[k] = run.fall[k].omega;
+    const double seconds = (double)run.verdict.seconds;
+    run.row.push = 0;
+    run.row.release = u * (1 + 1e-8);
+    assert_status(run_whole(&run), DOM_OK);
+    assert_int_equal(run.falls, 8);
+    for (size_t k = 1; k < 8; k++)
+        assert_near("omega", (double)run.fall[k].omega, (double)omega[k], 1e-13);
+    assert_near("seconds", (double)(run.verdict.seconds - run.fall[1].time), seconds, 1e-11);
+    for (int i = 1; i < 10; i++) {
+        const double release = u * i / 10;
+        run.row.release = release;
+        assert_int_equal(row_end(&run), DOM_ROW_BACK);
+        assert_int_equal(run.verdict.domino, 1);
+        assert_near("short by", (double)run.verdict.short_by,
+                    m * g / 2 * (hypot(h, d) - h * cos(release) - d * sin(release)), 1e-10);
+    }
+}
+
+/* ---- The same state, by a push ---- */
+
+struct seen {
+    double tilt, omega;
+};
+
+static bool state_seen(const struct domq_moment *m, void *context)
+{
+    *(struct seen *)context = (struct seen){(double)m->tilt[0], (double)m->omega[0]};
+    return false;
+}
+
+/* A row whose first domino is released in a state that it passes after a push moves on as after the push. */
+TEST(every_effect)
+{
+    static struct run run, after;
+    for (int i = 0; i < 7; i++) {
+        struct seen seen;
+        make_row(&run, 6, 0.5, 1.1, i == 1 || i == 6 ? 0.2 : 0);
+        run.row.alpha = i == 2 ? 0.03 : 0;
+        run.row.rho = i == 3 || i == 6 ? 0.02 : 0;
+        run.row.walls = i == 4 ? 1e-3 : 0;
+        run.row.air = i == 5 || i == 6 ? 1.2 : 0;
+        run.row.precision = i == 0 ? DOM_QUAD : DOM_DOUBLE;
+        assert_status(run_whole(&run), DOM_OK);
+        assert_int_equal(run.verdict.end, DOM_ROW_FALLS);
+        const domq_real time = run.fall[1].time / 2;
+        run.row.domino = run.domino;
+        assert_status(ask_row_watch(&run.row, &time, 1, state_seen, &seen, &run.verdict), DOM_OK);
+        after = run;
+        after.row.release = seen.tilt;
+        after.row.push = seen.omega;
+        assert_status(run_whole(&after), DOM_OK);
+        assert_int_equal(after.falls, run.falls);
+        for (size_t k = 1; k < run.falls; k++) {
+            assert_near("omega", (double)after.fall[k].omega, (double)run.fall[k].omega, 1e-10);
+            assert_near("time", (double)(after.fall[k].time + time), (double)run.fall[k].time, 1e-10);
+        }
+    }
+}
+
+/* Released at rest, the domino has moved by alpha t^2 / 2 after a short time, with every effect that changes
+ * the motion of a single domino. */
+TEST(first_moments)
+{
+    static struct run run;
+    for (int i = 0; i < 4; i++) {
+        struct seen seen;
+        const domq_real times[] = {0, (domq_real)1e-4};
+        const double at = 20 * deg;
+        released(&run, 4, 0.5, 1.1, at);
+        run.row.air = i == 1 ? 1.2 : 0;
+        run.row.rho = i == 2 ? 0.02 : 0;
+        run.row.mu = i == 3 ? 0.3 : 0;
+        run.row.domino = run.domino;
+        assert_status(ask_row_watch(&run.row, times, 1, state_seen, &seen, &run.verdict), DOM_OK);
+        assert_true(seen.tilt == at && seen.omega == 0);
+        assert_status(ask_row_watch(&run.row, times + 1, 1, state_seen, &seen, &run.verdict), DOM_OK);
+        const double h = run.domino->height, d = run.domino->thickness,
+                     alpha = 3 * g / 2 * (h * sin(at) - d * cos(at)) / (h * h + d * d),
+                     bound = i == 1 || i == 2 ? 0.2 : 1e-5;
+        assert_near("omega", seen.omega, alpha * 1e-4, bound);
+        assert_near("tilt", seen.tilt, at + alpha * 1e-8 / 2, bound * 1e-6);
+    }
+}
+
+TEST(refusals)
+{
+    static struct run run;
+    released(&run, 4, 0.5, 1, -0.1);
+    assert_status(run_whole(&run), DOM_BAD_RELEASE);
+    run.row.release = NAN;
+    assert_status(run_whole(&run), DOM_BAD_RELEASE);
+    /* A lean of the first domino is replaced. */
+    run.row.release = 0.4;
+    run.domino->lean = 0.1;
+    assert_status(run_whole(&run), DOM_OK);
+    const domq_real omega = run.fall[1].omega;
+    run.domino->lean = 0;
+    assert_status(run_whole(&run), DOM_OK);
+    assert_true(run.fall[1].omega == omega);
+    /* Without a push, and with a tilt of 0, the row starts as ever. */
+    released(&run, 4, 0.5, 1, 0.4);
+    run.row.push = NAN;
+    assert_status(run_whole(&run), DOM_OK);
+    const domq_real tipped = run.fall[1].omega;
+    run.row.release = 0;
+    assert_status(run_whole(&run), DOM_OK);
+    assert_true(run.fall[1].omega == tipped && tipped != omega);
+}
