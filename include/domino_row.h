@@ -178,7 +178,8 @@ struct dom_row dom_row_default(void);
  * the next domino or lies on the floor. */
 struct dom_fall {
     size_t domino; /* number of the domino, counted from 1 */
-    /* the time of the hit in s, measured from the push. Without a push, it is measured from the first hit. */
+    /* the time of the hit in s, measured from the push or the release. Without a push, it is measured from
+     * the first hit. */
     dom_real time;
     /* the time in s from the hit to the next hit or to the floor; NaN if neither happens */
     dom_real duration;

@@ -132,11 +132,11 @@ static void verdict_fill(const struct engine_fall *fall, const struct domq_row *
 {
     const size_t last = fall->hits - 1;
     bool beyond = fall->lies && !fall->all && row->domino[last + 1].gap >= row->domino[last].height;
-    *verdict = (struct domq_verdict){.end = fall->all     ? DOM_ROW_FALLS
-                                            : fall->leans ? DOM_ROW_LEANS
-                                            : beyond      ? DOM_ROW_MISSES
+    *verdict = (struct domq_verdict){.end = fall->all                                      ? DOM_ROW_FALLS
+                                            : fall->leans                                  ? DOM_ROW_LEANS
+                                            : beyond                                       ? DOM_ROW_MISSES
                                             : last == 0 && !fall->lies && row->release > 0 ? DOM_ROW_BACK
-                                                          : DOM_ROW_STOPS,
+                                                                                           : DOM_ROW_STOPS,
                                      .domino = fall->hits,
                                      .short_by = fall->all ? 0 : DOMQ_NAN,
                                      .seconds = (domq_real)seconds,

@@ -82,6 +82,15 @@ static const char *end_reason(const struct row_run *run)
     return dom_row_end_text(v->end);
 }
 
+/* Says from which tilt on a first domino that falls back would tip over. */
+static void back_say(struct answer *a, const struct scene_row *scene)
+{
+    domq_real lean[2];
+    domq_lean_limits(scene->domino, scene->row.alpha, scene->row.rho, lean);
+    answer_say(a, "Released at rest, domino 1 tips over only if its tilt is more than %s deg.",
+               quad_text(lean[1] * (180 / QUAD_PI), 4));
+}
+
 /* Says how the fall ends. The weakest domino is left to the details beside the table of 'fall', and if the
  * row does not fall. */
 static void verdict_say(struct answer *a, const struct falling *f, bool listed)
@@ -95,6 +104,8 @@ static void verdict_say(struct answer *a, const struct falling *f, bool listed)
                    energy_words(fall_share(&f->last)).text, count > 1 ? " 'mend' looks for a change." : "");
     else
         answer_say(a, "The fall ends at domino %zu of %zu: %s.", v->domino, count, end_reason(&f->run));
+    if (v->end == DOM_ROW_BACK)
+        back_say(a, &f->run.scene);
     weakest_say(a, v, listed || v->end != DOM_ROW_FALLS);
 }
 

@@ -259,14 +259,15 @@ const struct command limit_commands[] = {
      .argument = {{SEPARATION}},
      .summary = "the largest growth, with gaps S times the height (default: s)",
      .equation = "(26; c8)",
-     .help = "The search raises the growth r from 1 until each domino has too little energy to topple the "
-             "next one. It goes no further than r = 1/s (less with rounded edges), because beyond 1/s a "
-             "domino falls past the next one without touching it. The limit r_max is for a train that is "
-             "already moving. A row that starts from rest may need a smaller growth, which the answer shows "
-             "as r_start. The first domino of this row just tips over, or is given the push of 'set "
-             "push'. Because r_start takes much longer to compute than r_max, expressions cannot use "
-             "'rmax.r_start', and a sweep of 'rmax' has no column r_start. In both, use 'count(112).r_start' "
-             "instead.",
+     .help =
+         "The search raises the growth r from 1 until each domino has too little energy to topple the "
+         "next one. It goes no further than r = 1/s (less with rounded edges), because beyond 1/s a "
+         "domino falls past the next one without touching it. The limit r_max is for a train that is "
+         "already moving. A row that starts from rest may need a smaller growth, which the answer shows "
+         "as r_start. The first domino of this row just tips over, or starts as 'set push' and "
+         "'set release' say. Because r_start takes much longer to compute than r_max, expressions cannot use "
+         "'rmax.r_start', and a sweep of 'rmax' has no column r_start. In both, use 'count(112).r_start' "
+         "instead.",
      .example = "set q hollow; rmax 0.3",
      .see = "why best curve pair count rowmax",
      .sweep.echo = "s",
@@ -307,7 +308,7 @@ const struct command limit_commands[] = {
              "domino. The last domino of the row is smaller than H, but it can topple one more, which is r "
              "times as tall. For example, if h = 5 cm, r = 1.5 and H = 20 cm, n is 4: dominoes of 5, 7.5, "
              "11.25 and 16.9 cm can topple one of up to 25.3 cm. The first domino of the row just tips over, "
-             "or is given the push of 'set push'. 'feasible' tells whether the row falls. If not, "
+             "or starts as 'set push' and 'set release' say. 'feasible' tells whether the row falls. If not, "
              "'stops_at' is the domino at which the fall ends, and 'push' is the weakest push with which the "
              "row would fall. 'goes_on' tells whether an endless train that is already moving keeps falling. "
              "'r_start' is the largest growth at which a "

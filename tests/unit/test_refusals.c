@@ -305,6 +305,10 @@ TEST(rows)
         r.row.push = bad[k];
         if (k == 1 || k == 3)
             row_refused(&r.row, NULL, 0, DOM_BAD_PUSH);
+        row_make(&r);
+        r.row.release = bad[k];
+        if (!(bad[k] >= 0))
+            row_refused(&r.row, NULL, 0, DOM_BAD_RELEASE);
         compute.tol = bad[k];
         row_make(&r);
         struct dom_verdict verdict; /* a study accepts a tolerance below 1e-9, and uses 1e-9 */

@@ -116,7 +116,7 @@ TEST(touch)
         if (run.verdict.end == DOM_ROW_FALLS)
             compare(&run, &n);
         else
-            assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2 && f[1].theta < 1e-7 &&
+            assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2 && f[1].theta == 0 &&
                         f[1].margin < 0);
         falls += run.verdict.end == DOM_ROW_FALLS;
         stops += run.verdict.end == DOM_ROW_STOPS;

@@ -7,7 +7,8 @@ const struct dom_effect dom_effect_push = {
     .adds = "a push on the first domino, which then starts upright",
     .help = "Without a push the first domino is let go at the angle at which it begins to tip over "
             "(tan theta_u = d), and the clock starts when it hits the second domino. With a push the "
-            "first domino starts upright, and the clock starts with the push. A standard domino "
+            "first domino starts upright, or at the tilt of 'set release', and the clock starts with the "
+            "push. A standard domino "
             "needs about 2.5 rad/s to tip over; with a weaker push the row stops at domino 1. If the "
             "first domino touches the second before it tips over, the row needs a push. OMEGA may also "
             "be the speed of the domino's upper edge, as in 'set push 0.5 m/s'; it then stays this speed if "

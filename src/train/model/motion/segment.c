@@ -129,7 +129,12 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
 {
     const struct dynamics *dynamics = st->geometry.dynamics;
     const real *edge = st->barrier.edge;
-    real hi = st->barrier.theta_m;
+    real hi = st->barrier.theta_m, slope = 0;
+    if (st->start.omegasq == 0 &&
+        (dynamics->slope(&st->geometry, st->start.from, false, &slope) != DOM_OK || slope >= 0)) {
+        *theta = st->lo;
+        return DOM_OK;
+    }
     enum dom_status status = dynamics->spent ? dynamics->spent(&st->geometry, &st->start, edge, &hi) : DOM_OK;
     if (status != DOM_OK)
         return status;
