@@ -124,15 +124,18 @@ void world_add_box(struct world *w)
     b->limit = cp->cpSpaceAddConstraint(w->space, cp->cpRotaryLimitJointNew(ground, b->body, -CP_PI / 2, 0));
 }
 
-/* Turns the first box about its foot by `tilt` and gives it the angular velocity `spin`. */
+/* Turns the first box about its foot by `tilt` and gives it the angular velocity `spin`. A box with rounded edges
+ * rolls on its lower front edge, whose centre stays at the height of the radius. */
 static void turn(struct world *w, double tilt, double spin)
 {
     const struct chipmunk *cp = w->cp;
     const struct engine_box *box = &w->row->box[0];
     cpBody *body = w->body[0].body;
-    cpVect arm = cpvrotate(cpv(-box->thickness / 2, box->height / 2), cpvforangle(-tilt));
+    const double r = radius_of(w, 0);
+    cpVect arm = cpvrotate(cpv(r - box->thickness / 2, box->height / 2 - r), cpvforangle(-tilt));
+    arm = cpvadd(arm, cpv(0, r));
     cp->cpBodySetAngle(body, -tilt);
-    cp->cpBodySetPosition(body, cpvadd(w->body[0].corner, arm));
+    cp->cpBodySetPosition(body, cpvadd(w->body[0].corner, cpvadd(arm, cpv(r * (tilt - 1), 0))));
     cp->cpBodySetAngularVelocity(body, -spin);
     cp->cpBodySetVelocity(body, cpvmult(cpvperp(arm), -spin));
 }

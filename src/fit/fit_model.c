@@ -241,7 +241,10 @@ static bool run_clock(struct fit *f, const double *value, const struct fit_run *
     bool done = tilts_find(f, value, run, &w);
     for (int k = 0; k < STEPS; k++)
         model[k].measured = tilt[k];
-    *clock = angle_time(first, run->count, most / 2) - angle_time(model, STEPS, most / 2);
+    /* a first domino that is released may begin beyond half of its largest angle */
+    const bool released = first->domino == 1 && scene_release(f->query->scene) > 0;
+    const double half = (most + (released ? tilt[0] : 0)) / 2;
+    *clock = angle_time(first, run->count, half) - angle_time(model, STEPS, half);
     free(model);
     return done && (isfinite(*clock) ||
                     problem_no_answer(&f->problem,

@@ -61,7 +61,7 @@ dom_real planner_train_ratio(struct planner *p, dom_real s, dom_real r)
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {
     struct planner *p = context;
-    dom_real ratio = fall->kinetic / fall->barrier;
+    dom_real ratio = fall->barrier > 0 ? fall->kinetic / fall->barrier : (dom_real)INFINITY;
     if (fall->domino > 1 && !(ratio >= p->least)) {
         p->least = ratio;
         p->weakest = fall->domino;

@@ -362,6 +362,9 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
         value <= of->highest)
         return true;
     const char *range = parameter_range(state, p, i);
+    /* a number without a unit is in radians, but may be meant in degrees */
+    const bool is_degrees = strcmp(of->unit, "rad") == 0 && quad(fabs)(value) > 2 * QUAD_PI &&
+                            quad(fabs)(value) * (QUAD_PI / 180) <= of->highest;
     if (broken)
         return problem_no_answer(problem,
                                  "%s = %s is not a whole number; %s must be a whole number in the range %s",
@@ -374,9 +377,10 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     if (p->effect)
         /* what follows a ';' in a meaning would not fit into this sentence */
         snprintf(meaning, sizeof meaning, ", the %.*s,", (int)strcspn(of->meaning, ";"), of->meaning);
-    return problem_no_answer(problem, "%s = %s is out of range; %s%s must be in the range %s%s%s%s%s",
+    return problem_no_answer(problem, "%s = %s is out of range; %s%s must be in the range %s%s%s%s%s%s",
                              of->name, quad_text(value, 10), of->name, meaning, range, *of->unit ? " " : "",
-                             of->unit, p->words && !p->effect ? ", or a word such as " : "",
+                             of->unit, is_degrees ? "; enter degrees as in '20 deg'" : "",
+                             p->words && !p->effect ? ", or a word such as " : "",
                              p->words && !p->effect ? p->words->name : "");
 }
 
