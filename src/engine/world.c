@@ -124,8 +124,8 @@ void world_add_box(struct world *w)
     b->limit = cp->cpSpaceAddConstraint(w->space, cp->cpRotaryLimitJointNew(ground, b->body, -CP_PI / 2, 0));
 }
 
-/* Turns the first box about its foot by `tilt` and gives it the angular velocity `spin`. A box with rounded edges
- * rolls on its lower front edge, whose centre stays at the height of the radius. */
+/* Turns the first box about its foot by `tilt` and gives it the angular velocity `spin`. A box with rounded
+ * edges rolls on its lower front edge, whose centre stays at the height of the radius. */
 static void turn(struct world *w, double tilt, double spin)
 {
     const struct chipmunk *cp = w->cp;
