@@ -22,25 +22,31 @@ static bool verdict_ask(const struct probe *p, const struct query *at, struct qu
     return answer.verdict != ANSWER_OPEN || problem_no_answer(problem, "the command has no verdict here");
 }
 
-domq_real probe_at(struct probe *p, domq_real value)
+domq_real probe_ask(struct probe *p, const struct assigned *assigned, int count)
 {
     struct state point;
     struct query at;
     struct run_context run_context = *p->query->run_context;
-    const struct assigned assigned = {.parameter = p->parameter, .value = value};
     struct quantity answer = {.value = 0};
     problem_begin(&p->problem, p->command);
-    bool put = query_with(p->query, &assigned, p->parameter != NULL, &point, &at, &p->problem);
+    bool put = query_with(p->query, assigned, count, &point, &at, &p->problem);
     at.run_context = &run_context;
     run_context.shard.parts = 0;
+    run_context.seeks_yes = p->seeks_yes;
     point.settings.threads = 1;
     bool done = put && (p->verdict ? verdict_ask(p, &at, &answer, &p->problem)
-                                   : question_value(p->question, &at, &answer, &p->problem));
+                                   : question_measure(p->question, &at, &answer, p->unit_text, &p->problem));
     p->wrong = put && !done && p->problem.kind != PROBLEM_NO_ANSWER;
     if (!done)
         return DOMQ_NAN;
     p->unit = answer;
     return isfinite(answer.value) ? answer.value : DOMQ_NAN;
+}
+
+domq_real probe_at(struct probe *p, domq_real value)
+{
+    const struct assigned assigned = {.parameter = p->parameter, .value = value};
+    return probe_ask(p, &assigned, p->parameter != NULL);
 }
 
 bool probe_report(const struct probe *p, struct problem *problem)

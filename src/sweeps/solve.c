@@ -22,15 +22,24 @@ const char *solve_names(const void *context, int k)
 /* Returns examples of the command, for error messages. */
 static const char *form_of(const struct problem *problem)
 {
-    return problem->command && strcmp(problem->command, "watch") == 0
-               ? "'watch s : rmax', or with a range 'watch s 0.1 0.9 : rmax'"
-               : "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
+    static const struct {
+        const char *command, *form;
+    } forms[] = {
+        {"watch", "'watch s : rmax', or with a range 'watch s 0.1 0.9 : rmax'"},
+        {"maximize", "'maximize s : duration.speed', or with a range 'maximize s 0.1 0.9 : duration.speed'"},
+        {"minimize", "'minimize s : duration.seconds', or with ranges 'minimize s 0.1 0.9, r 1 2 : count 20 m'"},
+        {"plot", "'plot maximize s : duration.speed'"},
+    };
+    for (size_t k = 0; k < sizeof forms / sizeof *forms; k++)
+        if (problem->command && strcmp(problem->command, forms[k].command) == 0)
+            return forms[k].form;
+    return "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
 }
 
 /* The parsed arguments of 'solve' and 'watch'. An item that was not typed is zero. */
 struct solve_parsed {
-    const struct parameter *parameter;
-    struct item from, to, value;
+    struct ranged_parsed range;
+    struct item value;
     struct question question;
     bool verdict;
 };
@@ -47,37 +56,68 @@ static bool bound_parse(struct reader *r, const struct parameter *p, const char 
                           form_of(r->problem)));
 }
 
-/* Parses "NAME" or "NAME FROM TO", up to the ':'. */
-bool solve_parse_parameter(struct reader *r, struct question *q)
+bool ranged_parse(struct reader *r, names_list *names, struct ranged_parsed *p)
 {
     char message[NAMES_MESSAGE] = "", name[32];
-    struct solve_parsed *s = q->parsed = reader_memory(r, sizeof *s);
-    if (!s)
-        return false;
-    offer_names(r, solve_names, NULL);
-    size_t length = strcspn(r->at, " \t:;>");
+    offer_names(r, names, NULL);
+    size_t length = strcspn(r->at, " \t:,;>");
     snprintf(name, sizeof name, "%.*s", (int)length, r->at);
-    int k = parameter_search(solve_names, "parameter", name, message);
+    if (length == 0)
+        return problem_error(r->problem, "the name of a parameter is missing; enter, for example, %s",
+                             form_of(r->problem));
+    int k = parameter_search(names, "parameter", name, message);
     if (k < 0)
         return problem_error(r->problem, k == NAMES_CLOSE ? "%s" : "%s; enter, for example, %s", message,
                              form_of(r->problem));
-    s->parameter = parameter_find(solve_names(NULL, k));
+    p->parameter = parameter_find(names(NULL, k));
     r->at = skip_blanks(r->at + length);
-    r->stops = ":";
-    bool is_good =
-        *r->at == ':' || command_ends(r->at) ||
-        (bound_parse(r, s->parameter, "FROM", &s->from) && bound_parse(r, s->parameter, "TO", &s->to));
+    r->stops = ":,";
+    bool is_good = *r->at == ':' || *r->at == ',' || command_ends(r->at);
+    if (!is_good) {
+        reader_takes(r, "from"); /* the words are optional, as in 'solve d from 0.05 to 0.3 : rmax = 5/3' */
+        is_good = bound_parse(r, p->parameter, "FROM", &p->from);
+        if (is_good) {
+            r->at = skip_blanks(r->at);
+            reader_takes(r, "to");
+            is_good = bound_parse(r, p->parameter, "TO", &p->to);
+        }
+    }
     r->stops = NULL;
     r->at = skip_blanks(r->at);
     if (is_good)
         reader_place(r, r->at);
-    return is_good && (*r->at == ':' ||
-                       problem_error(r->problem, "':' and an answer are missing; enter, for example, %s",
-                                     form_of(r->problem)));
+    return is_good;
 }
 
-/* Skips the ':'. Sets *problem and returns false if nothing follows. */
-static bool colon_pass(struct reader *r)
+bool ranges_end(const struct reader *r)
+{
+    return *r->at == ':' || problem_error(r->problem, "':' and an answer are missing; enter, for example, %s",
+                                          form_of(r->problem));
+}
+
+bool ranged_bind(const struct ranged_parsed *parsed, const struct text *text, const struct query *query,
+                 struct ranged *range, struct problem *problem)
+{
+    const struct parameter *p = parsed->parameter;
+    *range = (struct ranged){p, (domq_real)p->from, (domq_real)p->to};
+    if (parsed->from.at && (!item_bind(&parsed->from, text, query, NULL, &range->from, problem) ||
+                            !item_bind(&parsed->to, text, query, NULL, &range->to, problem)))
+        return false;
+    if (p->from == p->to && !parsed->from.at)
+        return problem_error(problem, "%s needs a range, as in '%s 5 50 : ...'", p->name, p->name);
+    return range->from < range->to ||
+           problem_error(problem, "the range from %s to %s is empty: FROM must be less than TO",
+                         quad_text(range->from, 10), quad_text(range->to, 10));
+}
+
+/* Parses "NAME" or "NAME FROM TO", up to the ':'. */
+bool solve_parse_parameter(struct reader *r, struct question *q)
+{
+    struct solve_parsed *s = q->parsed = reader_memory(r, sizeof *s);
+    return s && ranged_parse(r, solve_names, &s->range) && ranges_end(r);
+}
+
+bool colon_pass(struct reader *r)
 {
     r->at = skip_blanks(r->at + 1);
     reader_place(r, r->at);
@@ -126,19 +166,14 @@ bool solve_bind(const struct question *q, const struct query *query, struct argu
     const struct solve_parsed *parsed = q->parsed;
     struct solve *s = arguments_take(given, sizeof *s, query, problem);
     domq_real number;
-    if (!s)
+    struct ranged range;
+    if (!s || !ranged_bind(&parsed->range, q->text, query, &range, problem))
         return false;
-    *s = (struct solve){.parameter = parsed->parameter,
-                        .from = (domq_real)parsed->parameter->from,
-                        .to = (domq_real)parsed->parameter->to,
+    *s = (struct solve){.parameter = range.parameter,
+                        .from = range.from,
+                        .to = range.to,
                         .question = &parsed->question,
                         .verdict = parsed->verdict};
-    if (parsed->from.at && (!item_bind(&parsed->from, q->text, query, NULL, &s->from, problem) ||
-                            !item_bind(&parsed->to, q->text, query, NULL, &s->to, problem)))
-        return false;
-    if (!(s->from < s->to))
-        return problem_error(problem, "the range from %s to %s is empty: FROM must be less than TO",
-                             quad_text(s->from, 10), quad_text(s->to, 10));
     return !parsed->value.at || item_bind(&parsed->value, q->text, query, &s->value, &number, problem);
 }
 

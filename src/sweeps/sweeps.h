@@ -15,10 +15,16 @@ struct probe {
     const struct question *question;
     const struct parameter *parameter; /* the parameter that is changed, or NULL */
     bool verdict;           /* true if the answer is a verdict, which is stored as 1 for yes and -1 for no */
+    bool seeks_yes;         /* see struct run_context */
     struct problem problem; /* why the last evaluation gave no answer */
     bool wrong;             /* true if the question itself is wrong, so that it fails at every value */
-    struct quantity unit;   /* the unit of the last answer */
+    struct quantity unit;   /* the unit of the last answer, and its text */
+    char unit_text[UNIT_TEXT];
 };
+
+/* Returns the answer for these values of parameters. If there is no answer, returns NaN and sets
+ * probe->problem. */
+domq_real probe_ask(struct probe *probe, const struct assigned *assigned, int count);
 
 /* Returns the answer for this value of the parameter. If there is no answer, returns NaN and sets
  * probe->problem. */
@@ -26,6 +32,24 @@ domq_real probe_at(struct probe *probe, domq_real value);
 
 /* Reports in *problem why the last evaluation gave no answer, or that it was interrupted. Returns false. */
 bool probe_report(const struct probe *probe, struct problem *problem);
+
+/* A parameter, or "NAME FROM TO" with its range; the words 'from' and 'to' may stand before the values. */
+struct ranged {
+    const struct parameter *parameter;
+    domq_real from, to;
+};
+struct ranged_parsed {
+    const struct parameter *parameter;
+    struct item from, to; /* zero if they were not typed */
+};
+
+/* Parses a parameter with its range up to a ':' or ','. ranges_end checks that the ':' is next, and colon_pass
+ * skips it and checks that something follows. */
+bool ranged_parse(struct reader *reader, names_list *names, struct ranged_parsed *parsed);
+bool ranges_end(const struct reader *reader);
+bool colon_pass(struct reader *reader);
+bool ranged_bind(const struct ranged_parsed *parsed, const struct text *text, const struct query *query,
+                 struct ranged *range, struct problem *problem);
 
 /* The arguments of 'solve' and 'watch'. */
 struct solve {
@@ -61,9 +85,10 @@ bool scan_run(struct scan *scan);
 
 /* ---- The commands ---- */
 
-extern const struct column solve_columns[], sensitivity_columns[];
+extern const struct column solve_columns[], sensitivity_columns[], optimum_columns[];
 bool run_solve(const struct query *query, struct answer *a, struct problem *problem);
 bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem);
+bool run_optimum(const struct query *query, struct answer *a, struct problem *problem);
 bool run_assert(const struct query *query, struct answer *a, struct problem *problem);
 
 bool solve_parse_parameter(struct reader *reader, struct question *question);

@@ -147,6 +147,9 @@ struct command {
     } writes;
     /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_set_verdict). */
     const char *holds;
+    /* The numbers of the answer suppose that this statement is true. A search for the best of them leaves out
+     * where it is not (run_context.seeks_yes). */
+    bool supposes;
     /* What the command uses besides its query: */
     struct {
         bool runs;  /* it runs other commands, whose answers go to the same output */

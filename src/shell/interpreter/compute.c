@@ -68,6 +68,16 @@ static void reference_compute(const struct command *c, const struct query *query
         reference->is_void = true;
 }
 
+/* Runs the command. Fails if only a verdict of yes is sought, and it is no. */
+static bool command_run(const struct command *c, const struct query *query, struct answer *answer,
+                        struct problem *problem)
+{
+    return c->run(query, answer, problem) &&
+           (!c->supposes || !query->run_context->seeks_yes || answer->verdict != ANSWER_NO ||
+            problem_no_answer(problem, "the verdict of '%s' is no%s%s", c->name,
+                              *answer->late_reason ? ": " : "", answer->late_reason));
+}
+
 bool command_compute(const struct command *c, const struct query *query, struct answer *answer,
                      struct problem *problem)
 {
@@ -78,12 +88,12 @@ bool command_compute(const struct command *c, const struct query *query, struct 
     if (query->reference && !(has_errors && query->scene->compute.precision == DOM_QUAD))
         query->reference->is_void = true;
     if (!is_wanted)
-        return c->run(query, answer, problem);
+        return command_run(c, query, answer, problem);
     struct reference reference = {.is_void = false};
     answer->errors.row = 0;
     reference_compute(c, query, answer, &reference);
     answer->errors.reference = &reference;
-    const bool done = c->run(query, answer, problem);
+    const bool done = command_run(c, query, answer, problem);
     answer->errors.reference = NULL;
     reference_free(&reference);
     return done;

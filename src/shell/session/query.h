@@ -19,6 +19,8 @@ struct shard {
 struct run_context {
     struct shard shard;
     bool safe;          /* commands must not read or write files */
+    /* a command whose numbers suppose that its verdict is yes has no answer where it is no */
+    bool seeks_yes;
     bool sourced;       /* the command comes from a file that 'source' runs */
     const char *script; /* the path of the running script, or "-e" or "stdin"; NULL at the prompt */
     /* Shows a note to the user immediately. May be NULL. */
