@@ -67,24 +67,24 @@ static const struct command sweep_commands[] = {
      ANSWER(solve)},
     {.name = "maximize",
      .synonyms = "optimize optimise maximise maximum best largest highest fastest longest greatest",
-     .argument =
-         {{.name = "NAMES", .kind = ARGUMENT_GRID, .parse = maximize_parse, .choices = optimum_names},
-          {.name = ": ANSWER",
-           .kind = ARGUMENT_COMMAND,
-           .parse = optimum_parse_answer,
-           .bind = optimum_bind,
-           .choices = question_names}},
+     .argument = {{.name = "X", .kind = ARGUMENT_GRID, .parse = maximize_parse, .choices = optimum_names},
+                  {.name = ": ANSWER",
+                   .kind = ARGUMENT_COMMAND,
+                   .parse = optimum_parse_answer,
+                   .bind = optimum_bind,
+                   .choices = question_names}},
      .summary = "the values of one or two parameters at which ANSWER is largest",
-     .help = "'maximize s : duration.speed' finds the gap at which the dominoes fall fastest, and 'plot "
-             "maximize s : duration.speed' shows the curve. NAMES are one or two parameters, each with a "
-             "range if it follows the name: 'maximize s 0.1 0.9, r 1 2 : rmax - r' or 'maximize s from 0.1 "
-             "to 0.9 : rmax'. ANSWER is a command, or an expression with the names of commands. The search "
-             "tries 241 values of the parameter, or 41 times 41 values of two, and follows each maximum "
-             "between them. It can miss a maximum that is narrower than one step. Values without an answer "
-             "are left out. Where 'count' is a part of ANSWER, its row must fall. If the answer stays the same "
-             "over a range, as a whole number does, the range is printed. Only digits that are right are "
-             "printed, and 'within' tells in 'details' how far the value may be off. The parameters of the "
-             "session do not change.",
+     .help =
+         "'maximize s : duration.speed' finds the gap at which the dominoes fall fastest, and 'plot "
+         "maximize s : duration.speed' shows the curve. X is one or two parameters, each with a "
+         "range if it follows the name: 'maximize s 0.1 0.9, r 1 2 : rmax - r' or 'maximize s from 0.1 "
+         "to 0.9 : rmax'. ANSWER is a command, or an expression with the names of commands. The search "
+         "tries 241 values of the parameter, or 41 times 41 values of two, and follows each maximum "
+         "between them. It can miss a maximum that is narrower than one step. Values without an answer "
+         "are left out. Where 'count' is a part of ANSWER, its row must fall. If the answer stays the same "
+         "over a range, as a whole number does, the range is printed. Only digits that are right are "
+         "printed, and 'within' tells in 'details' how far the value may be off. The parameters of the "
+         "session do not change.",
      .example = "maximize s : duration.speed",
      .see = "minimize solve sweep plot",
      .sweep.refusal = "it already varies a parameter",
@@ -93,13 +93,12 @@ static const struct command sweep_commands[] = {
      ANSWER(optimum)},
     {.name = "minimize",
      .synonyms = "optimize optimise minimise minimum best smallest lowest fewest shortest slowest least",
-     .argument =
-         {{.name = "NAMES", .kind = ARGUMENT_GRID, .parse = minimize_parse, .choices = optimum_names},
-          {.name = ": ANSWER",
-           .kind = ARGUMENT_COMMAND,
-           .parse = optimum_parse_answer,
-           .bind = optimum_bind,
-           .choices = question_names}},
+     .argument = {{.name = "X", .kind = ARGUMENT_GRID, .parse = minimize_parse, .choices = optimum_names},
+                  {.name = ": ANSWER",
+                   .kind = ARGUMENT_COMMAND,
+                   .parse = optimum_parse_answer,
+                   .bind = optimum_bind,
+                   .choices = question_names}},
      .summary = "the values of one or two parameters at which ANSWER is smallest",
      .help = "'minimize' works like 'maximize', which 'help maximize' describes.",
      .example = "minimize r : count(20 m)",

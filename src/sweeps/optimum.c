@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands 'maximize' and 'minimize', which find the values of one or two parameters at which an answer is
- * largest or smallest. */
+/* The commands 'maximize' and 'minimize', which find the values of one or two parameters at which an answer
+ * is largest or smallest. */
 #include "sweeps/optimum.h"
+#include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "io/terminal.h"
 #include "parallel/workers.h"
 #include "session/parameters.h"
 #include "train/falling.h"
@@ -26,8 +26,8 @@ const char *optimum_names(const void *context, int k)
 {
     (void)context;
     const struct parameter *p = session_parameters;
-    while (p->name && (p->setting || p->words_only || p->of_precision || (p->from == p->to && !p->value->whole) ||
-                       k-- > 0))
+    while (p->name && (p->setting || p->words_only || p->of_precision ||
+                       (p->from == p->to && !p->value->whole) || k-- > 0))
         p++;
     return p->name;
 }
@@ -96,6 +96,8 @@ static double ask(struct hunt *h, const double place[OPTIMUM_AXES])
     for (int i = 0; i < h->optimum->axes; i++)
         assigned[i] = (struct assigned){.parameter = h->optimum->range[i].parameter, .value = place[i]};
     h->best = probe_ask(&h->probe, assigned, h->optimum->axes);
+    if (h->probe.wrong)
+        h->fault = h->probe.problem;
     return (double)(h->optimum->is_minimum ? -h->best : h->best);
 }
 
@@ -151,6 +153,7 @@ static void point_task(size_t k, void *context)
     struct hunt *all = context, mine = *all;
     hunt_prepare(&mine);
     all->value[k] = mine.slope[0].at(peak_point(&mine.slope[0], all->count, k), &mine);
+    all->is_wrong[k] = mine.fault.kind != PROBLEM_NONE;
 }
 
 /* Computes the answers along the first parameter. */
@@ -165,17 +168,17 @@ static bool points_ask(struct hunt *h, struct problem *problem)
     progress_end();
     if (status != DOM_OK)
         return problem_status(problem, scene, status);
-    for (size_t k = h->count; k-- > 0;)
-        if (isnan(h->value[k])) {
-            h->missing++;
-            h->value[k] = (double)NAN;
-            if (k > 0 && isnan(h->value[k - 1]))
-                continue;
-            (void)h->slope[0].at(peak_point(&h->slope[0], h->count, k), h);
-            snprintf(h->reason, sizeof h->reason, "%.*s", (int)sizeof h->reason - 1, h->probe.problem.text);
-            if (h->probe.wrong)
-                return probe_report(&h->probe, problem);
+    for (size_t k = 0; k < h->count; k++) {
+        const bool is_first = isnan(h->value[k]) && h->missing++ == 0;
+        if (!is_first && !h->is_wrong[k])
+            continue;
+        (void)h->slope[0].at(peak_point(&h->slope[0], h->count, k), h);
+        if (h->is_wrong[k]) {
+            *problem = h->fault;
+            return false;
         }
+        snprintf(h->reason, sizeof h->reason, "%.*s", (int)sizeof h->reason - 1, h->probe.problem.text);
+    }
     return true;
 }
 
@@ -309,8 +312,8 @@ static void place_write(const struct hunt *h, int i, domq_real value, int digits
         snprintf(text, PLACE, "%s (%s)", quad_text(value, digits),
                  measured(value * height, "m", digits < 4 ? digits : 4).text);
     } else if (strncmp(unit, "rad", 3) == 0) {
-        snprintf(text, PLACE, "%s %s%s", quad_text(style_angle(&style, value), digits), style_angle_unit(&style),
-                 unit + 3);
+        snprintf(text, PLACE, "%s %s%s", quad_text(style_angle(&style, value), digits),
+                 style_angle_unit(&style), unit + 3);
     } else {
         snprintf(text, PLACE, "%s", measured(value, unit, digits).text);
     }
@@ -333,13 +336,14 @@ static void parameter_write(const struct hunt *h, int i, bool is_range, char *te
     const char *name = h->optimum->range[i].parameter->name;
     char place[PLACE], high[PLACE];
     const bool whole = h->slope[i].whole;
+    const domq_real nearly = 1e-12; /* 1.45 must not be rounded down to 1.449 */
     if (!is_range) {
         place_write(h, i, p->x, digits_right(h, p->x, p->within), place);
         text_add(text, size, "%s = %s", name, place);
         return;
     }
-    domq_real from = whole ? p->low : round_digits(p->low, 4, true),
-              to = whole ? p->high : round_digits(p->high, 4, false);
+    domq_real from = whole ? p->low : round_digits((domq_real)p->low * (1 - nearly), 4, true),
+              to = whole ? p->high : round_digits((domq_real)p->high * (1 + nearly), 4, false);
     if (!(from <= to)) { /* the range is narrower than its rounding */
         from = p->low;
         to = p->high;
@@ -385,7 +389,8 @@ static void ties_say(const struct hunt *h, struct answer *a)
     char text[512] = "", place[PLACE];
     for (int k = 0; k < h->peak[0].ties; k++) {
         place_write(h, 0, h->peak[0].tie[k], digits_right(h, h->peak[0].tie[k], h->peak[0].within), place);
-        text_add(text, sizeof text, "%s%s = %s", k ? " and " : "", h->optimum->range[0].parameter->name, place);
+        text_add(text, sizeof text, "%s%s = %s", k ? " and " : "", h->optimum->range[0].parameter->name,
+                 place);
     }
     if (*text)
         answer_say(a, "It has the same value at %s.", text);
@@ -394,8 +399,8 @@ static void ties_say(const struct hunt *h, struct answer *a)
 static void missing_say(const struct hunt *h, struct answer *a)
 {
     char missing[256];
-    snprintf(missing, sizeof missing, "%zu of the %zu values of %s that were tried have no answer", h->missing,
-             h->count, h->optimum->range[0].parameter->name);
+    snprintf(missing, sizeof missing, "%zu of the %zu values of %s that were tried have no answer",
+             h->missing, h->count, h->optimum->range[0].parameter->name);
     if (*h->beyond)
         answer_say(a, "%s.", h->beyond);
     else if (h->missing > 0)
@@ -422,8 +427,8 @@ bool run_optimum(const struct query *query, struct answer *a, struct problem *pr
     for (int i = 0; i < o->axes && !answer_lost(a); i++) {
         const struct peak *p = &h->peak[i];
         answer_cells(a, cell_word(o->range[i].parameter->name), cell_real(p->x), cell_real(p->within),
-                     cell_real(p->low), cell_real(p->high), cell_word(ends[p->end]), cell_real(h->best), cell_real(h->off),
-                     cell_word(*h->probe.unit_text ? h->probe.unit_text : "-"));
+                     cell_real(p->low), cell_real(p->high), cell_word(ends[p->end]), cell_real(h->best),
+                     cell_real(h->off), cell_word(*h->probe.unit_text ? h->probe.unit_text : "-"));
     }
     free(h);
     return true;

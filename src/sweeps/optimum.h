@@ -16,20 +16,22 @@ struct optimum {
     bool is_minimum;
 };
 
-/* A search for the best answer. With two parameters, the answer for a value of the first one is the best answer
- * over the range of the second one. Values that are sought as minima have the opposite sign here. */
+/* A search for the best answer. With two parameters, the answer for a value of the first one is the best
+ * answer over the range of the second one. Values that are sought as minima have the opposite sign here. */
 struct hunt {
     const struct optimum *optimum;
     struct probe probe;
     struct slope slope[OPTIMUM_AXES];
-    double first;                    /* the value of the first parameter, while the second one is varied */
-    double value[PEAK_POINTS];       /* the answers at the points along the first parameter */
-    size_t count, missing;           /* the number of these points, and of those without an answer */
-    struct peak peak[OPTIMUM_AXES];  /* the result for each parameter */
-    domq_real best;                  /* the best answer, with its own sign */
-    domq_real off;                   /* its error is at most this */
-    char reason[PROBLEM_TEXT / 2];   /* why the first of the missing answers is missing */
-    char beyond[PROBLEM_TEXT / 2];   /* why there is no answer beyond the best place, or "" */
+    double first;               /* the value of the first parameter, while the second one is varied */
+    struct problem fault;       /* the last error in the question itself; its kind is PROBLEM_NONE before */
+    double value[PEAK_POINTS];  /* the answers at the points along the first parameter */
+    bool is_wrong[PEAK_POINTS]; /* the question itself turned out to be wrong at this point */
+    size_t count, missing;      /* the number of these points, and of those without an answer */
+    struct peak peak[OPTIMUM_AXES]; /* the result for each parameter */
+    domq_real best;                 /* the best answer, with its own sign */
+    domq_real off;                  /* its error is at most this */
+    char reason[PROBLEM_TEXT / 2];  /* why the first of the missing answers is missing */
+    char beyond[PROBLEM_TEXT / 2];  /* why there is no answer beyond the best place, or "" */
 };
 
 /* Searches the whole range. The caller frees *hunt. On failure, sets *problem and returns NULL. */

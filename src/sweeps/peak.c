@@ -248,8 +248,8 @@ static void around(const struct search *s, struct peak *p)
 static enum peak_end end_of(const struct search *s, double x)
 {
     const double h = s->slope->whole ? 1 : 1e-9 * (s->slope->to - s->slope->from);
-    return x - s->slope->from < h / 2 ? PEAK_AT_FROM
-           : s->slope->to - x < h / 2 ? PEAK_AT_TO
+    return x - s->slope->from < h / 2  ? PEAK_AT_FROM
+           : s->slope->to - x < h / 2  ? PEAK_AT_TO
            : isnan(value_at(s, x + h)) ? PEAK_BEFORE_HOLE
            : isnan(value_at(s, x - h)) ? PEAK_AFTER_HOLE
                                        : PEAK_INSIDE;
@@ -280,11 +280,8 @@ static void ties_find(const struct search *s, struct peak *p)
 
 struct peak peak_find(const struct slope *slope, const double *value, size_t count, bool is_rough)
 {
-    struct search s = {.slope = slope,
-                       .value = value,
-                       .count = count,
-                       .best = {(double)NAN, -HUGE_VAL},
-                       .lowest = HUGE_VAL};
+    struct search s = {
+        .slope = slope, .value = value, .count = count, .best = {(double)NAN, -HUGE_VAL}, .lowest = HUGE_VAL};
     for (size_t k = 0; k < count; k++)
         s.lowest = fmin(s.lowest, value[k]);
     for (size_t k = 0; k < count && !dom_raised(slope->interrupt); k++) {

@@ -27,7 +27,8 @@ static const char *form_of(const struct problem *problem)
     } forms[] = {
         {"watch", "'watch s : rmax', or with a range 'watch s 0.1 0.9 : rmax'"},
         {"maximize", "'maximize s : duration.speed', or with a range 'maximize s 0.1 0.9 : duration.speed'"},
-        {"minimize", "'minimize s : duration.seconds', or with ranges 'minimize s 0.1 0.9, r 1 2 : count 20 m'"},
+        {"minimize",
+         "'minimize s : duration.seconds', or with ranges 'minimize s 0.1 0.9, r 1 2 : count 20 m'"},
         {"plot", "'plot maximize s : duration.speed'"},
     };
     for (size_t k = 0; k < sizeof forms / sizeof *forms; k++)
@@ -56,6 +57,13 @@ static bool bound_parse(struct reader *r, const struct parameter *p, const char 
                           form_of(r->problem)));
 }
 
+/* Skips a word that may be left out, and that completion does not offer. */
+static void word_skip(struct reader *r, const char *word)
+{
+    if (word_is_next(r, word))
+        r->at = skip_blanks(r->at + strlen(word));
+}
+
 bool ranged_parse(struct reader *r, names_list *names, struct ranged_parsed *p)
 {
     char message[NAMES_MESSAGE] = "", name[32];
@@ -74,11 +82,11 @@ bool ranged_parse(struct reader *r, names_list *names, struct ranged_parsed *p)
     r->stops = ":,";
     bool is_good = *r->at == ':' || *r->at == ',' || command_ends(r->at);
     if (!is_good) {
-        reader_takes(r, "from"); /* the words are optional, as in 'solve d from 0.05 to 0.3 : rmax = 5/3' */
+        word_skip(r, "from");
         is_good = bound_parse(r, p->parameter, "FROM", &p->from);
         if (is_good) {
             r->at = skip_blanks(r->at);
-            reader_takes(r, "to");
+            word_skip(r, "to");
             is_good = bound_parse(r, p->parameter, "TO", &p->to);
         }
     }

@@ -43,8 +43,8 @@ struct ranged_parsed {
     struct item from, to; /* zero if they were not typed */
 };
 
-/* Parses a parameter with its range up to a ':' or ','. ranges_end checks that the ':' is next, and colon_pass
- * skips it and checks that something follows. */
+/* Parses a parameter with its range up to a ':' or ','. ranges_end checks that the ':' is next, and
+ * colon_pass skips it and checks that something follows. */
 bool ranged_parse(struct reader *reader, names_list *names, struct ranged_parsed *parsed);
 bool ranges_end(const struct reader *reader);
 bool colon_pass(struct reader *reader);

@@ -321,7 +321,7 @@ const struct command limit_commands[] = {
      .sweep.echo = "r",
      .principal = "dominoes",
      .holds = "such a row falls and reaches the height H",
-     .supposes = true,
+     .sweep.needs_yes = true,
      .brief = "",
      ANSWER(count)},
     {.name = NULL},

@@ -124,6 +124,9 @@ struct command {
          * if 'sweep' accepts the command. A command without columns needs no reason here, because 'sweep'
          * accepts no such command. */
         const char *refusal;
+        /* The numbers of the answer suppose that its verdict is yes, so a search for the best of them leaves
+         * out places where it is no (run_context.seeks_yes). */
+        bool needs_yes;
     } sweep;
     /* For a command whose energies are in J if masses are known: returns true if they are known in this
      * scene. If they are not, the unit is "mgh/2". NULL if the units of the columns do not depend on the
@@ -147,9 +150,6 @@ struct command {
     } writes;
     /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_set_verdict). */
     const char *holds;
-    /* The numbers of the answer suppose that this statement is true. A search for the best of them leaves out
-     * where it is not (run_context.seeks_yes). */
-    bool supposes;
     /* What the command uses besides its query: */
     struct {
         bool runs;  /* it runs other commands, whose answers go to the same output */

@@ -73,7 +73,7 @@ static bool command_run(const struct command *c, const struct query *query, stru
                         struct problem *problem)
 {
     return c->run(query, answer, problem) &&
-           (!c->supposes || !query->run_context->seeks_yes || answer->verdict != ANSWER_NO ||
+           (!c->sweep.needs_yes || !query->run_context->seeks_yes || answer->verdict != ANSWER_NO ||
             problem_no_answer(problem, "the verdict of '%s' is no%s%s", c->name,
                               *answer->late_reason ? ": " : "", answer->late_reason));
 }

@@ -19,7 +19,7 @@ struct shard {
 struct run_context {
     struct shard shard;
     bool safe;          /* commands must not read or write files */
-    /* a command whose numbers suppose that its verdict is yes has no answer where it is no */
+    /* a command whose numbers suppose that its verdict is yes has no answer if it is no (sweep.needs_yes) */
     bool seeks_yes;
     bool sourced;       /* the command comes from a file that 'source' runs */
     const char *script; /* the path of the running script, or "-e" or "stdin"; NULL at the prompt */
