@@ -25,7 +25,6 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
 }
 
 # bats test_tags=chance
-# bats test_tags=chance
 @test "the output is the same each time, with any number of threads" {
     study="$scene; effect placement 3 mm; effect feet 0.4; placement 20"
     first=$(json "set threads 1; $study")
@@ -69,7 +68,6 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
 }
 
 # bats test_tags=pictures
-# bats test_tags=pictures
 @test "animate and draw show the poses of the engine" {
     # The first 12 tilts agree with the model to within 0.02 rad.
     model=$(json "$scene; animate x.gif") engine=$(json "$scene; set method engine; animate x.gif")
@@ -79,7 +77,6 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     [[ $output == *'after the push'* ]]
 }
 
-# bats test_tags=pictures
 # bats test_tags=pictures
 @test "rounded edges in the engine: times, a rough floor, bounce, growth and poses agree with the model" {
     edges="$scene; effect edges 0.02"

@@ -47,7 +47,6 @@ check=$root/tests/derivations/check.py
 }
 
 # bats test_tags=lesson
-# bats test_tags=lesson
 @test "explain says where equations end, and has the equations of effects" {
     cd "$BATS_TEST_TMPDIR"
     "$DOMINO" -e 'effect friction 0.2; explain launch deep' | grep -q "with friction, energy is not conserved, so the equation of motion is integrated"
@@ -68,7 +67,6 @@ check=$root/tests/derivations/check.py
     "$DOMINO" -e 'explain barrier' | grep -q 'found by a search over all tilts'
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "explain writes documents, and refuses what it cannot write" {
     cd "$BATS_TEST_TMPDIR"
@@ -127,7 +125,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "paper: its figures, limits and relations, recomputed with both fuels" {
     answer=$(json 'set d 0.2; set q 3.5; paper') # the scene does not matter
     row() { grep "\"what\":\"$1[^\"]*\",\"q\":$2,\"s\":$3," <<<"$answer"; }
@@ -153,7 +150,6 @@ END
     "$DOMINO" -e 'paper details' | grep -q 'A rigid-body engine agrees with the exact values'
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "explain verdict of a row: the domino that decides it, with the energies of its run" {
     while IFS='|' read -r scene domino unit; do

@@ -30,7 +30,6 @@ END
 }
 
 # bats test_tags=chance,pictures
-# bats test_tags=chance,pictures
 @test "fit: the friction of the model is found from speeds of the model, with and without errors" {
     for gap in 8 12 20 30; do
         echo "$gap,$(json "set r 1; set s $gap/48; effect friction 0.25; duration" | values speed),0.01"
@@ -57,7 +56,6 @@ END
     grep -q '^The best fit is friction 0, which is the limit of its range\.$' <<<"$output"
 }
 
-# bats test_tags=rows,chance
 # bats test_tags=rows,chance
 @test "fit: an error in a file gives a one-line message" {
     : >empty.csv
@@ -108,7 +106,6 @@ noisy_hits() { # SEED
 }
 
 # bats test_tags=rows,pictures
-# bats test_tags=rows,pictures
 @test "fit: several parameters of the model are found from hits and angles, within the stated uncertainty" {
     scene='set r 1; set s 0.4; effect row 12; '
     "$DOMINO" -e "$scene effect push 4; effect friction 0.25; fall > exact.csv"
@@ -140,7 +137,6 @@ noisy_hits() { # SEED
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "fit: messages about hit times that drift, a parameter at the limit of its range, and one that has no influence" {
     measured=$BATS_TEST_DIRNAME/../../examples/measured
     fit=$("$DOMINO" -e "set tol 1e-8; set r 1; set h 48 mm; set d 7.5438/48; fit friction, push $measured/felt-frames.csv")
@@ -164,7 +160,6 @@ noisy_hits() { # SEED
     wrong "$scene; fit friction, slope trials.csv" 'trials.csv has the speeds at 1 gap, which cannot determine 2 unknowns'
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "the ends of an interval have as many digits as it takes to tell them apart" {
     local scene='set r 1; set s 0.4; set row 12' line from to

@@ -21,7 +21,6 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
 record="effect row \"$root/examples/record.csv\""
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "animate: the frames of a gif are evenly spaced in time, and each cycle lasts sqrt(r) times as long" {
     gif=$PWD/a.gif
     same silent '(nothing)' "$("$DOMINO" -e "animate $gif")"
@@ -45,7 +44,6 @@ record="effect row \"$root/examples/record.csv\""
         "$(csv 'set r 1.7; animate a.gif' | tail -n 1 | cut -d, -f 3 | cut -c 1-8)"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "animate: a row in real time, from before the first hit to the end, which is held for a second" {
     same silent '(nothing)' "$("$DOMINO" -e "$record; animate a.gif rate 10" 2>&1)"
@@ -75,7 +73,6 @@ record="effect row \"$root/examples/record.csv\""
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "animate: ffmpeg makes .webm and .mp4 from a png of every frame" {
     mkdir bin none
     ln -s "$(command -v gnuplot)" none/gnuplot
@@ -104,7 +101,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "animate: the file stands after '>'; the old order, and 'slow'" {
     local scene='set r 1; effect row 5; effect push 6'
     same silent '(nothing)' "$("$DOMINO" -e "$scene; animate rate 20 > a.gif; animate b.gif rate 20; animate rate 20 > a.csv" 2>&1)"
@@ -116,6 +112,7 @@ END
     wrong "$scene; animate a.gif > b.gif" "the film is written to 'a.gif', so there is no other output to redirect"
 }
 
+# bats test_tags=rows,sweeps
 @test "the gallery has the pictures that examples/pictures.dom draws, and is small" {
     "$DOMINO" -f "$root/examples/pictures.dom" >/dev/null
     same pictures "$(ls "$root/examples/pictures")" "$(ls)"
@@ -143,7 +140,6 @@ END
     done
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "animate: a long row is shown faster, in at most 10 s and 300 frames, unless a speed is given" {
     "$DOMINO" -e 'effect row 20; animate a.gif'

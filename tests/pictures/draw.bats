@@ -8,13 +8,11 @@ load ../shell/common
 record="effect row \"$root/examples/record.csv\""
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "corners of a picture are 0 where only rounding errors are left" {
     same tiny '(nothing)' "$("$DOMINO" -n -e 'set output csv; set header off; effect row 4; draw; draw at end' |
         tr , '\n' | awk '$1 != 0 && $1 < 1e-12 && $1 > -1e-12')"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "draw: rounded edges touch the back of their leader; files show them as arcs, captions name the radius" {
     for scene in 'draw 0' 'draw 0.3' 'set r 1.2; effect friction 0.1; draw 0.1'; do
@@ -132,7 +130,6 @@ record="effect row \"$root/examples/record.csv\""
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "draw: dominoes in the svg are where the model has them: before the fall, at a time and at the end" {
     while IFS='|' read -r count row what; do
         "$DOMINO" -e "$row; $what > a.svg"
@@ -150,7 +147,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "draw: texts in the svg do not overlap, and a repeated height is written once" {
     for row in "$record" 'set r 1.5; effect row 12' 'set q 4; set r 1.7; effect row 8' 'set r 1; effect row 60; effect push 3'; do
         "$DOMINO" -e "$row; draw > a.svg"
@@ -166,7 +162,6 @@ END
     same 'no others' '(nothing)' "$(grep '^-\|^0\.0' texts)"
 }
 
-# bats test_tags=rows,sweeps
 # bats test_tags=rows,sweeps
 @test "draw: data of the row agree with 'row' and with the tape measure, and change with time" {
     "$DOMINO" -e "set output json; $record; row" >row
@@ -193,7 +188,6 @@ END
         awk '{ for (k = 1; k <= 10; k++) { if ($k < before[k]) bad = 1; moved += $k > before[k]; before[k] = $k } } END { exit bad || moved < 20 }'
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "draw: captions say how the fall ends, which domino is the weakest, and what falls" {
     while IFS='|' read -r row what words; do
@@ -226,7 +220,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "draw: 'train' is the endless train, with a row and without" {
     plain=$("$DOMINO" -e 'draw 0.3')
     same 'with a row' "$plain" "$("$DOMINO" -e 'effect row 5; draw train 0.3')"
@@ -235,7 +228,6 @@ END
     same forces "$("$DOMINO" -e 'draw forces')" "$("$DOMINO" -e 'effect row 5; draw train forces')"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "draw: the row in characters has every domino, fits the terminal, and needs no gnuplot" {
     mkdir empty
@@ -252,7 +244,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "draw: on a terminal with UTF-8 the row is drawn in braille and colour, and fits the terminal" {
     terminal() { env -u NO_COLOR LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$root/tests/shell/terminal.py" 100 30 "$DOMINO" -e "$record; draw at 5"; }
     terminal >seen
@@ -268,7 +259,6 @@ END
     terminal LC_ALL=C | grep -q 'Weakest: domino 8 (\*)'
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "draw: each domino of a row of 14 has a number and a height, or a line says which dominoes have none" {
     local row sentence numbers
@@ -288,7 +278,6 @@ set r 1; effect row 14; effect push 3|(nothing)|1 2 3 4 5 6 7 8 9 10 11 12 13 14
 END
 }
 
-# bats test_tags=rows,sweeps,planning
 # bats test_tags=rows,sweeps,planning
 @test "draw: in a pdf, no word is cut off or written over another one" {
     "$DOMINO" -e 'draw 0.3 > tilt.pdf; draw 0.3 forces > forces.pdf; effect row 12; draw > row12.pdf; plan > plan.pdf
@@ -312,7 +301,6 @@ END
     done
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "rows that cannot be drawn give a one-line error that says what works" {
     one_line "'draw at' shows a row at a given time; first enter 'set row N', for example 'set row 10'" 'draw at 2 s'
@@ -351,7 +339,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "draw at end: a leaning domino that stops the row is drawn where it stands, however small the lean" {
     cd "$BATS_TEST_TMPDIR" || return
     for lean in 0.018 0.031 0.05 0.11 0.37 -0.2; do
@@ -361,7 +348,6 @@ END
     done
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "draw tower: the row of the last count, a tower of the counted height at its end, and the small end enlarged" {
     cd "$BATS_TEST_TMPDIR"
@@ -386,7 +372,6 @@ count 112 m; draw tower 3|one argument too many
 END
 }
 
-# bats test_tags=rows,sweeps
 # bats test_tags=rows,sweeps
 @test "a safe session at a terminal runs no other program, whatever the terminal can show" {
     mkdir programs

@@ -11,7 +11,6 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
     energy climb omega inertia chain 'cost fuel')
 
 # bats test_tags=rows,chance,sweeps
-# bats test_tags=rows,chance,sweeps
 @test "each plot makes an svg that parses, a png and a pdf, and fits 80 x 24 characters" {
     local what
     for what in "${plots[@]}"; do
@@ -32,7 +31,6 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
     done
 }
 
-# bats test_tags=rows,chance,sweeps,explain
 # bats test_tags=rows,chance,sweeps,explain
 @test "plot: titles and labels of the pictures" {
     while IFS='|' read -r what words; do
@@ -66,7 +64,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=rows,sweeps
 @test "plot: no text is cut off, broken within 'r = 1.5', or written over another text; the legend takes little height" {
     local what title label
     while IFS='|' read -r what title label; do
@@ -92,7 +89,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "plot: every point is drawn, up to the ends of the axes, even if all values are nearly equal" {
     circles() { grep -c "href='#gpPt5' transform" a.svg; }
     "$DOMINO" -e 'effect row 8; plot placement 40 > a.svg'
@@ -102,7 +98,6 @@ END
     same 'ticks' "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort -u)" "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort)"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "plot fall: a mark for each domino rather than bars, which could not begin at 0 on a logarithmic axis" {
     "$DOMINO" -e "$row; plot fall" >picture
@@ -158,7 +153,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=rows,sweeps
 @test "plot growth, marginal: the data agree with curve, for solid and hollow dominoes" {
     csv 'plot growth paper' >growth
     csv 'plot marginal' >marginal
@@ -187,7 +181,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "plot fall, speed: the data agree with fall" {
     for scene in "$row" 'effect row 6; set mass 0.02' 'set r 1.7; effect row 9'; do
         csv "$scene; fall" | cut -d, -f 1,6-8 >fall
@@ -208,7 +201,6 @@ END
 }
 
 # bats test_tags=rows,chance
-# bats test_tags=rows,chance
 @test "plot placement: the data agree with placement, begin at sigma 0, and include the 95 % interval" {
     csv 'effect row 8; effect placement 5 mm; plot placement 150' >likely
     same keys sigma,probability,low,high,rows "$(head -n 1 likely)"
@@ -226,7 +218,6 @@ END
 }
 
 # bats test_tags=sweeps,explain
-# bats test_tags=sweeps,explain
 @test "plot sweep: the data agree with sweep; a sweep into a picture file is drawn" {
     same csv "$(csv 'sweep s 0.2 0.6 5 : rmax')" "$(csv 'plot sweep s 0.2 0.6 5 : rmax')"
     same json "$(json 'sweep q 3, 4 s 0.2 0.6 3 : count 112')" "$(json 'plot sweep q 3, 4 s 0.2 0.6 3 : count 112')"
@@ -243,7 +234,6 @@ END
     "$DOMINO" -e 'plot sweep d 0.001 1 7 log : rmax' | grep -q '^ *0.001 .*0.01 .*0.1 .*1$'
 }
 
-# bats test_tags=rows,explain,engine
 # bats test_tags=rows,explain,engine
 @test "what cannot be plotted: an error in one line that says what to do, and no file" {
     wrong 'plot energy rmax' "'plot energy' takes no arguments"
@@ -280,7 +270,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=rows,sweeps
 @test "plot > FILE.gp: a gnuplot script with its data, which draws the picture by itself" {
     mkdir "$BATS_TEST_TMPDIR/scripts" && cd "$BATS_TEST_TMPDIR/scripts"
     "$DOMINO" -e "plot growth > growth.gp; draw 0.3 forces > forces.gp; plot sweep s 0.1 0.8 12 r 1 1.9 9 : fuel.fuel > \"it's.gp\"
@@ -309,7 +298,6 @@ END
     sed 's/again/growth/g' again.gp | diff growth.gp -
 }
 
-# bats test_tags=rows,chance,sweeps
 # bats test_tags=rows,chance,sweeps
 @test "plot: title, labels, width, height and font of a file; no text is cut off at any width from 6 to 30 cm" {
     cd "$BATS_TEST_TMPDIR"
@@ -359,7 +347,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "plot: ranges, scales and the legend of a chart, in characters and in gnuplot's script" {
     cd "$BATS_TEST_TMPDIR"
     "$DOMINO" -e 'plot growth xrange 0.2 0.5 yrange 1 2 > a.gp; plot growth xscale log yscale log > b.gp; effect row 9
@@ -388,7 +375,6 @@ END
 }
 
 # bats test_tags=sweeps
-# bats test_tags=sweeps
 @test "plot sweep: several answers are curves of one picture, with units if their units differ" {
     picture=$("$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair, 1/s')
     for words in 'rmax, pair, 1/s against s' 'o rmax  *# pair  *+ 1/s' '[0-9] of 30 points lack an answer'; do
@@ -408,7 +394,6 @@ END
     wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.2 3 : rmax, pair' 'up to 6 answers against one parameter, or one answer against two'
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "plot > FILE.tex: a picture for TeX, in which special characters of texts are escaped" {
     cd "$BATS_TEST_TMPDIR"

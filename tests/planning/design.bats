@@ -10,7 +10,6 @@ wood='set q hollow; effect friction 0.3'
 # The published rows have s = 0.46, 0.48 and 0.54, and were found in steps of 0.02 in s. The first of these
 # rows is 12.0 m long before it falls.
 # bats test_tags=engine
-# bats test_tags=engine
 @test "design: rows from 48 mm to 8 m, with friction 0.3" {
     while read -r q safety s r steps feet; do
         answer=$(json "$wood; set q $q; design 8 m safety $safety")
@@ -37,7 +36,6 @@ END
     close seconds "$(values seconds <answers | tail -n 1)" "$(values seconds <answers | head -n 1)" 1e-9
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "design: the row becomes the row of the session, and 'set row' can read it from a file" {
     "$DOMINO" -e "$wood; design 8 m hall 20 m > hall.csv; fall > typed.csv; show s > s.json"
@@ -151,7 +149,6 @@ session_has() { "$DOMINO" -e "$1" | grep 'session now has'; } # COMMANDS
 }
 
 # bats test_tags=engine
-# bats test_tags=engine
 @test "design: if the engine runs rows, the row that is found also falls in the engine" {
     scene='set h 5 cm; set q hollow; set d 0.2; effect friction 0.3; effect slope 0.5 deg; effect row 5'
     answer=$(json "$scene; effect feet 0.4; design 9 m; verdict")
@@ -184,7 +181,6 @@ session_has() { "$DOMINO" -e "$1" | grep 'session now has'; } # COMMANDS
     wrong 'design' 'H is missing; usage: design H \[WISHES\]'
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "design: finds the fewest dominoes for which the lower end of the interval reaches the wanted probability" {
     scene='set q hollow; effect friction 0.3; effect placement 5 mm'

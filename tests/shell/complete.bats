@@ -14,7 +14,6 @@ load common
 }
 
 # bats test_tags=rows,chance,pictures,sweeps,explain,fit,engine
-# bats test_tags=rows,chance,pictures,sweeps,fit
 @test "complete: commands, parameters, topics, words, names of expressions, files" {
     # 'step back', 'step to' and 'step where' and other phrases stand for commands that completion does not offer.
     all=$(json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|costs|effect' | paste -sd ' ' -)

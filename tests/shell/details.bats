@@ -31,13 +31,11 @@ rest() { "$DOMINO" -e "$1 > /dev/null; details"; }
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "below the table of 'fall' one sentence is enough; the weakest domino is a detail" {
     same sentences 1 "$("$DOMINO" -e 'set row 12; fall' | grep -c '\.$')"
     same rest 'The weakest, domino 2, needs 42 % of the energy that it has.' "$(rest 'set row 12; fall')"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "the details are those of the answer, even if the scene has changed; only an answer replaces them" {
     same 'another scene' "$(rest 'count 112')" "$("$DOMINO" -e 'count 112 > /dev/null; set s 0.2; effect row 5; details')"
@@ -65,7 +63,6 @@ rest() { "$DOMINO" -e "$1 > /dev/null; details"; }
     wrong 'let details = 3' "'details' is a command"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "limits in sentences are rounded down: what they allow falls" {
     local scene growth

@@ -40,7 +40,6 @@ END
 }
 
 # bats test_tags=sweeps
-# bats test_tags=sweeps
 @test "missing and surplus arguments: the usage of the command" {
     all_wrong <<'END'
 4|set|^set: .*missing.*set NAME VALUE
@@ -63,7 +62,6 @@ END
 END
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "a value that is not a number: the message says where and what" {
     sed -E 's/^([0-9]+) (.*)/\1|set s \2|^set: (s at|s:|s =|unexpected .* after the value of s;)/' <<'END' | all_wrong
@@ -104,7 +102,6 @@ END
 END
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "a value out of range: the message has the value and the range" {
     while read -r name below above range; do
@@ -158,7 +155,6 @@ END
     done
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "r s > 1 in a command that needs both: the message has r s, and the largest r" {
     for command in thetac 'theta1 0' 'chain 0' 'energy 0' fuel launch 'omega 0' barrier duration; do

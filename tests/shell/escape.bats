@@ -15,7 +15,6 @@ harmless() { # FILE
 }
 
 # bats test_tags=rows,chance,sweeps
-# bats test_tags=rows,chance,sweeps
 @test "names that cannot be shown are escaped in table, csv, json, help and messages" {
     local name=$'a\e[31m\u202e\u009b\xff\tb.csv' shown='a\x1b[31m\u202e\u009b\xff\x09b.csv'
     printf '%s\n' "$two_dominoes" >"$name"
@@ -62,7 +61,6 @@ harmless() { # FILE
 }
 
 # bats test_tags=rows,chance
-# bats test_tags=rows,chance
 @test "long names: complete in json, cut between characters in a table, and no message is hidden" {
     local name
     name=$(printf 'é%.0s' {1..120}).csv
@@ -92,7 +90,6 @@ typed() { printf '"%s"' "${1//\"/\"\"}"; }
 svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g'; }
 
 # bats test_tags=rows,pictures,planning
-# bats test_tags=rows,pictures,planning
 @test "a text in a picture is shown as it is typed, and gnuplot never runs it: in every format, and when a .gp is drawn" {
     local text all
     for text in "${hostile_texts[@]}"; do
@@ -112,7 +109,6 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     done
 }
 
-# bats test_tags=pictures
 # bats test_tags=pictures
 @test "every byte in a title makes a picture, and is shown as itself or as an escape sequence" {
     local byte text
@@ -137,7 +133,6 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
 }
 
 # bats test_tags=pictures
-# bats test_tags=pictures
 @test "the name of a file is a name, not a command, for gnuplot too" {
     local name
     for name in '|touch P1;' '`touch P1`' "'.system('touch P1').'" '"' '~' '!x' '-' '|cat>P1' '%d' ' a ' '$HOME' 'a\b' '<x'; do
@@ -155,7 +150,6 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
 }
 
 # bats test_tags=rows,pictures
-# bats test_tags=rows,pictures
 @test "no file with control characters in its name is written" {
     local name
     for name in $'a\e[31m' $'a\tb' $'a\u009bb' $'a\u202eb' $'\xffb' $'a\rb'; do
@@ -170,7 +164,6 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "a line break in the name of a csv file does not smuggle a command into a saved session" {
     local folder=$'x"\nprint 41 + 1\n"'
     mkdir "$folder" && printf '%s\n' "$two_dominoes" >"$folder/row.csv" && ln -s "$folder/row.csv" link.csv
@@ -181,7 +174,6 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     [ ! -e s.dom ]
 }
 
-# bats test_tags=rows,chance
 # bats test_tags=rows,chance
 @test "endless NUL bytes: the first one ends the file, and the session goes on" {
     for command in 'source /dev/zero' 'pool /dev/zero' 'effect row /dev/zero'; do
@@ -194,7 +186,6 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     same 'the next source' 42 "$output"
 }
 
-# bats test_tags=rows,chance
 # bats test_tags=rows,chance
 @test "an endless line: one message, little memory, and the session goes on" {
     # A line of 100 MB in a session that may take 200 MB, except under sanitizers, which need more

@@ -83,7 +83,6 @@ END
 }
 
 # bats test_tags=sweeps
-# bats test_tags=sweeps
 @test "the end of a value: '1 - 0.5' is one value, '0.1 -0.5' are two" {
     all_worth <<'END'
 0.5|-|1 - 0.5
@@ -333,7 +332,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=rows,sweeps
 @test "with: changes parameters for one answer only" {
     local alone
     alone=$("$DOMINO" -n -e 'set q hollow; set d 0.1; print rmax(0.4)')
@@ -362,7 +360,6 @@ END
 }
 
 # bats test_tags=rows,chance,planning
-# bats test_tags=rows
 @test "a command with a principal column stands for that column, and any other command is an error" {
     local name key list=''
     for name in $("$DOMINO" -e 'complete '); do
@@ -397,7 +394,6 @@ END
     done
 }
 
-# bats test_tags=rows,chance,pictures,sweeps
 # bats test_tags=rows,chance,pictures,sweeps
 @test "commands that take a file or a word have no value in an expression" {
     wrong 'print pool(1)' "'pool FILE' cannot be used in an expression"
@@ -448,7 +444,6 @@ END
     [[ $(wc -l <<<"$output") -ge 2 && $stderr == *'nested too deeply'* ]]
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "an argument without parentheses: the message shows them" {
     wrong 'print energy 0' "in an expression, the argument of 'energy' stands in parentheses: 'energy[(]0[)]'"

@@ -75,7 +75,6 @@ load common
 }
 
 # bats test_tags=sweeps
-# bats test_tags=sweeps
 @test "paths that cannot be written: the message has the path and the reason, and the session goes on" {
     mkdir directory
     echo old >file
@@ -150,7 +149,6 @@ END
 }
 
 # bats test_tags=rows,pictures
-# bats test_tags=rows,pictures
 @test "the name of a file without '>' leads to a message that names '>'" {
     wrong 'draw row.png' "put '>' before its name: '> row.png'\$"
     wrong 'rmax 0.4 x.csv; print 1' "put '>' before its name: '> x.csv'\$"
@@ -181,7 +179,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test ".csv and .json choose the format; .txt, or no extension, means the format of 'set output'" {
     for output in table csv json; do
         "$DOMINO" -e "set output $output; effect row 5; fall > fall.csv; rmax > r.JSON; verdict > v.txt; verdict > v"
@@ -202,7 +199,6 @@ END
 }
 
 # bats test_tags=pictures
-# bats test_tags=pictures
 @test "a picture is drawn whatever 'set output' says; a .csv or .json file gets its data" {
     for output in table csv json; do
         "$DOMINO" -e "set output $output; draw > d.svg; plot energy > e.svg; draw > d.csv; plot energy > e.json"
@@ -218,7 +214,6 @@ END
     same 'characters' "$("$DOMINO" -e draw)" "$(cat d.txt)"
 }
 
-# bats test_tags=rows,chance,pictures
 # bats test_tags=rows,chance,pictures
 @test "a file extension that does not suit the answer is an error before anything is computed, and leaves no file" {
     wrong 'rmax > a.gif' "'a.gif' is the name of a film, which 'rmax' cannot write; use .csv, .json or .txt"
@@ -258,7 +253,6 @@ END
     same 'group and mode' '12 664' "$(stat -c '%g %a' file)"
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "a '>' in a sourced file is written at once, although the outer '>' fails and leaves no file" {
     mkdir files
@@ -318,7 +312,6 @@ END
 }
 
 # bats test_tags=pictures
-# bats test_tags=pictures
 @test "a file that the session is writing is refused under any of its names, and is not changed" {
     answer=$("$DOMINO" -e fuel)
     echo old >twice && ln twice hard && ln twice hard.gif && ln -s twice soft && ln -s new dangling
@@ -362,7 +355,6 @@ END
     [[ $output == *': File name too long' ]]
 }
 
-# bats test_tags=pictures
 # bats test_tags=pictures
 @test "temporary files are in TMPDIR" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'

@@ -6,7 +6,6 @@
 load common
 
 # bats test_tags=lesson
-# bats test_tags=lesson
 @test "lesson: in a pipe it shows the tutorial without waiting, and within a file it shows the rest of the file" {
     golden=$BATS_TEST_DIRNAME/golden/tutorial.out
     same steps 10 "$(grep -c '^---- ' "$golden")"
@@ -155,7 +154,6 @@ lines_run() {
 }
 
 # bats test_tags=chance,pictures,engine
-# bats test_tags=engine
 @test "apropos finds everyday words, and lists the best match first" {
     while read -r word wanted; do
         same "apropos $word" "$wanted" "$("$DOMINO" -e "apropos $word" | grep -oxE "$wanted( .*)?" | cut -c "-${#wanted}")"
@@ -184,7 +182,6 @@ END
     for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done
 }
 
-# bats test_tags=chance,pictures
 # bats test_tags=chance,pictures
 @test "help is one screen; a group has a line for each of its commands, and 'help all' for every command" {
     run -0 "$DOMINO" -e help

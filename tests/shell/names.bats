@@ -31,7 +31,6 @@ END
 }
 
 # bats test_tags=rows,chance,pictures,sweeps
-# bats test_tags=rows,chance,pictures,sweeps
 @test "messages suggest the right name after a misspelling, and list the candidates after an ambiguous abbreviation" {
     all_wrong <<'END'
 1|barier|^unknown command 'barier'; did you mean 'barrier'\?$
@@ -102,7 +101,6 @@ END
 }
 
 # bats test_tags=rows,chance,pictures,sweeps,fit
-# bats test_tags=rows,chance,pictures,sweeps,fit
 @test "an unknown name: the message has a suggestion, the possible names, or where they are listed, but never two of these" {
     while IFS='|' read -r line message; do
         run -1 "$DOMINO" --keep-going -e "$line"
@@ -137,7 +135,6 @@ END
     same 'an effect' "$("$DOMINO" -e 'effect friction 0.1; fuel')" "$("$DOMINO" -e 'effect Friction 0.1; FUELS')"
 }
 
-# bats test_tags=rows,pictures,sweeps
 # bats test_tags=rows,pictures,sweeps
 @test "one or two letters are no effect's name, as w may be a width" {
     local before line

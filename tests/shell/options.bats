@@ -97,7 +97,6 @@ END
 }
 
 # bats test_tags=sweeps
-# bats test_tags=sweeps
 @test "output that cannot be written gives a message and status 1" {
     [ -c /dev/full ] || skip 'no /dev/full'
     for arguments in '-e fuel' '-e help' '--help' '--version' '-e curve\ 0.1\ 0.9\ 200'; do
@@ -108,7 +107,6 @@ END
     done
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "a closed pipe ends even a long answer" {
     # Ten million rows would take hours.
@@ -143,7 +141,6 @@ END
     same 'bare environment' "$expected" "$(env -i "$DOMINO" -e 'set output json; fuel; show')"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "-i reads standard input after the other sources, and a .csv file is a row" {
     printf 'set s 0.3\n' >s.dom

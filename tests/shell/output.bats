@@ -83,7 +83,6 @@ null_of() { # COMMANDS SELECTION KEY REASON
 }
 
 # bats test_tags=rows,chance
-# bats test_tags=rows,chance
 @test "in tables, the labels of every command are its keys" {
     while IFS='|' read -r call expected; do
         answer=$("$DOMINO" -e "$call")
@@ -120,7 +119,6 @@ null_of() { # COMMANDS SELECTION KEY REASON
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "csv: the header consists of the keys, and the rows agree with json" {
     answered=0
     while IFS='|' read -r call expected; do
@@ -150,7 +148,6 @@ null_of() { # COMMANDS SELECTION KEY REASON
     same 'theta_c is a tilt' "$theta_c" "$(json "theta1 $theta_c" | values theta)"
 }
 
-# bats test_tags=rows,sweeps
 # bats test_tags=rows,sweeps
 @test "json: an object for each command, with the name of the command, also for errors" {
     while IFS='|' read -r line expected; do
@@ -202,7 +199,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=rows,sweeps
 @test "csv and json say that an answer is about the train although a row is on" {
     for format in json csv; do
         for call in rmax 'pair 0.3' 'thetac' 'curve 0.3 0.5 2'; do
@@ -214,7 +210,6 @@ END
     done
 }
 
-# bats test_tags=rows,chance,pictures,sweeps
 # bats test_tags=rows,chance,pictures,sweeps
 @test "all commands in all outputs and precisions: every number is finite or null" {
     local scene precision style status errors sessions=0
@@ -247,7 +242,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=rows,sweeps
 @test "values that a precision cannot represent are null in json and empty in csv, with the reason" {
     null_of 'print 1e400' true value "too large for double precision; quad precision has a wider range"
     null_of 'print -1e4000' true value 'too large for double precision'
@@ -270,7 +264,6 @@ END
     [[ $output == *$'\n60,,,,' ]]
 }
 
-# bats test_tags=rows,chance,pictures
 # bats test_tags=rows,chance,pictures
 @test "a contact at the hinge, and a foot that no friction can hold, are explained in words" {
     [[ $("$DOMINO" -e 'set s 1; set r 1; draw forces') == *'weight: 0: no force is enough'* ]]

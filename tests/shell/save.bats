@@ -6,7 +6,6 @@
 load common
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "a saved session and its row file can be moved together, and are found from any folder" {
     mkdir -p here/rows other
     for height in 48 24; do
@@ -27,7 +26,6 @@ load common
     same 'to a device' "set row \"$PWD/there/row.csv\"" "$("$DOMINO" -e 'effect row there/row.csv; save /dev/stdout' | grep 'set row')"
 }
 
-# bats test_tags=rows,chance
 # bats test_tags=rows,chance
 @test "save keeps the scene, and source brings it back" {
     scene="effect friction 0.3; effect row $root/examples/record.csv; effect push 3; place 8 0.75; effect placement 2 mm 0.01; effect floor 0.5"
@@ -108,7 +106,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "a saved session names its csv file byte for byte, whatever its name is" {
     local name quoted
     for name in 'a b.csv' 'a"b.csv' 'a "" ";#>b.csv' 'θ − ×.csv' $'x\u00a0y.csv' $'\xff\x80.csv' 'a ~root b.csv' \
@@ -123,15 +120,13 @@ END
     done
 }
 
-# bats test_tags=rows,engine
-# bats test_tags=rows,chance,engine
+# bats test_tags=rows,engine,chance
 @test "a saved session can be sourced whatever effects are on" {
     "$DOMINO" -e 'save plain.dom'
     same 'nothing differs' "All parameters have their defaults, and no effect is on. 'show all' lists them." \
         "$("$DOMINO" -e 'effect row 5; effect feet 0.5; effect error_floor 0.05; effect error_place 1 mm; source plain.dom' -e diff)"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "save replaces no table, no picture and no file of the row" {
     printf '%s\n' "$two_dominoes" | tee mine.csv row >kept

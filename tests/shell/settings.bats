@@ -21,7 +21,7 @@ columns_in_line() { # WHAT FILLED
         END { exit bad || rows == 0 }'
 }
 
-# bats test_tags=rows,chance
+# bats test_tags=rows,chance,engine
 @test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
     json show >all
     same names 's r d q width tol h g mass density fuel precision method seed threads output header digits angle errors timing hints' "$(values name <all | paste -sd ' ' -)"
@@ -83,7 +83,6 @@ END
 }
 
 # bats test_tags=sweeps
-# bats test_tags=sweeps
 @test "timing: a time follows every answer, in csv and json on standard error" {
     number='[0-9.e+-]+ ms'
     for commands in fuel 'chain 0.1' 'count 112' 'print 1' 'show s' 'curve 0.2 0.4 2'; do
@@ -123,7 +122,6 @@ END
 }
 
 # bats test_tags=rows,chance
-# bats test_tags=rows
 @test "show: 'walls' with both lengths" {
     same both 'walls 18 mm, 0.3 m' "$("$DOMINO" -e 'set walls 18 mm 30 cm; show walls' | awk 'NR == 2 { print $1, $2, $3, $4, $5 }')"
 }
@@ -139,7 +137,6 @@ END
     "$DOMINO" -e 'help set' | sed -e '1,/^The parameters now/d' -e '/^$/,$d' | columns_in_line 'help set' 'name value range default meaning'
 }
 
-# bats test_tags=rows,planning
 # bats test_tags=rows,planning
 @test "set s, r and d say that they do not change a row from a file, and which command makes a row from them" {
     for name in s r d; do

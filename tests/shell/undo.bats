@@ -6,7 +6,6 @@
 load common
 
 # bats test_tags=rows,planning
-# bats test_tags=rows,planning
 @test "undo and redo: all kinds of changes of the scene" {
     printf 'set s 0.3\nset r 1.2\n' >two.dom
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n60, 8, 20\n80, 9, 30\n' >row.csv
@@ -41,7 +40,6 @@ END
 }
 
 # bats test_tags=rows,chance
-# bats test_tags=rows,chance
 @test "undo: the message, the end of the list, and a change that changes nothing" {
     same 'says' 'undone: r = 2' "$("$DOMINO" -e 'r = 2; undo')"
     same 'again' 'done again: r = 2' "$("$DOMINO" -e 'r = 2; undo > /dev/null; redo')"
@@ -65,7 +63,6 @@ END
     same 'a function' 5001 "$(sed 's/\..*//' out)"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "diff: lists differences from the defaults" {
     same none "All parameters have their defaults, and no effect is on. 'show all' lists them." "$("$DOMINO" -e diff)"

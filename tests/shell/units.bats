@@ -11,7 +11,6 @@ shown() { # KEY COMMANDS
 }
 
 # bats test_tags=sweeps
-# bats test_tags=sweeps
 @test "s and d as lengths are divided by h" {
     same 's' "$(json 'set s 0.5; set d 7/48; duration')" "$(json 'set s 2.4 cm; set d 7 mm; duration')"
     same 'of another h' 0.25 "$(json 'set h 8 cm; set s 2 cm; show s' | values value)"
@@ -92,7 +91,6 @@ END
 }
 
 # bats test_tags=sweeps
-# bats test_tags=sweeps
 @test "set and arguments take numbers as people write them, with units" {
     while IFS='|' read -r name text value; do
         close "set $name $text" "$value" "$(json "set $name $text; show $name" | values value)"
@@ -137,7 +135,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "a rotation may be given as a frequency, since radians are often left out; a growth that is nearly 1 is not shown as 1" {
     same 'push' "$("$DOMINO" -n -e 'set output csv; effect row 6; effect push 8 rad*sqrt(g/h); verdict')" \
         "$("$DOMINO" -n -e 'set output csv; effect row 6; effect push 8*sqrt(g/h); verdict')"
@@ -147,7 +144,6 @@ END
     [[ $output == *'can each be 1.000001 times as large'* ]]
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "units of kinds that do not fit: the message names both kinds" {
     all_wrong <<'END'
@@ -250,7 +246,6 @@ END
 }
 
 # bats test_tags=rows,chance,sweeps,engine
-# bats test_tags=rows,chance,sweeps
 @test "units as words, singular and plural; decimal commas and percent are explained" {
     same words '0.0508 0.6096 2.7432 0.005 0.05 1.5708' "$(printf '%s\n' '2 inch' '2 feet' '3 yards' '5 grams' '50 millimetres' '90 degrees to rad' |
         "$DOMINO" | awk 'NF { print $1 }' | paste -sd ' ' -)"
@@ -288,7 +283,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=rows,sweeps
 @test "tables show lengths in mm, cm or m, and masses in g or kg; csv and json always have m and kg" {
     local pair
     for pair in '9.99 mm|9.99 mm' '10 mm|1 cm' '4.8 cm|4.8 cm' '99.9 cm|99.9 cm' '1 m|1 m' '112 m|112 m' '0.001 mm|0.001 mm'; do
@@ -318,7 +312,6 @@ END
     same 'and cancel' 1 "$("$DOMINO" -e 'print ((1 m)^64)^15 / ((1 m)^60)^16')"
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "lengths stay lengths: the order of commands does not matter, and show and save write what was typed" {
     local name value
@@ -350,7 +343,6 @@ END
 }
 
 # bats test_tags=rows,sweeps,planning
-# bats test_tags=rows,sweeps,planning
 @test "a push may be the speed of the first domino's upper edge, and stays this speed" {
     same 'in rad/s' "$(json 'set row 5; set push 3; verdict')" "$(json 'set row 5; set push 0.144 m/s; verdict')"
     same 'in other units' "$(json 'set row 5; set push 0.144 m/s; verdict')" "$(json 'set row 5; set push 14.4 cm/s; verdict')"
@@ -372,7 +364,6 @@ END
     wrong 'set row 5; set push 3 m' 'or as the speed of the top, such as 0.5 m/s'
 }
 
-# bats test_tags=rows,planning
 # bats test_tags=rows,planning
 @test "masses: one unit in a table, that of the row's file, and tonnes for heavy rows" {
     # Prints the unit and the masses of the row in a file whose column is "mass (UNIT)", or by a density.

@@ -50,7 +50,6 @@ END
 }
 
 # bats test_tags=sweeps
-# bats test_tags=sweeps
 @test "let: a one-line function" {
     all_print <<'END'
 let f(s) = rmax(s)*s; f(0.3)|0.454336

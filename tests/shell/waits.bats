@@ -36,7 +36,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=sweeps
 @test "a slow reader of a non-blocking pipe or terminal gets every byte" {
     local rows='set output csv; sweep s 0.001 0.999 4000 : print s*1' stream
     "$DOMINO" -n -e "$rows" >expected
@@ -57,7 +56,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=sweeps
 @test "a non-blocking standard input is waited for, and /dev/stdout and FIFOs get every byte" {
     python3 - >obtained <<'END'
 import os, subprocess, time
@@ -84,7 +82,6 @@ END
 }
 
 # bats test_tags=rows,sweeps
-# bats test_tags=sweeps
 @test "a log into a FIFO, or into a non-blocking pipe, gets every byte from a program whose reader is slow" {
     local rows='set output csv; sweep s 0.001 0.999 4000 : print s*1' to
     "$DOMINO" -n -e "$rows" >expected
@@ -110,7 +107,6 @@ END
 }
 
 # bats test_tags=rows,chance,sweeps
-# bats test_tags=rows,chance,sweeps
 @test "a study that is killed has written its rows, but not each row by itself" {
     exec 5< <(exec "$DOMINO" -n -e 'set output csv; set threads 1; effect row 12; effect placement 5 mm; sweep seed 1 100000 100000 : placement 300' 3>&-)
     local child=$! row
@@ -120,7 +116,6 @@ END
     exec 5<&-
 }
 
-# bats test_tags=rows,chance
 # bats test_tags=rows,chance
 @test "the answer before a long computation is written before it" {
     exec 5< <(exec "$DOMINO" -n -e 'print 1; print 41 + 1; effect row 13; effect placement 8 mm; placement 9000000' 3>&-)

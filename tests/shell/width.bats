@@ -5,7 +5,6 @@
 load common
 
 # bats test_tags=rows,sweeps,explain
-# bats test_tags=sweeps,explain
 @test "width: a parameter like the others, and 'w' is short for it" {
     same 'show' 'width 24 mm' "$("$DOMINO" -e 'set width 24 mm; show' | awk '$1 == "width" { print $1, $2, $3 }')"
     for name in w wi width Width; do
@@ -29,7 +28,6 @@ load common
 }
 
 # bats test_tags=rows,planning
-# bats test_tags=rows,planning
 @test "width: masses from a density, and boxes" {
     local mass
     mass=$(awk 'BEGIN { print 700 * 48 * 7 * 30 / 1e9 }')
@@ -48,7 +46,6 @@ load common
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "width: a length is the width of domino 1, and 'set' says how wide the last one is" {
     same 'wider' "40 cm is the width of domino 1, and domino 5 is 2.02 m wide; 'change all width 40 cm' sets all widths." \
         "$("$DOMINO" -e 'set row 5; set width 40 cm')"
@@ -56,7 +53,6 @@ load common
     same 'equal dominoes, a share, or no row' 42 "$("$DOMINO" -e 'set width 4 cm; set row 5; set r 1; set width 40 cm; set r 1.2; set width 0.7; print 42')"
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "width: rows from files, in which a width of their own counts" {
     printf 'height (mm), thickness (mm), gap (mm), density (g/cm^3)\n48, 7, -, 0.7\n72, 10, 20, 0.7\n' >plain.csv
@@ -73,7 +69,6 @@ load common
     same 'changed' '0.02 0.03' "$(json 'set row plain.csv; set width 20 mm; change 2 width 3 cm; row' | values width | paste -sd ' ')"
 }
 
-# bats test_tags=rows,planning
 # bats test_tags=rows,planning
 @test "width: designs, and the tower" {
     close 'mass of a design' 2 "$(json 'set density 700; design 1 m; undo; set width 1; design 1 m' | values mass | paste -sd ' ' | awk '{ print $2 / $1 }')"

@@ -108,7 +108,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "solve: no value of the range makes a verdict true" {
     same push 'verdict: no push from 0 to 30 rad/s makes it true that all dominoes fall.' \
         "$("$DOMINO" -e 'set s 0.2; set row 12; solve push : verdict')"

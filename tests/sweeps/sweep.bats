@@ -36,6 +36,7 @@ each_sweep() { # SETTING FORMAT...
     done
 }
 
+# bats test_tags=rows
 @test "the output is the same on any number of threads" {
     for threads in 1 2 3 4 0; do
         mkdir "$BATS_TEST_TMPDIR/$threads" && cd "$BATS_TEST_TMPDIR/$threads"
@@ -258,6 +259,7 @@ END
     chmod +x mortal
 }
 
+# bats test_tags=rows,chance
 @test "examples/cluster: two workers of GNU parallel, one of which is killed, give the whole sweep and the whole studies" {
     mortal
     DOMINO=$PWD/mortal PARALLEL=--jobs=2 "$root/examples/cluster/parallel.sh" 5 "$PWD"
@@ -281,6 +283,7 @@ END
     [[ $(head -n 1 part) = 0.501,0.001,* ]]
 }
 
+# bats test_tags=rows,chance,planning
 @test "examples/cluster: the parts of a sweep of 'improve' over several seeds add up to the whole" {
     # Rows of three with precise gaps all fall, which needs no search.
     sed 's/placement 5 mm/placement 0.01 mm/; s/row 11/row 3/; s/ 20 20 / 4 4 /' "$root/examples/cluster/improve.dom" >scene.dom

@@ -6,7 +6,6 @@
 load ../shell/common
 
 # bats test_tags=rows,explain,proof
-# bats test_tags=explain
 @test "cost: a row for each method, precision and tolerance, and a summary in words" {
     run -0 "$DOMINO" -e 'cost rmax details'
     for word in paper GSL ours proved float double quad; do grep -q "\b$word\b" <<<"$output"; done
@@ -54,7 +53,6 @@ load ../shell/common
     [[ $output == *'r s = 3.6 > 1'* ]]
 }
 
-# bats test_tags=pictures,explain
 # bats test_tags=pictures,explain,engine
 @test "plot cost: the labels of the picture, and its data" {
     run -0 "$DOMINO" -e 'plot cost launch'

@@ -73,7 +73,6 @@ falls() { # SCENE DOMINOES
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "count agrees with 'verdict' about a row whose first domino tips over or is pushed" {
     while IFS='|' read -r scene dominoes feasible goes_on; do
         answer=$(json "$scene; count 112" | tail -n 1)
@@ -104,7 +103,6 @@ effect edges 0.01; set r 1.5|20|true|true
 END
 }
 
-# bats test_tags=rows
 # bats test_tags=rows
 @test "count: how a row ends if its first domino just tips over, and how many dominoes are needed at a smaller growth" {
     answer=$("$DOMINO" -e 'count 112 m 1.64 details')

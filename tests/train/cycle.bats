@@ -158,7 +158,6 @@ END
 }
 
 # bats test_tags=rows,chance,pictures,explain
-# bats test_tags=rows,chance,pictures
 @test "draw without T shows the state of 'where', whatever has changed since the last step" {
     local change where
     for change in 'set s 0.3' 'set r 1.4' 'set d 0.2' 'set q 3' 'set tol 1e-9' 'set fuel paper' \

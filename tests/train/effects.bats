@@ -7,7 +7,6 @@
 load ../shell/common
 
 # bats test_tags=rows,chance,engine
-# bats test_tags=rows,chance,engine
 @test "effects are off by default, and then none of their code runs; each effect runs only its own code" {
     run -0 json 'cost effects'
     same states off "$(values state <<<"$output" | sort -u)"
@@ -33,7 +32,6 @@ END
 }
 
 # bats test_tags=rows,chance
-# bats test_tags=rows,chance
 @test "an effect that has been switched off again changes no answer" {
     for effect in 'friction 0.3' 'row 9; effect push 3; verdict' 'floor 1; scene'; do
         differ "effect $effect" "$(json 'rmax; barrier; duration')" "$(json "effect $effect; rmax; barrier; duration")"
@@ -46,7 +44,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same reset "$(json rmax)" "$(json 'effect friction 0.3; effect row 9; reset; rmax')"
 }
 
-# bats test_tags=sweeps
 # bats test_tags=sweeps
 @test "friction: r_max, front speeds and verdicts; all are smaller than without friction" {
     close 's = 0.2' 1.48474793410 "$(json 'set q hollow; effect friction 0.2; rmax 0.2' | values r_max)"
@@ -64,7 +61,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 # bats test_tags=rows,explain,engine
-# bats test_tags=rows,engine
 @test "slope: r_max, an error if no domino stands, and no paper fuel" {
     close '1 degree' 1.64507145 "$(json 'set q hollow; effect slope 1 deg; rmax 0.2' | values r_max)" 1e-8
     close '1 degree uphill' 1.93981351 "$(json 'set q hollow; effect slope -1 deg; rmax 0.4' | values r_max)" 1e-8
@@ -82,7 +78,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 # bats test_tags=rows,explain,fit
-# bats test_tags=rows
 @test "edges: r_max, lengths over h, a radius that does not fit, and what cannot be combined with them" {
     close 'rounded by 1 %' 1.649661 "$(json 'set q hollow; effect edges 0.01; rmax 0.2' | values r_max)" 1e-6
     close 'a length' 1.649661 "$(json 'set q hollow; effect edges 0.48 mm; rmax 0.2' | values r_max)" 1e-6
@@ -95,7 +90,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'a row' 'all fall' "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
 }
 
-# bats test_tags=rows,pictures,sweeps
 # bats test_tags=rows,pictures,sweeps
 @test "edges: the reach is (1 - 2 rho + rho pi/2)/s in every answer, even if it is below 1" {
     local scene='effect edges 0.05' row
@@ -114,7 +108,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 # bats test_tags=rows,explain,proof
-# bats test_tags=rows,proof
 @test "edges: step, why, thetac and scene name their equations; there is no paper fuel and no proof; a row file keeps the radii" {
     run -0 "$DOMINO" -e 'effect edges 0.01; step details; step; step details; why; thetac; scene'
     for text in 'J(0) omega(0) = (J(0) - i(0)) omega_1' 'the share i(0)/J(0)' 'rho theta_c + (1 - 2 rho) sin theta_c = r s' "Halley's method"; do
@@ -143,7 +136,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     done
 }
 
-# bats test_tags=rows,chance,sweeps,explain
 # bats test_tags=rows,chance,sweeps,explain,engine
 @test "effects that need each other, or cannot be combined, say so" {
     # What is about a row may be set before there is a row, but a command about the row needs one.
@@ -166,8 +158,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 4; effect placement 1 mm; budget 2' 'P = 2 is out of range; P is a probability'
 }
 
-# bats test_tags=rows,chance,explain
-# bats test_tags=rows,chance,engine
+# bats test_tags=rows,chance,explain,engine
 @test "an effect is a parameter whose default is off: set, show and reset work as effect does" {
     same off off "$(json 'show friction' | values value)"
     for with in 'friction 0.2|rmax' 'floor 0.5|slip' 'row 6|scene' "row $root/examples/record.csv|scene" 'placement 1 mm 0.01|scene'; do
@@ -195,7 +186,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 # bats test_tags=rows,chance,engine
-# bats test_tags=rows,chance
 @test "values of effects: units, ranges, missing and surplus arguments" {
     wrong 'effect friction' "MU, the friction coefficient, is missing; enter, for example, 'set friction 0.2'"
     wrong 'effect friction -1' 'MU = -1 is out of range'
@@ -213,14 +203,12 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "a wrong value does not change the scene" {
     before=$("$DOMINO" -e 'effect friction 0.2; effect row 4; scene')
     after=$("$DOMINO" --keep-going -e 'effect friction 0.2; effect row 4; effect friction x; effect row 0; effect push -1; effect foo; scene' 2>/dev/null || true)
     same scene "$before" "$after"
 }
 
-# bats test_tags=rows,chance,engine
 # bats test_tags=rows,chance,engine
 @test "the floor: the friction that the struck domino needs, and the verdict" {
     # The head needs the most: |1/2 - (1 + d^2)/(3 a)| / (d/2) with a = sqrt(1/r^2 - s^2).
@@ -246,7 +234,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 # bats test_tags=rows,chance,explain,fit,proof,engine,planning
-# bats test_tags=rows,chance,proof,engine,planning
 @test "walls: times of a train, masses and inertia of a row, and walls that have no room" {
     close 'thin walls' 1.02806 "$(awk -v a="$(json 'effect walls 1e-6; duration' | values seconds)" -v b="$(json 'duration' | values seconds)" 'BEGIN { printf "%.17g", a / b }')" 1e-5
     same 'a solid block' "$(json 'duration' | values seconds)" "$(json 'effect walls 3.5 mm; duration' | values seconds)"
@@ -300,7 +287,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "'on' prints the value that it chose, but not in csv and json" {
     while IFS='|' read -r command line; do
         same "$command" "$line" "$("$DOMINO" -e "$command" | tail -n 1)"
@@ -315,7 +301,6 @@ END
     same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
 }
 
-# bats test_tags=rows,chance,engine
 # bats test_tags=rows,chance,engine
 @test "effects: columns are aligned, however long the settings are" {
     count=$("$DOMINO" -e 'set output csv; effects' | sed 1d | wc -l)

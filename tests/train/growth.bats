@@ -50,7 +50,6 @@ END
 }
 
 # bats test_tags=rows
-# bats test_tags=rows
 @test "rmax names two limits if they differ: for a row that starts, and for a train that is already moving" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax details')
     for words in '1\.64422 times as large' 'A row that starts from rest can have a growth of up to 1\.59459 if its first domino just tips over' \
@@ -74,7 +73,6 @@ END
     grep -q '"r_start":null,"reason":"r_start has no value: no row falls' <<<"$answer"
 }
 
-# bats test_tags=explain
 # bats test_tags=explain
 @test "an open limit is no number: a dip of the margin touches 0 within rounding errors, even in quad" {
     local scene='set precision quad; set d 0.254524; set q 0.474363'
