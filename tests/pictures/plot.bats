@@ -88,7 +88,7 @@ END
         awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 540) }'
 }
 
-# bats test_tags=rows
+# bats test_tags=rows,chance
 @test "plot: every point is drawn, up to the ends of the axes, even if all values are nearly equal" {
     circles() { grep -c "href='#gpPt5' transform" a.svg; }
     "$DOMINO" -e 'effect row 8; plot placement 40 > a.svg'
@@ -234,7 +234,7 @@ END
     "$DOMINO" -e 'plot sweep d 0.001 1 7 log : rmax' | grep -q '^ *0.001 .*0.01 .*0.1 .*1$'
 }
 
-# bats test_tags=rows,explain,engine
+# bats test_tags=rows,explain,engine,chance
 @test "what cannot be plotted: an error in one line that says what to do, and no file" {
     wrong 'plot energy rmax' "'plot energy' takes no arguments"
     wrong 'plot growth pair' "unknown word after 'plot growth' 'pair'; use one of: paper"
