@@ -5,7 +5,7 @@
 
 load common
 
-# bats test_tags=rows,planning
+# bats test_tags=rows,planning,sweeps
 @test "'> FILE' and '>> FILE' after any command" {
     while IFS='|' read -r call _; do
         case $call in design*) continue ;; esac # a file gets the designed row: see plan.bats

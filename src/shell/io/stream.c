@@ -127,34 +127,35 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
 enum { HELD_MOST = 1 << 16 };
 #define ROW_SECONDS 0.2
 
-static FILE *standard;
+static FILE *standard, *messages;
 static double flushed; /* when standard output was last flushed, as terminal_clock() */
+
+/* Returns *stream, which it opens at the first call, or `other` if it cannot be opened. */
+static FILE *stream_once(FILE **stream, struct channel *channel, int buffering, FILE *other)
+{
+    /* Standard error stays open for what comes after the program's last message. */
+    const struct system_stream functions = {.write = channel_write,
+                                            .close = other == stderr ? NULL : channel_end};
+    if (!*stream) {
+        *stream = system_stream(channel, "w", functions);
+        if (*stream)
+            setvbuf(*stream, NULL, buffering, HELD_MOST);
+    }
+    return *stream ? *stream : other;
+}
 
 FILE *io_stdout(const volatile sig_atomic_t *interrupt)
 {
     static struct channel channel = {.file = STDOUT_FILENO};
-    const struct system_stream functions = {.write = channel_write, .close = channel_end};
-    if (!standard) {
+    if (!standard)
         channel.interrupt = interrupt;
-        standard = system_stream(&channel, "w", functions);
-        if (standard)
-            setvbuf(standard, NULL, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, HELD_MOST);
-    }
-    return standard ? standard : stdout;
+    return stream_once(&standard, &channel, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, stdout);
 }
-
-static FILE *messages;
 
 FILE *io_stderr(void)
 {
     static struct channel channel = {.file = STDERR_FILENO};
-    const struct system_stream functions = {.write = channel_write};
-    if (!messages) {
-        messages = system_stream(&channel, "w", functions);
-        if (messages)
-            setvbuf(messages, NULL, _IONBF, 0);
-    }
-    return messages ? messages : stderr;
+    return stream_once(&messages, &channel, _IONBF, stderr);
 }
 
 void io_stderr_end(void)

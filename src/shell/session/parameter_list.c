@@ -248,9 +248,6 @@ void parameters_add(const struct parameter *p, bool (*has)(const char *feature))
 
 const char *parameter_missing(const char *name)
 {
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (strcmp(p->name, name) == 0)
-            return NULL;
     for (const struct parameter *p = every_parameter; p->name; p++)
         if (strcmp(p->name, name) == 0)
             return p->feature;

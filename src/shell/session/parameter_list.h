@@ -65,7 +65,7 @@ void parameters_of_features(bool (*has)(const char *feature));
  * which `has` returns false, adds its description alone. */
 void parameters_add(const struct parameter *effect, bool (*has)(const char *feature));
 
-/* Returns the feature to which a parameter belongs that this build lacks, or NULL. */
+/* Returns the feature to which a parameter belongs that is not in session_parameters, or NULL. */
 const char *parameter_missing(const char *name);
 
 #endif

@@ -97,7 +97,7 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
                      : names_find(list, NULL, what, word, message);
     if (is_short && k >= 0)
         k = names_exact(list, NULL, without_effects_names(&without, k));
-    const char *feature = k < 0 ? parameter_missing(word) : NULL;
+    const char *feature = k < 0 && !parameter_find(word) ? parameter_missing(word) : NULL;
     if (feature) {
         snprintf(message, NAMES_MESSAGE, "'%s' belongs to '%s', which this build of the program leaves out",
                  word, feature);
