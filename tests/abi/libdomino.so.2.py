@@ -28,38 +28,39 @@ class dom_status(IntEnum):
     DOM_BAD_TIME = 17
     DOM_BAD_G = 18
     DOM_BAD_PUSH = 19
-    DOM_BAD_COUNT = 20
-    DOM_BAD_HEIGHT = 21
-    DOM_BAD_THICKNESS = 22
-    DOM_BAD_GAP = 23
-    DOM_BAD_MASS = 24
-    DOM_BAD_RADIUS = 25
-    DOM_BAD_LEAN = 26
-    DOM_BAD_ERROR = 27
-    DOM_BAD_ROWS = 28
-    DOM_BAD_PROBABILITY = 29
-    DOM_BAD_SAFETY = 30
-    DOM_BAD_HALL = 31
-    DOM_OUT_OF_REACH = 32
-    DOM_NO_FUEL = 33
-    DOM_STOPS = 34
-    DOM_LOCKS = 35
-    DOM_NO_STAND = 36
-    DOM_NO_ROOM = 37
-    DOM_NO_ROUND = 38
-    DOM_NO_LEAN = 39
-    DOM_NO_AIR = 40
-    DOM_NO_MARGIN = 41
-    DOM_NO_GROWTH = 42
-    DOM_OPEN = 43
-    DOM_TOO_LONG = 44
-    DOM_UNDERFLOW = 45
-    DOM_NO_PRECISION = 46
-    DOM_NO_METHOD = 47
-    DOM_NOT_FINITE = 48
-    DOM_NOT_CONVERGED = 49
-    DOM_NO_MEMORY = 50
-    DOM_INTERRUPTED = 51
+    DOM_BAD_RELEASE = 20
+    DOM_BAD_COUNT = 21
+    DOM_BAD_HEIGHT = 22
+    DOM_BAD_THICKNESS = 23
+    DOM_BAD_GAP = 24
+    DOM_BAD_MASS = 25
+    DOM_BAD_RADIUS = 26
+    DOM_BAD_LEAN = 27
+    DOM_BAD_ERROR = 28
+    DOM_BAD_ROWS = 29
+    DOM_BAD_PROBABILITY = 30
+    DOM_BAD_SAFETY = 31
+    DOM_BAD_HALL = 32
+    DOM_OUT_OF_REACH = 33
+    DOM_NO_FUEL = 34
+    DOM_STOPS = 35
+    DOM_LOCKS = 36
+    DOM_NO_STAND = 37
+    DOM_NO_ROOM = 38
+    DOM_NO_ROUND = 39
+    DOM_NO_LEAN = 40
+    DOM_NO_AIR = 41
+    DOM_NO_MARGIN = 42
+    DOM_NO_GROWTH = 43
+    DOM_OPEN = 44
+    DOM_TOO_LONG = 45
+    DOM_UNDERFLOW = 46
+    DOM_NO_PRECISION = 47
+    DOM_NO_METHOD = 48
+    DOM_NOT_FINITE = 49
+    DOM_NOT_CONVERGED = 50
+    DOM_NO_MEMORY = 51
+    DOM_INTERRUPTED = 52
 
 
 class dom_precision(IntEnum):
@@ -88,9 +89,10 @@ class dom_effect_name(IntEnum):
     DOM_EFFECT_drag = 5
     DOM_EFFECT_row = 6
     DOM_EFFECT_push = 7
-    DOM_EFFECT_placement = 8
-    DOM_EFFECT_floor = 9
-    DOM_EFFECT_COUNT = 10
+    DOM_EFFECT_release = 8
+    DOM_EFFECT_placement = 9
+    DOM_EFFECT_floor = 10
+    DOM_EFFECT_COUNT = 11
 
 DOM_DYNAMICS_COUNT = 6
 DOM_EFFECT_ARGUMENTS = 3
@@ -138,6 +140,7 @@ class dom_row_end(IntEnum):
     DOM_ROW_PARTS = 5
     DOM_ROW_LOCKS = 6
     DOM_ROW_SKEWED = 7
+    DOM_ROW_BACK = 8
 
 
 class dom_least(IntEnum):
@@ -380,7 +383,7 @@ dom_work._fields_ = [
     ("passes", c_size_t),
     ("dominoes", c_size_t),
     ("longest", c_size_t),
-    ("entered", c_size_t * 10),
+    ("entered", c_size_t * 11),
 ]
 dom_train._fields_ = [
     ("s", c_double),
@@ -564,6 +567,7 @@ dom_row._fields_ = [
     ("count", c_size_t),
     ("g", c_double),
     ("push", c_double),
+    ("release", c_double),
     ("mu", c_double),
     ("alpha", c_double),
     ("walls", c_double),
@@ -652,6 +656,7 @@ dom_wish._fields_ = [
     ("hall", c_double),
     ("g", c_double),
     ("push", c_double),
+    ("release", c_double),
     ("least", c_int),
     ("engine", POINTER(dom_engine)),
     ("walls", c_double),
@@ -767,6 +772,7 @@ FUNCTIONS = {
     "dom_lean_limits": (None, [POINTER(dom_domino), c_double, c_double, POINTER(c_double)]),
     "dom_row_default": (dom_row, []),
     "dom_row_run": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_bool, dom_fall_visit, c_void_p, POINTER(dom_verdict)]),
+    "dom_row_touch": (c_int, [POINTER(dom_row), POINTER(dom_compute), POINTER(c_double)]),
     "dom_row_watch": (c_int, [POINTER(dom_row), POINTER(dom_compute), POINTER(c_double), c_size_t, dom_moment_visit, c_void_p, POINTER(dom_verdict)]),
     "dom_row_of_train": (None, [POINTER(dom_train), POINTER(dom_scale), c_double, POINTER(dom_domino), c_size_t]),
     "dom_row_rmax": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_double, dom_row_make, c_void_p, POINTER(dom_row_growth)]),
