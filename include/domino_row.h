@@ -211,7 +211,8 @@ struct dom_verdict {
     /* The time in s until all dominoes lie on the floor. If the fall ends early, the time until the last hit.
      * NaN if times were not requested. */
     dom_real seconds;
-    /* the number of the falling domino with the smallest margin / barrier; 0 if there is none */
+    /* the number of the falling domino with the smallest margin / barrier, apart from dominoes that begin at
+     * rest; 0 if there is none */
     size_t weakest;
     dom_real spare; /* margin / barrier of the weakest domino; infinite without a barrier */
 };

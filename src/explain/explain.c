@@ -190,8 +190,9 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
     if (!row_run(query, problem, false, &run))
         return false;
     const struct domq_verdict v = run.verdict;
-    const size_t count = run.scene.row.count, k = v.end == DOM_ROW_STOPS ? v.domino : v.weakest;
-    bool by_energy = (v.end == DOM_ROW_STOPS || v.end == DOM_ROW_FALLS) && k > 0;
+    const bool stops = v.end == DOM_ROW_STOPS || v.end == DOM_ROW_BACK;
+    const size_t count = run.scene.row.count, k = stops ? v.domino : v.weakest;
+    bool by_energy = (stops || v.end == DOM_ROW_FALLS) && k > 0;
     if (by_energy)
         *fall = run.fall[k - 1];
     row_run_free(&run);

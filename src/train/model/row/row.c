@@ -233,7 +233,7 @@ static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool
     v->domino = fall->domino;
     if (v->end == DOM_ROW_STOPS || v->end == DOM_ROW_BACK)
         v->short_by = -fall->margin;
-    else if (!tipped && fall->margin >= 0 && (v->weakest == 0 || spare < v->spare)) {
+    else if (!tipped && fall->margin >= 0 && fall->kinetic > 0 && (v->weakest == 0 || spare < v->spare)) {
         v->weakest = fall->domino;
         v->spare = spare;
     }
