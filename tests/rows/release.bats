@@ -52,6 +52,7 @@ Released at rest, domino 1 tips over only if its tilt is more than 8.297 deg.' "
     same 'a single domino' 'all fall' "$(json 'set row 1; set release 50 deg; verdict' | values verdict)"
 }
 
+# bats test_tags=sweeps
 @test "release is a parameter: save, undo, reset, show, with, sweep, completion" {
     "$DOMINO" -n -e "$scene; set release touch; save a.dom; set release 0.25; save b.dom"
     grep -qx 'set release touch' a.dom
