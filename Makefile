@@ -71,13 +71,13 @@ FOLDERS  := $(subst _,/,$(BUILT))
 
 # src/train/model/precision includes the sources of the kernels. The kernel in double is compiled within compare/gsl.c,
 # which includes precision/double.c. TYPED is compiled twice: once with the types of <domino.h>, and once with the types
-# of <domino_quad.h>, which the kernels in float and quad use.
+# of <domino_quad.h>, which the kernels in float and quad use. What searches and studies use exists in double only.
 TRAIN   := src/train/model
 MODELS  := $(wildcard $(patsubst %,src/%/model/*.c,$(filter-out train,$(BUILT))))
 TYPED   := $(addprefix $(TRAIN)/,model.c many.c dynamics/train.c dispatch/dispatch.c) \
-           $(filter-out %/choose.c,$(wildcard $(TRAIN)/effects/*.c $(TRAIN)/search/*.c)) $(filter-out $(wildcard $(IN_DOUBLE:%=src/%/model/*.c)),$(MODELS))
+           $(filter-out %/choose.c,$(wildcard $(TRAIN)/effects/*.c))
 DOUBLE  := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c dispatch/bridge.c) \
-           $(wildcard $(TRAIN)/compare/*.c) $(filter $(wildcard $(IN_DOUBLE:%=src/%/model/*.c)),$(MODELS))
+           $(wildcard $(TRAIN)/compare/*.c $(TRAIN)/search/*.c) $(MODELS)
 QUAD    := $(addprefix $(TRAIN)/precision/,float.c quad.c)
 MODEL   := $(DOUBLE) $(TYPED) $(QUAD)
 ENGINE_C := $(filter-out %/feature.c %/row_engine.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))

@@ -33,83 +33,6 @@ enum dom_row_end {
 /* Returns the meaning of an end. The word "it" in a meaning stands for the domino at which the fall ends. */
 const char *dom_row_end_text(enum dom_row_end end);
 
-/* What a design minimizes. For given heights of the first and the last domino, the row with the fewest
- * dominoes is also the lightest. */
-enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
-
-/* Why a wish cannot be fulfilled, and what dom_design.needs means in that case. */
-enum dom_design_limit {
-    DOM_DESIGN_FITS, /* the wish can be fulfilled */
-    /* No train has this safety. `needs` is slightly below the largest possible safety. */
-    DOM_DESIGN_SAFETY,
-    DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
-    DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row, in m */
-    DOM_DESIGN_ENGINE, /* rows with the required safety do not fall in the engine */
-    /* some trains or rows could not be computed; `needs` is the separation s of one of them */
-    DOM_DESIGN_FAILED
-};
-
-/* What dom_row_windows changes. */
-enum dom_window_of {
-    /* The gap before a domino. When the gap changes, all dominoes after it move by the same distance. */
-    DOM_WINDOW_GAP,
-    /* The place of a domino: the distance from the back of the first domino to the back of this domino. When
-     * it changes, no other domino moves. */
-    DOM_WINDOW_PLACE,
-    /* The height of a domino. When it changes, the mass changes in proportion to the volume of the wood. */
-    DOM_WINDOW_HEIGHT,
-    DOM_WINDOW_FRICTION, /* the friction between all dominoes */
-    DOM_WINDOW_LEAN,     /* the lean of a domino, in rad */
-    /* The thickness of a domino. When it changes, the mass changes in proportion to the volume of the wood,
-     * and all gaps stay the same. */
-    DOM_WINDOW_THICKNESS
-};
-
-/*
- * The errors that a row may have after it has been set up: X(name, unit, meaning). If the unit is "", the
- * error is relative to the value. The friction between dominoes and the friction of the floor are exceptions:
- * their errors are added to the coefficient. From `gap` to `radius`, each domino has its own error. From
- * `friction` on, there is one error for the whole row.
- */
-#define DOM_ERRORS(X)                                                                                        \
-    X(gap, "m", "gap before each domino; an error moves this domino and all later ones")                     \
-    X(place, "m", "place of each domino; an error moves no other domino")                                    \
-    X(height, "", "height of each domino; the error is relative to the height")                              \
-    X(thickness, "", "thickness of each domino; the error is relative to the thickness")                     \
-    X(mass, "", "mass of each domino; the error is relative to the mass")                                    \
-    X(lean, "rad", "lean of each domino")                                                                    \
-    X(radius, "", "radius of the edges of each domino; the error is relative to the radius")                 \
-    X(friction, "", "friction between dominoes, the same for all dominoes")                                  \
-    X(slope, "rad", "slope of the floor, the same for all dominoes")                                         \
-    X(floor, "", "friction of the floor, the same for all dominoes")                                         \
-    X(push, "rad/s", "push of the first domino")
-
-enum dom_error_of {
-#define DOM_ERROR_ENUM(name, unit, meaning) DOM_ERROR_##name,
-    DOM_ERRORS(DOM_ERROR_ENUM)
-#undef DOM_ERROR_ENUM
-        DOM_ERROR_COUNT
-};
-
-/* The largest number of changes that dom_row_mend finds. */
-enum { DOM_MENDS = 31 };
-
-/* A callback that reports the progress of a long computation. `of` is the number of its parts, and `done` is
- * the number of parts that are complete. */
-typedef void dom_progress(size_t done, size_t of, void *context);
-
-/* ---- Parallel work ---- */
-
-/*
- * The library starts no threads. It divides parallel work into tasks and calls a callback, dom_parallel, to
- * run them. The callback must call task(0, context) to task(count - 1, context), each exactly once. It may do
- * so in any order and on any threads. It waits until all tasks are done and returns DOM_OK. If it has left
- * out tasks, it returns the reason, such as DOM_INTERRUPTED. The library passes `pool` to the callback
- * unchanged.
- */
-typedef void dom_task(size_t index, void *context);
-typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
-
 /* ==== From here on everything is also in <domino_quad.h>, with domq_ instead of dom_ ==== */
 
 /* ---- A finite row of any dominoes ---- */
@@ -278,14 +201,25 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
+/* ==== From here on everything exists only in double, with dom_ ==== */
+
+/* These functions search for a row, or run many rows. They compute in double, whatever compute->precision is.
+ * If it is DOM_QUAD and compute->tol is too small for double, they use the default tolerance of double. */
+
+/* A callback that reports the progress of a long computation. `of` is the number of its parts, and `done` is
+ * the number of parts that are complete. */
+typedef void dom_progress(size_t done, size_t of, void *context);
+
+/* ---- The largest growth, and the weakest push ---- */
+
 /* A callback that writes a row with the growth r to domino[0] ... domino[count - 1]. */
-typedef void dom_row_make(dom_real r, struct dom_domino *domino, size_t count, void *context);
+typedef void dom_row_make(double r, struct dom_domino *domino, size_t count, void *context);
 
 /* The largest growth of a row. */
 struct dom_row_growth {
-    dom_real r_max; /* NaN if no growth was found at which all dominoes fall */
+    double r_max; /* NaN if no growth was found at which all dominoes fall */
     /* All dominoes fall at growths from r_min to r_max. r_min is 1 if the row falls at r = 1. */
-    dom_real r_min;
+    double r_min;
     /* How the fall ends just above r_max. If r_max is NaN, `ends` is how the fall ends at r = 1. If r_max is
      * `highest`, `ends` is DOM_ROW_FALLS. */
     enum dom_row_end ends;
@@ -303,19 +237,37 @@ struct dom_row_growth {
  * The statuses are those of dom_row_run, which also checks the dominoes. The status is DOM_BAD_R if `highest`
  * is not a finite number >= 1.
  */
-enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
+enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, double highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);
+
+/*
+ * Finds the weakest push in rad/s that makes all dominoes of a row fall. The result is rounded upwards to
+ * four digits. If all dominoes already fall, writes row->push. If no push up to `strongest` is enough, writes
+ * NaN.
+ *
+ * The search starts from the push that turns the first domino over its edge, or from row->push if that is
+ * larger. It doubles the push until all dominoes fall, and then bisects.
+ *
+ * The statuses are those of dom_row_run. The status is DOM_BAD_PUSH unless `strongest` is finite and > 0.
+ */
+enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom_compute *compute,
+                                     double strongest, double *push);
+
+/* ---- Mending, and how precisely a row must be set up ---- */
+
+/* The largest number of changes that dom_row_mend finds. */
+enum { DOM_MENDS = 31 };
 
 /* A change to a single gap after which all dominoes of the row fall. */
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes; at least 2 */
-    dom_real gap;  /* the current gap, in m */
+    double gap;    /* the current gap, in m */
     /* The gap nearest to `gap` at which the row falls, in m, rounded to seven digits, or to three digits if
      * the row has an engine. */
-    dom_real to;
+    double to;
     /* The other end of the interval of gaps, in m. All dominoes fall with any gap between `to` and
      * `until`. */
-    dom_real until;
+    double until;
 };
 
 /*
@@ -339,14 +291,30 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
+/* What dom_row_windows changes. */
+enum dom_window_of {
+    /* The gap before a domino. When the gap changes, all dominoes after it move by the same distance. */
+    DOM_WINDOW_GAP,
+    /* The place of a domino: the distance from the back of the first domino to the back of this domino. When
+     * it changes, no other domino moves. */
+    DOM_WINDOW_PLACE,
+    /* The height of a domino. When it changes, the mass changes in proportion to the volume of the wood. */
+    DOM_WINDOW_HEIGHT,
+    DOM_WINDOW_FRICTION, /* the friction between all dominoes */
+    DOM_WINDOW_LEAN,     /* the lean of a domino, in rad */
+    /* The thickness of a domino. When it changes, the mass changes in proportion to the volume of the wood,
+     * and all gaps stay the same. */
+    DOM_WINDOW_THICKNESS
+};
+
 /* The window of one gap, place, height, thickness, friction or lean: the values at which all dominoes fall
  * while all other values stay as they are. Friction has no unit, leans are in rad, and all other values are
  * in m. */
 struct dom_window {
     size_t domino; /* the number of the domino; 0 for friction */
-    dom_real now;  /* the current value */
-    dom_real low;  /* the smallest value, rounded to seven digits; NaN if no window was found */
-    dom_real high; /* the largest value of the window */
+    double now;    /* the current value */
+    double low;    /* the smallest value, rounded to seven digits; NaN if no window was found */
+    double high;   /* the largest value of the window */
     bool others;   /* true if the row also falls at some value outside the window */
     /* How the fall ends just below and just above the window. DOM_ROW_FALLS means that this is unknown,
      * because no value there was tried, or because the row does not fall at the current value. */
@@ -386,18 +354,7 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
                                 enum dom_window_of of, dom_progress *progress, void *context,
                                 struct dom_window *windows);
 
-/*
- * Finds the weakest push in rad/s that makes all dominoes of a row fall. The result is rounded upwards to
- * four digits. If all dominoes already fall, writes row->push. If no push up to `strongest` is enough, writes
- * NaN.
- *
- * The search starts from the push that turns the first domino over its edge, or from row->push if that is
- * larger. It doubles the push until all dominoes fall, and then bisects.
- *
- * The statuses are those of dom_row_run. The status is DOM_BAD_PUSH unless `strongest` is finite and > 0.
- */
-enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom_compute *compute,
-                                     dom_real strongest, dom_real *push);
+/* ---- The design of a row ---- */
 
 /* The sizes that the dominoes of a row may have, for designs and for dom_row_improve. */
 struct dom_limits {
@@ -407,54 +364,68 @@ struct dom_limits {
     bool sizes;
     /* The mass exponent: a domino x times as large has x^(q - 1) times the mass. With walls, the masses
      * follow from the walls instead. */
-    dom_real q;
+    double q;
     /* the length of the hall in m. The row must fit into it even after the last domino has fallen. May be
      * infinite. */
-    dom_real hall;
+    double hall;
     /* The largest mass, in kg, that dom_row_improve may give to a domino. May be infinite. */
-    dom_real heaviest;
+    double heaviest;
     /* the grid in m: changed sizes and gaps are multiples of this length. 0 means that there is no grid */
-    dom_real grid;
+    double grid;
     /* The thicknesses in m that dominoes may have: an array of `boards` numbers in increasing order. If
      * `boards` is 0, any thickness is allowed. In a row with boxes_above > 0, boxes may have any
      * thickness. */
-    const dom_real *board;
+    const double *board;
     size_t boards;
 };
 
-/* ---- The design of a row ---- */
+/* What a design minimizes. For given heights of the first and the last domino, the row with the fewest
+ * dominoes is also the lightest. */
+enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
+
+/* Why a wish cannot be fulfilled, and what dom_design.needs means in that case. */
+enum dom_design_limit {
+    DOM_DESIGN_FITS, /* the wish can be fulfilled */
+    /* No train has this safety. `needs` is slightly below the largest possible safety. */
+    DOM_DESIGN_SAFETY,
+    DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
+    DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row, in m */
+    DOM_DESIGN_ENGINE, /* rows with the required safety do not fall in the engine */
+    /* some trains or rows could not be computed; `needs` is the separation s of one of them */
+    DOM_DESIGN_FAILED
+};
 
 /* The row that a builder wants. */
 struct dom_wish {
-    dom_real first, height; /* heights of the first and the last domino, in m; height > first */
+    double first, height; /* heights of the first and the last domino, in m; height > first */
     /* The kinetic energy of each cycle divided by the energy that the cycle needs, > 1. */
-    dom_real safety;
+    double safety;
     /* the length of the hall in m, > height, as in struct dom_limits; may be infinite */
-    dom_real hall;
-    dom_real g, push, release; /* as in struct dom_row */
+    double hall;
+    double g, push, release; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
     /* The thickness of the walls, and the height above which dominoes have walls, in m, as in struct dom_row.
      * If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls of the train, and all
      * masses follow from the volume of the wood. */
-    dom_real walls, boxes_above;
+    double walls, boxes_above;
 };
 
 /* A row, built like a train, that was designed for a struct dom_wish. If no row was found, `limit` is not
  * DOM_DESIGN_FITS, and all members except `limit` and `needs` are NaN or 0. */
 struct dom_design {
     /* s: the gap of a domino divided by its height, a multiple of 0.001; r: the growth */
-    dom_real s, r;
+    double s, r;
     /* `first` r^steps = `height`, so the row has steps + 1 dominoes */
     size_t steps;
-    dom_real feet;    /* length from the first domino to the last, in m */
-    dom_real length;  /* length after the last domino has fallen: `feet` + `height`, in m */
-    dom_real seconds; /* as in struct dom_verdict; computed by the engine, if any */
-    dom_real train;   /* kinetic / barrier of the endless train */
-    dom_real row;     /* the smallest ratio kinetic / barrier among all dominoes after the first */
-    size_t weakest;   /* the number of the domino with this ratio; at least 2 */
+    double feet;    /* length from the first domino to the last, in m */
+    double length;  /* length after the last domino has fallen: `feet` + `height`, in m */
+    double seconds; /* as in struct dom_verdict; computed by the engine, if any */
+    double train;   /* kinetic / barrier of the endless train */
+    double row;     /* the smallest ratio kinetic / barrier among all dominoes after the first */
+    size_t weakest; /* the number of the domino with this ratio; at least 2 */
     enum dom_design_limit limit;
-    dom_real needs; /* see enum dom_design_limit; NaN with DOM_DESIGN_FITS */
+    double needs; /* see enum dom_design_limit; NaN with DOM_DESIGN_FITS */
 };
 
 /*
@@ -467,7 +438,7 @@ struct dom_design {
  * exactly `height` tall. The separation stays as close to the best one as the hall and the start of the row
  * allow. DOM_LEAST_LENGTH finds the shortest row instead, which may have up to 30 more dominoes.
  *
- * The search computes in double and tries separations that are multiples of 0.001. A separation at which a
+ * The search tries separations that are multiples of 0.001. A separation at which a
  * train or a row cannot be computed is skipped.
  *
  * If the wish has an engine, the row must also fall in the engine. The engine runs rows only at separations
@@ -514,12 +485,50 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
                                     const struct dom_limits *limits, const struct dom_design *design,
                                     struct dom_domino *domino);
 
+/* ---- Parallel work ---- */
+
+/*
+ * The library starts no threads. It divides parallel work into tasks and calls a callback, dom_parallel, to
+ * run them. The callback must call task(0, context) to task(count - 1, context), each exactly once. It may do
+ * so in any order and on any threads. It waits until all tasks are done and returns DOM_OK. If it has left
+ * out tasks, it returns the reason, such as DOM_INTERRUPTED. The library passes `pool` to the callback
+ * unchanged.
+ */
+typedef void dom_task(size_t index, void *context);
+typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
+
 /* ---- Errors: the same row, set up many times ---- */
+
+/*
+ * The errors that a row may have after it has been set up: X(name, unit, meaning). If the unit is "", the
+ * error is relative to the value. The friction between dominoes and the friction of the floor are exceptions:
+ * their errors are added to the coefficient. From `gap` to `radius`, each domino has its own error. From
+ * `friction` on, there is one error for the whole row.
+ */
+#define DOM_ERRORS(X)                                                                                        \
+    X(gap, "m", "gap before each domino; an error moves this domino and all later ones")                     \
+    X(place, "m", "place of each domino; an error moves no other domino")                                    \
+    X(height, "", "height of each domino; the error is relative to the height")                              \
+    X(thickness, "", "thickness of each domino; the error is relative to the thickness")                     \
+    X(mass, "", "mass of each domino; the error is relative to the mass")                                    \
+    X(lean, "rad", "lean of each domino")                                                                    \
+    X(radius, "", "radius of the edges of each domino; the error is relative to the radius")                 \
+    X(friction, "", "friction between dominoes, the same for all dominoes")                                  \
+    X(slope, "rad", "slope of the floor, the same for all dominoes")                                         \
+    X(floor, "", "friction of the floor, the same for all dominoes")                                         \
+    X(push, "rad/s", "push of the first domino")
+
+enum dom_error_of {
+#define DOM_ERROR_ENUM(name, unit, meaning) DOM_ERROR_##name,
+    DOM_ERRORS(DOM_ERROR_ENUM)
+#undef DOM_ERROR_ENUM
+        DOM_ERROR_COUNT
+};
 
 /* A random error. */
 struct dom_random_error {
     /* The standard deviation of a normal distribution, or the limit of a uniform one; >= 0. */
-    dom_real size;
+    double size;
     bool uniform; /* true if all errors from -size to size are equally likely */
 };
 
@@ -637,7 +646,7 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
  * row is not within the limits, the result is the best row found within the limits, even if this row is less
  * reliable. If no row within the limits was found, the result is the given row, and study[1].rows is 0.
  *
- * The search itself uses the model in double precision, even if the row has an engine. The engine runs only
+ * The search itself uses the model, even if the row has an engine. The engine runs only
  * the rows that study[0] and study[1] count.
  *
  * If the search is interrupted, the status is DOM_INTERRUPTED. If study[0].rows > 0, the result is then the

@@ -30,14 +30,14 @@ int error_effect(int kind);
 
 /* Fills the array `error` with the random errors of a scene. If a kind of error is off, its size is 0.
  * Returns true if any of the effects for random errors is on. */
-bool scene_errors(const struct scene *scene, struct domq_random_error error[DOM_ERROR_COUNT]);
+bool scene_errors(const struct scene *scene, struct dom_random_error error[DOM_ERROR_COUNT]);
 
 /* Returns true if the random errors can be combined with the other effects. Otherwise reports the problem. */
 bool errors_check(const struct scene *scene, struct problem *problem);
 
 /* Describes the DOM_ERROR_COUNT elements of `error`, as in "gap 0.003 m, friction 0.05 uniform". */
 enum { ERRORS_TEXT = 1024 };
-const char *errors_text(const struct domq_random_error *error, char text[ERRORS_TEXT]);
+const char *errors_text(const struct dom_random_error *error, char text[ERRORS_TEXT]);
 
 /* ---- Studies ---- */
 
@@ -46,25 +46,25 @@ bool run_pool(const struct query *query, struct answer *a, struct problem *probl
 
 /* The results of a study of random rows. */
 struct study {
-    domq_real sigma, heights;
+    double sigma, heights;
     char errors[ERRORS_TEXT];
     bool is_on[DOM_ERROR_COUNT];
     bool causes; /* the rows were also run with each kind of error left out in turn */
-    struct domq_study result;
+    struct dom_study result;
     size_t without[DOM_ERROR_COUNT]; /* for each kind of error, how many rows fall if it is left out */
     size_t dominoes;                 /* the number of dominoes in the row */
-    size_t *stops;                   /* how many rows stop at each domino: see domq_placement_causes */
+    size_t *stops;                   /* how many rows stop at each domino: see dom_placement_causes */
 };
 
 /* Runs a study of the scene's row with `rows` random rows. Stores the scene's random errors in `error`. If
  * the scene has no random errors, runs nothing and sets study->rows to 0. */
-bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
-               struct domq_random_error error[DOM_ERROR_COUNT]);
+bool study_run(const struct query *query, struct problem *problem, size_t rows, struct dom_study *study,
+               struct dom_random_error error[DOM_ERROR_COUNT]);
 
 /* Runs a study. If there are several kinds of errors, finds out which of them matter: for each kind, runs the
  * rows again without errors of this kind. The caller frees study->stops, even after a failure. */
-enum dom_status study_run_with_causes(const struct domq_row *row, const struct domq_compute *compute,
-                                      const struct domq_placement *placement, struct study *study);
+enum dom_status study_run_with_causes(const struct dom_row *row, const struct dom_compute *compute,
+                                      const struct dom_placement *placement, struct study *study);
 
 /* Returns an array whose element k is the number of rows that this kind of error stops at domino k + 1. */
 size_t *study_stops(const struct study *study, int kind);
@@ -74,6 +74,6 @@ void study_answer(struct answer *a, const struct study *study, const char *reaso
 
 /* Computes and prints the part of a study that --shard selects, as counts for blocks of 100 rows. */
 bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
-                  const struct scene_row *scene, const struct domq_placement *placement);
+                  const struct double_row *row, const struct dom_placement *placement);
 
 #endif

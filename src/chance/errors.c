@@ -135,7 +135,7 @@ int error_effect(int kind)
     return error_kinds[kind].effect.name ? error_kinds[kind].parameter.which : DOM_EFFECT_placement;
 }
 
-bool scene_errors(const struct scene *scene, struct domq_random_error error[DOM_ERROR_COUNT])
+bool scene_errors(const struct scene *scene, struct dom_random_error error[DOM_ERROR_COUNT])
 {
     bool any = false;
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
@@ -143,8 +143,8 @@ bool scene_errors(const struct scene *scene, struct domq_random_error error[DOM_
         const struct effect_state *state = &scene->effect[effect];
         const bool placed = effect == DOM_EFFECT_placement;
         const domq_real size = state->value[k == DOM_ERROR_height], limits = state->value[placed ? 2 : 1];
-        error[k] =
-            (struct domq_random_error){.size = state->on ? size : 0, .uniform = state->on && limits != 0};
+        error[k] = (struct dom_random_error){.size = state->on ? (double)size : 0,
+                                             .uniform = state->on && limits != 0};
         any = any || state->on;
     }
     return any;
@@ -164,13 +164,14 @@ bool errors_check(const struct scene *scene, struct problem *problem)
                                   "'set edges off', or 'set error_lean off'");
 }
 
-const char *errors_text(const struct domq_random_error *error, char text[ERRORS_TEXT])
+const char *errors_text(const struct dom_random_error *error, char text[ERRORS_TEXT])
 {
     text[0] = '\0';
     for (int k = 0, n = 0; k < DOM_ERROR_COUNT; k++)
         if (error[k].size > 0)
             n += snprintf(text + n, (size_t)(ERRORS_TEXT - n), "%s%s %s%s%s%s", n ? ", " : "",
-                          error_kinds[k].name, quad_text(error[k].size, 10), *error_kinds[k].unit ? " " : "",
-                          error_kinds[k].unit, error[k].uniform ? " uniform" : "");
+                          error_kinds[k].name, quad_text((domq_real)error[k].size, 10),
+                          *error_kinds[k].unit ? " " : "", error_kinds[k].unit,
+                          error[k].uniform ? " uniform" : "");
     return text;
 }

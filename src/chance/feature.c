@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/feature.h"
 #include "chance/chance.h"
+#include <stdlib.h>
 
 extern const struct command study_commands[];
 
@@ -13,12 +14,16 @@ static const struct command_group groups[] = {
 static bool row_answer(const struct scene *scene, const struct domq_row *row,
                        const struct domq_compute *compute, enum dom_status *status)
 {
-    struct domq_placement placement = {.seed = 1, .rows = 1};
-    struct domq_study study;
-    const bool has_errors = scene_errors(scene, placement.error);
-    if (has_errors)
-        *status = domq_placement_study(row, compute, &placement, &study, NULL);
-    return has_errors;
+    struct dom_placement placement = {.seed = 1, .rows = 1};
+    struct dom_study study;
+    struct double_row made;
+    if (!scene_errors(scene, placement.error))
+        return false;
+    *status = double_row_make(row, compute, &made)
+                  ? dom_placement_study(&made.row, &made.compute, &placement, &study, NULL)
+                  : DOM_NO_MEMORY;
+    free(made.domino);
+    return true;
 }
 
 const struct feature chance_feature = {.name = "chance",

@@ -36,33 +36,32 @@ static const struct column block_columns[] = {
 };
 
 /* Adds a value to a checksum (FNV-1a of Fowler, Noll and Vo). */
-static void checksum_add(uint32_t *sum, domq_real value)
+static void checksum_add(uint32_t *sum, double value)
 {
-    unsigned char bytes[sizeof(double)];
-    double near = (double)value;
-    memcpy(bytes, &near, sizeof bytes);
+    unsigned char bytes[sizeof value];
+    memcpy(bytes, &value, sizeof bytes);
     for (size_t i = 0; i < sizeof bytes; i++)
         *sum = (*sum ^ bytes[i]) * 16777619u;
 }
 
-static uint32_t scene_checksum(const struct scene_row *scene)
+static uint32_t row_checksum(const struct double_row *made)
 {
-    const struct domq_row *row = &scene->row;
-    const struct domq_compute *compute = &scene->compute;
+    const struct dom_row *row = &made->row;
     uint32_t sum = 2166136261u;
 #define VALUE(name, member, status) row->member,
-    const domq_real all[] = {row->g,
-                             row->boxes_above,
-                             isnan(row->push) ? -1 : row->push,
-                             row->release,
-                             DOM_DYNAMICS(VALUE) compute->tol,
-                             (domq_real)compute->precision};
+    const double all[] = {row->g,
+                          row->boxes_above,
+                          isnan(row->push) ? -1 : row->push,
+                          row->release,
+                          DOM_DYNAMICS(VALUE) made->compute.tol,
+                          DOM_DOUBLE};
 #undef VALUE
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         checksum_add(&sum, all[i]);
     if (row->engine) {
-        checksum_add(&sum, scene->engine.feet);
-        checksum_add(&sum, scene->engine.bounce);
+        const struct scene_engine *engine = row->engine->context;
+        checksum_add(&sum, engine->feet);
+        checksum_add(&sum, engine->bounce);
     }
     for (size_t k = 0; k < row->count; k++) {
         checksum_add(&sum, row->domino[k].height);
@@ -78,8 +77,8 @@ static uint32_t scene_checksum(const struct scene_row *scene)
 
 /* The data of a worker thread. The copies of different workers differ only in `status`. */
 struct blocks {
-    const struct scene_row *scene;
-    const struct domq_placement *placement; /* the parameters of the whole study */
+    const struct double_row *row;
+    const struct dom_placement *placement; /* the parameters of the whole study */
     char checksum[16];
     struct answer answer;
     enum dom_status status;
@@ -117,25 +116,25 @@ static bool block_write(void *context, size_t block, FILE *out)
 {
     struct blocks *b = context;
     const size_t all = b->placement->rows;
-    struct domq_placement p = *b->placement;
+    struct dom_placement p = *b->placement;
     struct study study;
     char stops[STOPS_TEXT], errors[ERRORS_TEXT], *without = malloc(WITHOUT_TEXT);
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
     p.parallel = NULL; /* the rows of a block use one thread, because blocks are computed in parallel */
-    b->status = study_run_with_causes(&b->scene->row, &b->scene->compute, &p, &study);
+    b->status = study_run_with_causes(&b->row->row, &b->row->compute, &p, &study);
     if (!without)
         b->status = DOM_NO_MEMORY;
     if (b->status == DOM_OK) {
         struct answer a = answer_part(&b->answer, out, block);
         stops_text(study.stops, study.dominoes, "", stops, STOPS_TEXT);
         without_text(&study, without);
-        answer_cells(&a, cell_real(study.sigma), cell_real(study.heights), cell_count((domq_real)p.seed),
-                     cell_word(b->checksum), cell_count((domq_real)study.dominoes),
-                     cell_count((domq_real)all), cell_count((domq_real)p.first + 1),
-                     cell_count((domq_real)p.rows), cell_count((domq_real)study.result.fall),
-                     cell_count((domq_real)study.result.unknown), cell_word(stops),
-                     cell_word(errors_text(p.error, errors)), cell_word(without));
+        answer_cells(&a, cell_real((domq_real)study.sigma), cell_real((domq_real)study.heights),
+                     cell_count((domq_real)p.seed), cell_word(b->checksum),
+                     cell_count((domq_real)study.dominoes), cell_count((domq_real)all),
+                     cell_count((domq_real)p.first + 1), cell_count((domq_real)p.rows),
+                     cell_count((domq_real)study.result.fall), cell_count((domq_real)study.result.unknown),
+                     cell_word(stops), cell_word(errors_text(p.error, errors)), cell_word(without));
     }
     free(study.stops);
     free(without);
@@ -143,11 +142,11 @@ static bool block_write(void *context, size_t block, FILE *out)
 }
 
 bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
-                  const struct scene_row *scene, const struct domq_placement *placement)
+                  const struct double_row *row, const struct dom_placement *placement)
 {
-    struct blocks b = {.scene = scene, .placement = placement};
+    struct blocks b = {.row = row, .placement = placement};
     bool by_point;
-    snprintf(b.checksum, sizeof b.checksum, "x%08x", (unsigned)scene_checksum(scene));
+    snprintf(b.checksum, sizeof b.checksum, "x%08x", (unsigned)row_checksum(row));
     a->columns = block_columns;
     a->rows = true;
     a->style.errors = false; /* counts are exact and have no errors */
@@ -233,8 +232,9 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
     memcpy(p->common, csv->value, sizeof p->common);
     p->checksum = csv_cell(csv, SCENE).text;
     p->errors = csv_cell(csv, ERRORS).text;
-    p->study = (struct study){
-        .sigma = p->common[SIGMA], .heights = p->common[HEIGHTS], .dominoes = (size_t)csv->value[DOMINOES]};
+    p->study = (struct study){.sigma = (double)p->common[SIGMA],
+                              .heights = (double)p->common[HEIGHTS],
+                              .dominoes = (size_t)csv->value[DOMINOES]};
     snprintf(p->study.errors, sizeof p->study.errors, "%s", p->errors);
     p->study.stops = calloc((1 + DOM_ERROR_COUNT) * p->study.dominoes, sizeof *p->study.stops);
     return p->study.stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
@@ -363,7 +363,7 @@ bool run_pool(const struct query *query, struct answer *a, struct problem *probl
         ;
     bool good = p.block && !*csv->file.problem.text && blocks_check(&p, csv, missing, sizeof missing);
     good = csv_end(csv, problem) && good;
-    enum dom_status status = good ? domq_study_interval(&p.study.result) : DOM_OK;
+    enum dom_status status = good ? dom_study_interval(&p.study.result) : DOM_OK;
     if (good && status == DOM_OK)
         study_answer(a, &p.study, *missing ? missing : NULL);
     free(p.study.stops);

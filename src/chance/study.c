@@ -6,10 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The row and the random errors of a study. Do not copy this struct: `placement` points to `pool`. */
+/* The row and the random errors of a study. Do not copy this struct, which has pointers into itself. */
 struct trials {
-    struct scene_row scene;
-    struct domq_placement placement;
+    struct double_row row;
+    struct scene_row scene; /* for its engine; its dominoes have been freed */
+    struct dom_placement placement;
     bool has_errors; /* an effect that describes random errors is on */
     struct task_pool pool;
 };
@@ -20,10 +21,14 @@ static bool trials_make(const struct query *query, struct problem *problem, domq
 {
     if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &t->scene, problem))
         return false;
+    const enum dom_status status = scene_row_in_double(&t->scene, &t->row);
+    free(t->scene.domino);
+    if (status != DOM_OK)
+        return query_status(query, problem, status);
     t->pool = (struct task_pool){.threads = query->state->settings.threads,
                                  .progress = progress,
                                  .interrupt = query->scene->compute.interrupt};
-    t->placement = (struct domq_placement){
+    t->placement = (struct dom_placement){
         .seed = (unsigned long)query->scene->seed,
         .rows = (size_t)rows,
         .parallel = workers_tasks,
@@ -33,18 +38,18 @@ static bool trials_make(const struct query *query, struct problem *problem, domq
     return true;
 }
 
-bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
-               struct domq_random_error error[DOM_ERROR_COUNT])
+bool study_run(const struct query *query, struct problem *problem, size_t rows, struct dom_study *study,
+               struct dom_random_error error[DOM_ERROR_COUNT])
 {
     struct trials t;
     enum dom_status status = DOM_OK;
-    *study = (struct domq_study){.rows = 0};
+    *study = (struct dom_study){.rows = 0};
     if (!trials_make(query, problem, (domq_real)rows, true, &t))
         return false;
     if (t.has_errors)
-        status = domq_placement_study(&t.scene.row, &t.scene.compute, &t.placement, study, NULL);
+        status = dom_placement_study(&t.row.row, &t.row.compute, &t.placement, study, NULL);
     memcpy(error, t.placement.error, sizeof t.placement.error);
-    free(t.scene.domino);
+    free(t.row.domino);
     return row_status(query, problem, status);
 }
 
@@ -55,8 +60,7 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
 {
     struct study study;
     char partial[80];
-    const enum dom_status status =
-        study_run_with_causes(&t->scene.row, &t->scene.compute, &t->placement, &study);
+    const enum dom_status status = study_run_with_causes(&t->row.row, &t->row.compute, &t->placement, &study);
     const size_t rows = study.result.rows;
     /* Within a sweep, an interrupted study has no answer. */
     const bool interrupted = status == DOM_INTERRUPTED && rows > 0 && !a->sink.take;
@@ -76,9 +80,9 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
         !t.has_errors
             ? problem_error(problem, "this command needs random errors; first enter 'set placement 1 mm', "
                                      "or another error, such as 'set error_thickness 1 %%'")
-        : query->run_context->shard.parts > 0 ? study_blocks(query, a, problem, &t.scene, &t.placement)
+        : query->run_context->shard.parts > 0 ? study_blocks(query, a, problem, &t.row, &t.placement)
                                               : placement_answer(query, a, problem, &t);
-    free(t.scene.domino);
+    free(t.row.domino);
     return done;
 }
 
@@ -154,24 +158,24 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
 /* Prints the largest error that the row may have, rounded down to two digits, and the share of the rows that
  * was asked for. Runs rows with the rounded error and prints the 95 % interval of the share that falls. */
 static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
-                                  const struct domq_budget *budget)
+                                  const struct dom_budget *budget)
 {
     const struct trials *t = call->trials;
-    struct domq_placement at = t->placement;
-    struct domq_study study;
+    struct dom_placement at = t->placement;
+    struct dom_study study;
     char text[200];
-    const domq_real size = two_digits(budget->sigma);
+    const double size = (double)two_digits((domq_real)budget->sigma);
     for (int k = 0; k < DOM_ERROR_COUNT; k++)
         if (call->kind == DOM_ERROR_COUNT)
             at.error[k].size *= size;
         else if (k == (int)call->kind)
             at.error[k].size = size;
-    enum dom_status status = domq_placement_study(&t->scene.row, &t->scene.compute, &at, &study, NULL);
+    enum dom_status status = dom_placement_study(&t->row.row, &t->row.compute, &at, &study, NULL);
     if (status != DOM_OK)
         return status;
     const int of = rows_of(call->share), digits = of ? 0 : 2;
     const double digit = pow(10, -digits), scale = of ? of : 100;
-    precision_say(call, size, text, sizeof text);
+    precision_say(call, (domq_real)size, text, sizeof text);
     answer_say(a, "%s: then %s rows fall (95 %% interval: %.*f to %.*f%s).", text,
                share_words(call->share).text, digits, floor(scale * study.low / digit) * digit, digits,
                ceil(scale * study.high / digit) * digit, of ? "" : " %");
@@ -179,15 +183,15 @@ static enum dom_status budget_say(struct answer *a, const struct budget_call *ca
 }
 
 /* Prints what the search had found when ^C interrupted it. */
-static void interrupted_say(struct answer *a, const struct budget_call *call, const struct domq_budget *b)
+static void interrupted_say(struct answer *a, const struct budget_call *call, const struct dom_budget *b)
 {
     const bool open = !isfinite(b->high);
     const bool all = call->kind == DOM_ERROR_COUNT;
     answer_say(a, "Interrupted: with %s%s%s, at least %s rows fall%s%s.", all ? "all errors " : "errors of ",
-               size_words(call, two_digits(b->sigma)).text, all ? " times as large" : "",
+               size_words(call, two_digits((domq_real)b->sigma)).text, all ? " times as large" : "",
                share_words(call->share).text,
                open ? "; it is not known how many fall with larger errors" : ", and fewer with ",
-               open ? "" : size_words(call, b->high).text);
+               open ? "" : size_words(call, (domq_real)b->high).text);
 }
 
 /* Reports why there is no budget. Returns false. */
@@ -221,7 +225,7 @@ static bool budget_check(const struct query *query, const struct trials *t, enum
     return errors_check(&with, problem);
 }
 
-static void budget_row(struct answer *a, const struct budget_call *call, const struct domq_budget *b,
+static void budget_row(struct answer *a, const struct budget_call *call, const struct dom_budget *b,
                        bool interrupted)
 {
     const bool any = !isfinite(b->sigma);
@@ -234,8 +238,9 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
                         "the largest error, or factor for all errors, at which the share 'probability' of "
                         "the rows falls");
     answer_row(a,
-               ROW(cell_real(call->share), cell_narrow(b->sigma, digits), cell_narrow(b->low, digits),
-                   cell_narrow(b->high, digits), cell_count((domq_real)call->trials->placement.rows),
+               ROW(cell_real(call->share), cell_narrow((domq_real)b->sigma, digits),
+                   cell_narrow((domq_real)b->low, digits), cell_narrow((domq_real)b->high, digits),
+                   cell_count((domq_real)call->trials->placement.rows),
                    cell_word(error_kinds[call->kind].name)),
                any ? "more rows fall than P asks for, even with the largest errors that are tried"
                : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
@@ -246,7 +251,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
 {
     const struct arguments *given = query->given;
     struct trials t;
-    struct domq_budget budget = {.sigma = 0};
+    struct dom_budget budget = {.sigma = 0};
     const struct budget_call call = {.trials = &t,
                                      .share = given->number[0],
                                      .kind = given->count > 2 ? (enum dom_error_of)given->number[2]
@@ -259,13 +264,13 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
     if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000, false, &t))
         return false;
     bool good = budget_check(query, &t, call.kind, problem);
-    enum dom_status status = good ? domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement,
-                                                          call.kind, (double)call.share, &budget)
+    enum dom_status status = good ? dom_placement_budget(&t.row.row, &t.row.compute, &t.placement, call.kind,
+                                                         (double)call.share, &budget)
                                   : DOM_OK;
     const bool any = !isfinite(budget.sigma);
     if (good && status == DOM_OK && !any && answer_for_people(a))
         status = budget_say(a, &call, &budget);
-    free(t.scene.domino);
+    free(t.row.domino);
     if (!good || status == DOM_STOPS)
         return good && budget_none(problem, &call);
     const bool interrupted = status == DOM_INTERRUPTED && budget.sigma > 0 && !any;
@@ -281,6 +286,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
 
 const struct command study_commands[] = {
     {.name = "placement",
+     .in_double = true,
      .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where rows stop",
@@ -315,6 +321,7 @@ const struct command study_commands[] = {
      .access.files = true,
      .run = run_pool},
     {.name = "budget",
+     .in_double = true,
      .synonyms = "probability chance random precision spacing tolerance",
      .argument =
          {{.name = "P", .kind = ARGUMENT_ANY, .noun = "share"},

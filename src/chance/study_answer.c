@@ -28,8 +28,8 @@ size_t *study_stops(const struct study *study, int kind)
     return study->stops + ((size_t)kind + 1) * study->dominoes;
 }
 
-enum dom_status study_run_with_causes(const struct domq_row *row, const struct domq_compute *compute,
-                                      const struct domq_placement *p, struct study *study)
+enum dom_status study_run_with_causes(const struct dom_row *row, const struct dom_compute *compute,
+                                      const struct dom_placement *p, struct study *study)
 {
     int on = 0;
     *study = (struct study){.sigma = p->error[DOM_ERROR_gap].size,
@@ -44,9 +44,8 @@ enum dom_status study_run_with_causes(const struct domq_row *row, const struct d
     study->stops = calloc((1 + DOM_ERROR_COUNT) * row->count, sizeof *study->stops);
     if (!study->stops)
         return DOM_NO_MEMORY;
-    return study->causes
-               ? domq_placement_causes(row, compute, p, &study->result, study->without, study->stops)
-               : domq_placement_study(row, compute, p, &study->result, study->stops);
+    return study->causes ? dom_placement_causes(row, compute, p, &study->result, study->without, study->stops)
+                         : dom_placement_study(row, compute, p, &study->result, study->stops);
 }
 
 /* Iterates over the positive numbers in number[0 .. count - 1], from the largest to the smallest. Each call
@@ -107,7 +106,7 @@ static void causes_say(struct answer *a, const struct study *s)
 void study_answer(struct answer *a, const struct study *s, const char *reason)
 {
     enum { SHOWN = 2 };
-    const struct domq_study *study = &s->result;
+    const struct dom_study *study = &s->result;
     const size_t count = s->dominoes, others = study->rows - study->fall - study->unknown,
                  most = most_next(s->stops, count, count);
     const int worst = cause_next(s, DOM_ERROR_COUNT);
@@ -124,8 +123,8 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
         answer_say(a, "The other rows stop at domino %s.", text);
     const size_t there = costs ? cause_stops(s, worst) : 0;
     answer_row(a,
-               ROW(cell_real(s->sigma), cell_real(s->heights), cell_count((domq_real)study->rows),
-                   cell_count((domq_real)study->fall),
+               ROW(cell_real((domq_real)s->sigma), cell_real((domq_real)s->heights),
+                   cell_count((domq_real)study->rows), cell_count((domq_real)study->fall),
                    cell_computed((domq_real)study->fall / (domq_real)study->rows),
                    cell_computed((domq_real)study->low), cell_computed((domq_real)study->high),
                    cell_count((domq_real)study->unknown),

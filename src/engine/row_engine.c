@@ -3,6 +3,7 @@
  * that the library and the commands ask for. */
 #include "engine/row_engine.h"
 #include "engine/engine.h"
+#include "session/double_row.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,62 +15,58 @@ struct unit {
     double length, mass, time;
 };
 
-static struct unit unit_of(const struct domq_row *row)
+static struct unit unit_of(const struct dom_domino *first, double g)
 {
-    double h = (double)row->domino[0].height;
-    return (struct unit){h, (double)row->domino[0].mass, sqrt(h / (double)row->g)};
+    return (struct unit){first->height, first->mass, sqrt(first->height / g)};
 }
 
 /* Returns the moment of inertia of a box about its centre. The unit is the moment of inertia of a solid block
  * with the same size and mass. For a solid domino, returns 0. */
-static double box_inertia(const struct domq_row *row, const struct domq_domino *d)
+static double box_inertia(const struct dom_row *row, const struct dom_domino *d)
 {
-    struct domq_box box;
+    struct dom_box box;
     if (row->walls == 0 || d->height <= row->boxes_above ||
-        domq_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
+        dom_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
             DOM_OK)
         return 0;
     /* box.inertia is the moment of inertia about a lower edge, divided by that of a solid block. In the unit
      * of this function, the moment about the edge is the moment about the centre plus 3 (parallel axis
      * theorem), so it is 1 + 3 = 4 for a solid block. */
-    return 4 * (double)box.inertia - 3;
+    return 4 * box.inertia - 3;
 }
 
 /* Converts a row to the engine's units. The caller frees *boxes, even after a failure. */
-static enum dom_status row_convert(const struct domq_row *row, struct engine_row *engine,
+static enum dom_status row_convert(const struct dom_row *row, struct engine_row *engine,
                                    struct engine_box **boxes)
 {
     const struct scene_engine *of_scene = row->engine->context;
-    const struct unit unit = unit_of(row);
+    const struct unit unit = unit_of(row->domino, row->g);
     struct engine_box *box = *boxes = malloc(row->count * sizeof *box);
     if (!box)
         return DOM_NO_MEMORY;
     for (size_t k = 0; k < row->count; k++) {
-        const struct domq_domino *d = &row->domino[k];
-        box[k] = (struct engine_box){(double)d->height / unit.length,
-                                     (double)d->thickness / unit.length,
-                                     (double)d->gap / unit.length,
-                                     (double)d->mass / unit.mass,
-                                     box_inertia(row, d),
-                                     (double)d->radius / unit.length};
+        const struct dom_domino *d = &row->domino[k];
+        box[k] =
+            (struct engine_box){d->height / unit.length, d->thickness / unit.length, d->gap / unit.length,
+                                d->mass / unit.mass,     box_inertia(row, d),        d->radius / unit.length};
         if (!(box[k].height > 0 && box[k].thickness > 0 && box[k].gap >= 0 && box[k].mass > 0) ||
             !isfinite(box[k].height + box[k].thickness + box[k].gap + box[k].mass))
             return DOM_BAD_HEIGHT;
     }
     *engine = (struct engine_row)ENGINE_ROW(box, row->count);
     engine->bounce = of_scene->bounce;
-    engine->feet = fmax(of_scene->feet + (double)row->feet, 0);
-    engine->push = (double)row->push * unit.time;
+    engine->feet = fmax(of_scene->feet + row->feet, 0);
+    engine->push = row->push * unit.time;
     if (row->release > 0 && !isnan(row->push)) {
-        domq_real touch;
-        const enum dom_status status = domq_row_touch(row, NULL, &touch);
+        double touch;
+        const enum dom_status status = dom_row_touch(row, NULL, &touch);
         if (status != DOM_OK)
             return status;
-        engine->tilt = fmin((double)row->release, (double)touch);
+        engine->tilt = fmin(row->release, touch);
     }
-    engine->mu = (double)row->mu;
-    engine->slope = (double)row->alpha;
-    engine->radius = (double)row->rho;
+    engine->mu = row->mu;
+    engine->slope = row->alpha;
+    engine->radius = row->rho;
     return DOM_OK;
 }
 
@@ -103,44 +100,44 @@ static void hits_scale(struct engine_hit *hit, struct unit unit, size_t hits)
     }
 }
 
-static void hits_visit(const struct engine_hit *hit, const struct engine_fall *fall,
-                       bool (*visit)(const struct domq_fall *, void *), void *context)
+static void hits_visit(const struct engine_hit *hit, const struct engine_fall *fall, dom_fall_visit *visit,
+                       void *context)
 {
-    const domq_real none = DOMQ_NAN;
+    const double none = DOM_NAN;
     for (size_t k = 0; k < fall->hits; k++) {
-        struct domq_fall f = {.domino = k + 1,
-                              .time = (domq_real)hit[k].time,
-                              .duration = (domq_real)(hit[k].until - hit[k].time),
-                              .omega = (domq_real)hit[k].omega,
-                              .kinetic = (domq_real)hit[k].kinetic,
-                              .barrier = none,
-                              .margin = none,
-                              .lost = none,
-                              .friction_work = none,
-                              .theta_m = none,
-                              .theta = none,
-                              .moving = k + 1,
-                              .floor_motion = none,
-                              .floor_hit = none};
+        struct dom_fall f = {.domino = k + 1,
+                             .time = hit[k].time,
+                             .duration = hit[k].until - hit[k].time,
+                             .omega = hit[k].omega,
+                             .kinetic = hit[k].kinetic,
+                             .barrier = none,
+                             .margin = none,
+                             .lost = none,
+                             .friction_work = none,
+                             .theta_m = none,
+                             .theta = none,
+                             .moving = k + 1,
+                             .floor_motion = none,
+                             .floor_hit = none};
         if (!visit(&f, context))
             return;
     }
 }
 
-static void verdict_fill(const struct engine_fall *fall, const struct domq_row *row, double seconds,
-                         struct domq_verdict *verdict)
+static void verdict_fill(const struct engine_fall *fall, const struct dom_row *row, double seconds,
+                         struct dom_verdict *verdict)
 {
     const size_t last = fall->hits - 1;
     bool beyond = fall->lies && !fall->all && row->domino[last + 1].gap >= row->domino[last].height;
-    *verdict = (struct domq_verdict){.end = fall->all                                      ? DOM_ROW_FALLS
-                                            : fall->leans                                  ? DOM_ROW_LEANS
-                                            : beyond                                       ? DOM_ROW_MISSES
-                                            : last == 0 && !fall->lies && row->release > 0 ? DOM_ROW_BACK
-                                                                                           : DOM_ROW_STOPS,
-                                     .domino = fall->hits,
-                                     .short_by = fall->all ? 0 : DOMQ_NAN,
-                                     .seconds = (domq_real)seconds,
-                                     .spare = DOMQ_NAN};
+    *verdict = (struct dom_verdict){.end = fall->all                                      ? DOM_ROW_FALLS
+                                           : fall->leans                                  ? DOM_ROW_LEANS
+                                           : beyond                                       ? DOM_ROW_MISSES
+                                           : last == 0 && !fall->lies && row->release > 0 ? DOM_ROW_BACK
+                                                                                          : DOM_ROW_STOPS,
+                                    .domino = fall->hits,
+                                    .short_by = fall->all ? 0 : DOM_NAN,
+                                    .seconds = seconds,
+                                    .spare = DOM_NAN};
 }
 
 static void report_fill(const struct engine_settled *settled, const struct engine_hit *hit, struct unit unit,
@@ -156,13 +153,12 @@ static void report_fill(const struct engine_settled *settled, const struct engin
                                      .zero = settled->fall.zero * unit.time};
 }
 
-/* Runs a row in the engine. The library calls this function through struct domq_engine. */
-static enum dom_status run_row(const struct domq_row *row, const struct domq_compute *compute, bool times,
-                               bool (*visit)(const struct domq_fall *fall, void *context), void *context,
-                               struct domq_verdict *verdict)
+/* Runs a row in the engine. The library calls this function through struct dom_engine. */
+static enum dom_status run_row(const struct dom_row *row, const struct dom_compute *compute, bool times,
+                               dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
     const struct scene_engine *of_scene = row->engine->context;
-    const struct unit unit = unit_of(row);
+    const struct unit unit = unit_of(row->domino, row->g);
     struct engine_row engine;
     struct engine_box *box;
     struct engine_settled settled = {.same = false};
@@ -189,6 +185,66 @@ static enum dom_status run_row(const struct domq_row *row, const struct domq_com
     return status;
 }
 
+/* ---- Rows in quad ---- */
+
+/* Converts a row with its engine to double. */
+static bool quad_row_make(const struct domq_row *row, const struct domq_compute *compute,
+                          struct double_row *made)
+{
+    const struct scene_engine *of_scene = row->engine->context;
+    const bool done = double_row_make(row, compute, made);
+    made->row.engine = &of_scene->in_double;
+    return done;
+}
+
+struct visitor {
+    domq_fall_visit *visit;
+    void *context;
+};
+
+static bool visit_in_quad(const struct dom_fall *f, void *context)
+{
+    const struct visitor *v = context;
+    const domq_real none = DOMQ_NAN;
+    const struct domq_fall fall = {.domino = f->domino,
+                                   .time = (domq_real)f->time,
+                                   .duration = (domq_real)f->duration,
+                                   .omega = (domq_real)f->omega,
+                                   .kinetic = (domq_real)f->kinetic,
+                                   .barrier = none,
+                                   .margin = none,
+                                   .lost = none,
+                                   .friction_work = none,
+                                   .theta_m = none,
+                                   .theta = none,
+                                   .moving = f->moving,
+                                   .floor_motion = none,
+                                   .floor_hit = none};
+    return v->visit(&fall, v->context);
+}
+
+/* Does the same as run_row. The library calls this function through struct domq_engine. */
+static enum dom_status run_row_in_quad(const struct domq_row *row, const struct domq_compute *compute,
+                                       bool times, domq_fall_visit *visit, void *context,
+                                       struct domq_verdict *verdict)
+{
+    struct visitor visitor = {visit, context};
+    struct double_row made;
+    struct dom_verdict found;
+    if (!quad_row_make(row, compute, &made))
+        return DOM_NO_MEMORY;
+    const enum dom_status status =
+        run_row(&made.row, &made.compute, times, visit ? visit_in_quad : NULL, &visitor, &found);
+    if (status == DOM_OK)
+        *verdict = (struct domq_verdict){.end = found.end,
+                                         .domino = found.domino,
+                                         .short_by = (domq_real)found.short_by,
+                                         .seconds = (domq_real)found.seconds,
+                                         .spare = DOMQ_NAN};
+    free(made.domino);
+    return status;
+}
+
 /* ---- Runs for commands ---- */
 
 static enum dom_status run_once(const struct domq_row *row, const struct domq_compute *compute,
@@ -197,10 +253,14 @@ static enum dom_status run_once(const struct domq_row *row, const struct domq_co
     struct engine_fall fall;
     struct engine_row engine;
     struct engine_box *box;
-    enum dom_status status = row_convert(row, &engine, &box);
+    struct double_row made;
+    if (!quad_row_make(row, compute, &made))
+        return DOM_NO_MEMORY;
+    enum dom_status status = row_convert(&made.row, &engine, &box);
     if (status == DOM_OK)
         status = status_of(engine_run(&engine, grain, compute->interrupt, NULL, visit, context, &fall));
     free(box);
+    free(made.domino);
     return status;
 }
 
@@ -261,7 +321,8 @@ static enum dom_status row_watch(const struct domq_row *row, const struct domq_c
     const struct scene_engine *of_scene = row->engine->context;
     const struct engine_report *report = of_scene->report;
     const struct engine_grain grain = {.steps = report->steps, .tolerance = report->tolerance};
-    struct watch w = {.unit = unit_of(row),
+    const struct dom_domino first = domino_in_double(row->domino);
+    struct watch w = {.unit = unit_of(&first, (double)row->g),
                       .zero = report->zero,
                       .times = times,
                       .left = count,
@@ -321,7 +382,8 @@ static bool row_make(const struct scene *scene, size_t count, struct scene_engin
             "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian, run 'apt-get "
             "install libchipmunk7'",
             why);
-    *engine = (struct scene_engine){.engine = {.run = run_row, .context = engine},
+    *engine = (struct scene_engine){.engine = {.run = run_row_in_quad, .context = engine},
+                                    .in_double = {.run = run_row, .context = engine},
                                     .feet = feet->on ? (double)feet->value[0] : HUGE_VAL,
                                     .bounce = bounce->on ? (double)bounce->value[0] : 0};
     return true;

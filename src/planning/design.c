@@ -42,27 +42,27 @@ static domq_real friction_most(const struct query *query, domq_real safety)
 }
 
 /* Returns the push in rad/s above which the first domino is thrown off the floor. */
-static domq_real push_most(const struct domq_wish *wish)
+static double push_most(const struct dom_wish *wish)
 {
-    return quad(sqrt)(2 * wish->g / wish->first);
+    return sqrt(2 * wish->g / wish->first);
 }
 
 /* Returns a stronger push that does not throw the first domino off the floor. Returns NaN if the push is
  * already almost the largest possible one. */
-static domq_real push_stronger(const struct domq_wish *wish)
+static double push_stronger(const struct dom_wish *wish)
 {
-    const domq_real most = push_most(wish) * 9 / 10;
-    return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOMQ_NAN;
+    const double most = push_most(wish) * 9 / 10;
+    return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOM_NAN;
 }
 
 /* Converts a push to the speed of the first domino's upper edge, which is easier to imagine. */
-static struct measured push_speed(const struct domq_wish *wish, domq_real push)
+static struct measured push_speed(const struct dom_wish *wish, double push)
 {
     return measured(push * wish->first, "m/s", 2);
 }
 
 /* Reports that the search failed, and what may help. Returns false. */
-static bool search_failed(const struct scene *scene, const struct domq_design *d, struct problem *problem)
+static bool search_failed(const struct scene *scene, const struct dom_design *d, struct problem *problem)
 {
     const struct domq_train *t = &scene->train;
     const char *with = t->rho > 0 && t->mu > 0 ? "with friction and rounded edges "
@@ -72,12 +72,12 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
     const char *off = t->rho > 0 ? ", or 'set edges off'" : t->mu > 0 ? ", or 'set friction off'" : "";
     return problem_no_answer(problem,
                              "no row was found: %sthe search failed at s = %.2g; try another thickness%s",
-                             with, (double)d->needs, off);
+                             with, d->needs, off);
 }
 
 /* Explains why no row fulfils the wish and says what the user can change. */
-static void infeasible_text(const struct query *query, const struct domq_wish *wish,
-                            const struct domq_limits *limits, const struct domq_design *d, char *text,
+static void infeasible_text(const struct query *query, const struct dom_wish *wish,
+                            const struct dom_limits *limits, const struct dom_design *d, char *text,
                             size_t size)
 {
     const struct measured safety = measured(wish->safety, "", 6);
@@ -91,7 +91,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             !limits              ? "dominoes of the same proportions"
             : limits->boards > 0 ? "these boards"
                                  : "this grid",
-            measured(d->needs, "", 4).text, measured(round_digits(d->needs, 4, true), "", 4).text);
+            measured(d->needs, "", 4).text,
+            measured(round_digits(quad_decimal(d->needs), 4, true), "", 4).text);
     } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
         snprintf(
             text, size,
@@ -99,7 +100,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             "a push above %s lifts this domino off the floor; enter a smaller safety",
             safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
     } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
-        const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
+        const struct measured push = measured(round_digits(quad_decimal(d->needs), 3, true), "", 3);
         snprintf(text, size,
                  "infeasible: the start is too weak for a safety of %s at the second domino; domino 1 needs "
                  "a push of %.40s rad/s (%.40s at its top); first enter 'set push %.40s'",
@@ -111,10 +112,10 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             "a smaller safety",
             safety.text);
     } else if (d->limit == DOM_DESIGN_ENGINE) {
-        domq_real push = push_stronger(wish);
+        const double push = push_stronger(wish);
         if (isfinite(push))
             snprintf(more, sizeof more, "a stronger push may help: first enter 'set push %.40s'",
-                     measured(round_digits(push, 2, false), "", 2).text);
+                     measured(round_digits(quad_decimal(push), 2, false), "", 2).text);
         else
             snprintf(more, sizeof more, "another thickness may help");
         snprintf(
@@ -130,7 +131,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
         if (d->needs > 1)
             snprintf(text, size,
                      "infeasible: no growth gives a safety of %s here; a safety below %s is possible%s",
-                     safety.text, measured(round_digits(d->needs, 4, false), "", 4).text, more);
+                     safety.text, measured(round_digits(quad_decimal(d->needs), 4, false), "", 4).text, more);
         else
             snprintf(text, size, "infeasible: not even equal dominoes keep falling here, whatever the gap%s",
                      more);
@@ -139,12 +140,13 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
 
 /* If no design was found, the boards and the grid may be the reason. Returns true if a design is possible
  * without them, and writes a message that says so into `reason`. */
-static bool limits_forbid(const struct query *query, const struct domq_wish *wish,
-                          const struct domq_limits *limits, char reason[REASON])
+static bool limits_forbid(const struct query *query, const struct dom_wish *wish,
+                          const struct dom_limits *limits, char reason[REASON])
 {
-    struct domq_design d;
-    const bool found = domq_design_find(&query->scene->train, wish, &query->scene->compute, &d) == DOM_OK &&
-                       d.limit == DOM_DESIGN_FITS;
+    struct dom_design d;
+    const struct dom_train train = train_in_double(&query->scene->train);
+    const struct dom_compute compute = compute_in_double(&query->scene->compute);
+    const bool found = dom_design_find(&train, wish, &compute, &d) == DOM_OK && d.limit == DOM_DESIGN_FITS;
     if (found)
         snprintf(
             reason, REASON,
@@ -162,7 +164,7 @@ static bool limits_forbid(const struct query *query, const struct domq_wish *wis
 
 /* ---- The answer ---- */
 
-static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_real grid)
+static bool wish_check(struct problem *problem, const struct dom_wish *w, domq_real grid)
 {
     if (!grid_check(grid, w->first, problem))
         return false;
@@ -201,20 +203,20 @@ static bool thin_box(const struct scene *scene, struct problem *problem)
 }
 
 /* If the scene runs rows in the rigid-body engine, the design must also fall there. */
-static bool design_find(const struct query *query, struct domq_wish *wish, const struct domq_limits *limits,
-                        struct scene_engine *engine, struct domq_design *d, struct problem *problem)
+static bool design_find(const struct query *query, struct dom_wish *wish, const struct dom_limits *limits,
+                        struct scene_engine *engine, struct dom_design *d, struct problem *problem)
 {
     struct scene with_row = *query->scene;
     with_row.effect[DOM_EFFECT_row].on = true;
     if (scene_has_engine(&with_row)) {
         if (!row_engine->make(&with_row, 1, engine, problem))
             return false;
-        wish->engine = &engine->engine;
+        wish->engine = &engine->in_double;
     }
-    const struct domq_train *train = &query->scene->train;
-    const struct domq_compute *compute = &query->scene->compute;
-    enum dom_status status =
-        limits ? domq_design_fit(train, wish, limits, compute, d) : domq_design_find(train, wish, compute, d);
+    const struct dom_train train = train_in_double(&query->scene->train);
+    const struct dom_compute compute = compute_in_double(&query->scene->compute);
+    const enum dom_status status = limits ? dom_design_fit(&train, wish, limits, &compute, d)
+                                          : dom_design_find(&train, wish, &compute, d);
     if (status == DOM_NO_ROOM)
         return thin_box(query->scene, problem);
     if (status == DOM_NO_AIR)
@@ -231,8 +233,8 @@ static bool design_find(const struct query *query, struct domq_wish *wish, const
 }
 
 /* Prints how safe the design is. Adds a list of its dominoes to the details. */
-static void design_say(const struct query *query, struct answer *a, const struct domq_wish *wish,
-                       const struct domq_design *d, const struct designed_row *plan)
+static void design_say(const struct query *query, struct answer *a, const struct dom_wish *wish,
+                       const struct dom_design *d, const struct designed_row *plan)
 {
     char growth[160] = "", weakest[CELL_TEXT + 120] = "";
     if (d->weakest > 0)
@@ -240,8 +242,8 @@ static void design_say(const struct query *query, struct answer *a, const struct
                  energy_words(d->row).text, wish->engine ? " in the model, which treats feet as hinges" : "");
     if (!plan->is_improved && !plan->limits)
         snprintf(growth, sizeof growth,
-                 ", each %.4g times as large as the one before, with gaps of %.4g times the height",
-                 (double)d->r, (double)d->s);
+                 ", each %.4g times as large as the one before, with gaps of %.4g times the height", d->r,
+                 d->s);
     const struct scene *scene = query->scene;
     char boxes[192] = "dominoes";
     if (scene_boxes_above(scene) > 0)
@@ -280,21 +282,22 @@ static void replaced_write(const struct scene *before, char text[REPLACED])
         text_add(text, REPLACED, "%sr = %s", has_s ? " and " : place, quad_text(before->train.r, 6));
 }
 
-static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
+static bool design_keep(const struct query *query, struct problem *problem, const struct dom_design *d,
                         const struct designed_row *plan)
 {
-    const domq_real count = (domq_real)d->steps + 1;
+    const domq_real count = (domq_real)d->steps + 1, s = quad_decimal(d->s),
+                    r = design_growth(query->scene, plan);
     struct state *next = query->next;
     return !next ||
            (parameter_set(next, parameter_find("row"), &count, 1, NULL, problem) &&
-            parameter_set(next, parameter_find("s"), &d->s, 1, NULL, problem) &&
-            parameter_set(next, parameter_find("r"), &d->r, 1, NULL, problem) &&
+            parameter_set(next, parameter_find("s"), &s, 1, NULL, problem) &&
+            parameter_set(next, parameter_find("r"), &r, 1, NULL, problem) &&
             (!plan->limits || dominoes_keep(&next->scene, plan->domino, plan->count, true, problem)));
 }
 
 /* Improves the session's row, which is the design, and copies the improved row to the plan. */
 static bool design_improve(const struct query *query, const struct wishes *w, struct answer *a,
-                           struct designed_row *plan, struct domq_design *d, struct domq_study *study,
+                           struct designed_row *plan, struct dom_design *d, struct dom_study *study,
                            struct problem *problem)
 {
     struct query of_row = *query;
@@ -314,25 +317,25 @@ static bool design_improve(const struct query *query, const struct wishes *w, st
         *study = found.study[1];
     plan->is_improved = found.changed > 0;
     if (plan->is_improved) { /* these numbers are not known for the improved row */
-        d->row = d->train = d->seconds = DOMQ_NAN;
+        d->row = d->train = d->seconds = DOM_NAN;
         d->weakest = 0;
     }
     return true;
 }
 
-static struct domq_limits design_limits(const struct query *query, const struct wishes *w)
+static struct dom_limits design_limits(const struct query *query, const struct wishes *w)
 {
-    return (struct domq_limits){.sizes = true,
-                                .q = query->scene->train.q,
-                                .hall = w->hall,
-                                .heaviest = (domq_real)HUGE_VAL,
-                                .grid = w->grid,
-                                .board = w->board,
-                                .boards = w->boards};
+    return (struct dom_limits){.sizes = true,
+                               .q = (double)query->scene->train.q,
+                               .hall = (double)w->hall,
+                               .heaviest = HUGE_VAL,
+                               .grid = (double)w->grid,
+                               .board = w->board,
+                               .boards = w->boards};
 }
 
 /* Writes why there is no design. If the answer should go to a file, this is an error. */
-static bool design_none(struct answer *a, const struct domq_design *d, const char *reason, bool file,
+static bool design_none(struct answer *a, const struct dom_design *d, const char *reason, bool file,
                         struct problem *problem)
 {
     if (file)
@@ -346,8 +349,8 @@ static bool design_none(struct answer *a, const struct domq_design *d, const cha
 /* Prints the answer. If the command can change the session, first makes the design the row of the session. If
  * the user asked for a probability, this row is also improved. */
 static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
-                          const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
-                          struct domq_study *study, struct problem *problem)
+                          const struct dom_wish *wish, struct designed_row *plan, struct dom_design *d,
+                          struct dom_study *study, struct problem *problem)
 {
     const bool file = a->path && !a->style.format->for_people, keeps = a->out && !a->sink.take && query->next;
     char replaced[REPLACED] = "";
@@ -372,20 +375,20 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
 {
     const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
     const bool file = a->path && !a->style.format->for_people, is_random = w->probability > 0;
-    struct domq_wish wish = {.first = query->scene->scale.h,
-                             .height = query->given->number[0],
-                             .safety = w->safety,
-                             .hall = w->hall,
-                             .g = query->scene->scale.g,
-                             .push = scene_push(query->scene, query->scene->scale.h),
-                             .release = scene_release(query->scene),
-                             .least = w->least,
-                             .walls = scene_walls(query->scene),
-                             .boxes_above = scene_boxes_above(query->scene)};
-    const struct domq_limits sizes = design_limits(query, w),
-                             *limits = w->grid > 0 || w->boards > 0 ? &sizes : NULL;
-    struct domq_design d;
-    struct domq_study study = {.rows = 0};
+    struct dom_wish wish = {.first = (double)query->scene->scale.h,
+                            .height = (double)query->given->number[0],
+                            .safety = (double)w->safety,
+                            .hall = (double)w->hall,
+                            .g = (double)query->scene->scale.g,
+                            .push = (double)scene_push(query->scene, query->scene->scale.h),
+                            .release = (double)scene_release(query->scene),
+                            .least = w->least,
+                            .walls = (double)scene_walls(query->scene),
+                            .boxes_above = (double)scene_boxes_above(query->scene)};
+    const struct dom_limits sizes = design_limits(query, w),
+                            *limits = w->grid > 0 || w->boards > 0 ? &sizes : NULL;
+    struct dom_design d;
+    struct dom_study study = {.rows = 0};
     struct designed_row plan;
     char reason[REASON];
     struct scene_engine engine;

@@ -19,7 +19,7 @@ enum { BEYOND = 2 };
 struct tried {
     size_t count;
     domq_real length, mass;
-    struct domq_study study;
+    struct dom_study study;
 };
 
 /* Returns the number of random rows to run. If each row falls with this probability, at least 20 of them (10
@@ -62,19 +62,19 @@ static void table_write(struct answer *a, const struct tried *tried, size_t coun
 
 /* Counts how many random rows of a design fall. Runs a small sample first, and a larger one only if the
  * design may reach the given probability. */
-static bool design_count(const struct query *query, const struct domq_wish *wish,
-                         const struct domq_limits *limits, const struct domq_design *d, domq_real probability,
+static bool design_count(const struct query *query, const struct dom_wish *wish,
+                         const struct dom_limits *limits, const struct dom_design *d, domq_real probability,
                          struct tried *t, struct problem *problem)
 {
     struct designed_row plan;
     struct scene scene;
-    struct domq_random_error error[DOM_ERROR_COUNT];
+    struct dom_random_error error[DOM_ERROR_COUNT];
     if (!designed_make(query, problem, wish, limits, d, &plan))
         return false;
     bool good = design_scene(query->scene, d, &plan, &scene, problem);
     struct query of_row = *query;
     of_row.scene = &scene;
-    *t = (struct tried){.count = plan.count, .length = d->length, .mass = designed_mass(&plan)};
+    *t = (struct tried){.count = plan.count, .length = (domq_real)d->length, .mass = designed_mass(&plan)};
     const bool engine = good && scene_has_engine(&scene);
     good = good && study_run(&of_row, problem, rows_for(0, engine), &t->study, error);
     if (good && (domq_real)t->study.high >= probability && rows_for(probability, engine) > t->study.rows)
@@ -86,8 +86,8 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
 
 /* Explains in `reason` why no design was found. Either no row falls, even without errors, or no number of
  * dominoes reaches the probability. In the second case, `reason` also says which number comes closest. */
-static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish,
-                       const struct domq_limits *limits, domq_real probability, char reason[REASON])
+static void none_write(const struct tried *tried, size_t count, const struct dom_wish *wish,
+                       const struct dom_limits *limits, domq_real probability, char reason[REASON])
 {
     size_t best = 0;
     for (size_t i = 1; i < count; i++)
@@ -106,12 +106,14 @@ static void none_write(const struct tried *tried, size_t count, const struct dom
                  tried[best].study.rows, isfinite(wish->hall) ? ", or the hall longer" : "");
 }
 
-bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
-                  const struct domq_limits *limits, domq_real probability, struct domq_design *design,
-                  struct domq_study *study, char reason[REASON], struct problem *problem)
+bool design_falls(const struct query *query, struct answer *a, const struct dom_wish *wish,
+                  const struct dom_limits *limits, domq_real probability, struct dom_design *design,
+                  struct dom_study *study, char reason[REASON], struct problem *problem)
 {
     struct tried tried[DESIGNS_MOST];
-    struct domq_random_error error[DOM_ERROR_COUNT];
+    struct dom_random_error error[DOM_ERROR_COUNT];
+    const struct dom_train train = train_in_double(&query->scene->train);
+    const struct dom_compute compute = compute_in_double(&query->scene->compute);
     size_t count = 0, beyond = 0;
     if (!errors_check(query->scene, problem))
         return false;
@@ -120,11 +122,10 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
                                       "another error, such as 'set error_thickness 1 %%'");
     design->limit = DOM_DESIGN_SAFETY;
     for (size_t steps = 1; steps < DOMINOES_MOST && count < DESIGNS_MOST && beyond <= BEYOND; steps++) {
-        struct domq_design d;
-        struct domq_wish w = *wish;
+        struct dom_design d;
+        struct dom_wish w = *wish;
         w.engine = NULL;
-        const enum dom_status status =
-            domq_design_steps(&query->scene->train, &w, limits, &query->scene->compute, steps, &d);
+        const enum dom_status status = dom_design_steps(&train, &w, limits, &compute, steps, &d);
         if (status != DOM_OK)
             return problem_status(problem, query->scene, status);
         if (design->limit != DOM_DESIGN_FITS && d.limit != DOM_DESIGN_FITS)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes and lists the dominoes of a design, and writes its numbers as a row of the answer. */
+#include "language/quad.h"
 #include "planning/designs.h"
 #include "planning/planning.h"
 #include "train/falling.h"
@@ -33,8 +34,8 @@ void design_columns_choose(struct answer *a, bool is_random)
 
 /* ---- The dominoes of a design ---- */
 
-bool designed_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
-                   const struct domq_limits *limits, const struct domq_design *d, struct designed_row *p)
+bool designed_make(const struct query *query, struct problem *problem, const struct dom_wish *wish,
+                   const struct dom_limits *limits, const struct dom_design *d, struct designed_row *p)
 {
     const domq_real mass = scene_mass(query->scene);
     *p = (struct designed_row){.count = d->steps + 1,
@@ -45,9 +46,15 @@ bool designed_make(const struct query *query, struct problem *problem, const str
     p->domino = malloc(p->count * sizeof *p->domino);
     if (!p->domino)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    const enum dom_status status = domq_design_dominoes(&query->scene->train, wish, limits, d, p->domino);
-    for (size_t k = 0; k < p->count; k++)
+    const struct dom_train train = train_in_double(&query->scene->train);
+    struct dom_domino *domino = malloc(p->count * sizeof *domino);
+    const enum dom_status status =
+        domino ? dom_design_dominoes(&train, wish, limits, d, domino) : DOM_NO_MEMORY;
+    for (size_t k = 0; k < p->count && status == DOM_OK; k++) {
+        p->domino[k] = domino_from_double(&domino[k]);
         p->domino[k].mass *= p->has_masses ? mass : 1;
+    }
+    free(domino);
     if (status == DOM_OK)
         return true;
     free(p->domino);
@@ -116,8 +123,8 @@ domq_real designed_mass(const struct designed_row *p)
     return p->has_masses ? mass : mass / p->domino[0].mass;
 }
 
-void design_row(struct answer *a, const struct designed_row *p, const struct domq_design *d,
-                const struct domq_study *study, const char *reason)
+void design_row(struct answer *a, const struct designed_row *p, const struct dom_design *d,
+                const struct dom_study *study, const char *reason)
 {
     const struct cell none = cell_real(DOMQ_NAN);
     const bool counted = study && study->rows > 0;
@@ -138,14 +145,20 @@ void design_row(struct answer *a, const struct designed_row *p, const struct dom
                reason);
 }
 
-bool design_scene(const struct scene *from, const struct domq_design *d, const struct designed_row *plan,
+domq_real design_growth(const struct scene *scene, const struct designed_row *plan)
+{
+    const size_t steps = plan->count - 1;
+    return quad(pow)(plan->domino[steps].height / scene->scale.h, 1 / (domq_real)steps);
+}
+
+bool design_scene(const struct scene *from, const struct dom_design *d, const struct designed_row *plan,
                   struct scene *scene, struct problem *problem)
 {
     *scene = *from;
     scene->listed = (struct listed_row){.domino = NULL};
     scene->effect[DOM_EFFECT_row].on = true;
     scene->effect[DOM_EFFECT_row].value[0] = (domq_real)plan->count;
-    scene->train.s = d->s;
-    scene->train.r = d->r;
+    scene->train.s = quad_decimal(d->s);
+    scene->train.r = design_growth(scene, plan);
     return !plan->limits || dominoes_keep(scene, plan->domino, plan->count, true, problem);
 }

@@ -12,13 +12,13 @@ struct designed_row {
     const struct scene *scene; /* gives the thickness of the walls of boxes */
     bool walls_unknown;        /* the dominoes are hollow, and the thickness of their walls is not known */
     bool is_improved;          /* true if 'improve sizes' has changed the dominoes */
-    const struct domq_limits
+    const struct dom_limits
         *limits; /* the sizes that the dominoes may have, or NULL if any size is allowed */
 };
 
 /* Makes the dominoes of a design. The caller frees plan->domino. */
-bool designed_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
-                   const struct domq_limits *limits, const struct domq_design *design,
+bool designed_make(const struct query *query, struct problem *problem, const struct dom_wish *wish,
+                   const struct dom_limits *limits, const struct dom_design *design,
                    struct designed_row *plan);
 
 /* Returns the total mass in kg or, if masses are not known, relative to the first domino. */
@@ -33,11 +33,14 @@ void design_columns_choose(struct answer *a, bool is_random);
 
 /* Writes the numbers of a design. If there is no design, `plan` is NULL and `reason` says why. `study` has
  * the results of the random rows, or is NULL. */
-void design_row(struct answer *a, const struct designed_row *plan, const struct domq_design *design,
-                const struct domq_study *study, const char *reason);
+void design_row(struct answer *a, const struct designed_row *plan, const struct dom_design *design,
+                const struct dom_study *study, const char *reason);
+
+/* Returns the growth with which a train from the height h has the last height of the plan. */
+domq_real design_growth(const struct scene *scene, const struct designed_row *plan);
 
 /* Makes a scene whose row is the design. Call listed_free(&scene->listed) afterwards, even on failure. */
-bool design_scene(const struct scene *from, const struct domq_design *design, const struct designed_row *plan,
+bool design_scene(const struct scene *from, const struct dom_design *design, const struct designed_row *plan,
                   struct scene *scene, struct problem *problem);
 
 enum { REASON = 640 };
@@ -46,8 +49,8 @@ enum { REASON = 640 };
  * probability is measured with random rows, so it is known only to within a 95 % interval. The lower end of
  * this interval must reach `probability`. Prints a table of the designs that were tried. If no design reaches
  * the probability, `reason` says why, and design->limit is not DOM_DESIGN_FITS. */
-bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
-                  const struct domq_limits *limits, domq_real probability, struct domq_design *design,
-                  struct domq_study *study, char reason[REASON], struct problem *problem);
+bool design_falls(const struct query *query, struct answer *a, const struct dom_wish *wish,
+                  const struct dom_limits *limits, domq_real probability, struct dom_design *design,
+                  struct dom_study *study, char reason[REASON], struct problem *problem);
 
 #endif

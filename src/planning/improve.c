@@ -31,26 +31,27 @@ enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 /* A row and its improvement. Do not copy the struct, because its member `placement` points to its member
  * `pool`. */
 struct improvement {
-    struct scene_row scene; /* the row before the changes */
-    struct domq_domino *domino;
-    struct domq_limits limits;
-    struct domq_placement placement;
+    struct scene_row scene; /* the row before the changes; its dominoes have been freed */
+    struct double_row from; /* the same in double */
+    struct dom_domino *domino;
+    struct dom_limits limits;
+    struct dom_placement placement;
     struct task_pool pool;
-    struct domq_study study[2];
+    struct dom_study study[2];
     /* the length of the row in m, including its fallen last domino, before and after the changes */
-    domq_real before, after;
+    double before, after;
     size_t changed;
 };
 
-static domq_real length_of(const struct domq_domino *d, size_t count)
+static double length_of(const struct dom_domino *d, size_t count)
 {
-    domq_real length = d[count - 1].height;
+    double length = d[count - 1].height;
     for (size_t k = 0; k < count; k++)
         length += d[k].thickness + d[k].gap;
     return length;
 }
 
-static bool is_changed(const struct domq_domino *a, const struct domq_domino *b)
+static bool is_changed(const struct dom_domino *a, const struct dom_domino *b)
 {
     return a->height != b->height || a->thickness != b->thickness || a->gap != b->gap || a->mass != b->mass;
 }
@@ -60,29 +61,29 @@ static bool is_changed(const struct domq_domino *a, const struct domq_domino *b)
 static bool improvement_make(const struct query *query, const struct wishes *w, struct problem *problem,
                              struct improvement *i)
 {
-    if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &i->scene, problem)) {
-        i->scene.domino = NULL;
+    if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &i->scene, problem))
         return false;
-    }
     const size_t count = i->scene.row.count;
+    const enum dom_status status = scene_row_in_double(&i->scene, &i->from);
+    free(i->scene.domino);
     i->domino = malloc(count * sizeof *i->domino);
-    if (!i->domino)
+    if (status != DOM_OK || !i->domino)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    i->before = length_of(i->scene.domino, count);
-    i->limits = (struct domq_limits){.sizes = w->sizes,
-                                     .q = query->scene->train.q,
-                                     .hall = w->has_hall ? w->hall : i->before,
-                                     .heaviest = w->mass,
-                                     .grid = w->grid,
-                                     .board = w->board,
-                                     .boards = w->boards};
+    i->before = length_of(i->from.domino, count);
+    i->limits = (struct dom_limits){.sizes = w->sizes,
+                                    .q = (double)query->scene->train.q,
+                                    .hall = w->has_hall ? (double)w->hall : i->before,
+                                    .heaviest = (double)w->mass,
+                                    .grid = (double)w->grid,
+                                    .board = w->board,
+                                    .boards = w->boards};
     i->pool = (struct task_pool){.threads = query->state->settings.threads,
                                  .interrupt = query->scene->compute.interrupt};
-    i->placement = (struct domq_placement){.seed = (unsigned long)query->scene->seed,
-                                           .first = 1,
-                                           .rows = i->scene.row.engine ? ROWS_OF_ENGINE : ROWS,
-                                           .parallel = workers_tasks,
-                                           .pool = &i->pool};
+    i->placement = (struct dom_placement){.seed = (unsigned long)query->scene->seed,
+                                          .first = 1,
+                                          .rows = i->from.row.engine ? ROWS_OF_ENGINE : ROWS,
+                                          .parallel = workers_tasks,
+                                          .pool = &i->pool};
     if (!scene_errors(query->scene, i->placement.error))
         return problem_error(problem, "this command needs random errors; first enter 'set placement 1 "
                                       "mm', or another error, such as 'set error_thickness 1 %%'");
@@ -90,7 +91,7 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
         return problem_error(
             problem,
             "without 'sizes', only gaps change, not thicknesses or masses; enter 'improve sizes ...'");
-    if (!grid_check(w->grid, i->scene.domino[0].height, problem))
+    if (!grid_check(w->grid, quad_decimal(i->from.domino[0].height), problem))
         return false;
     if (isfinite(w->mass) && !scene_has_masses(query->scene))
         return problem_error(problem, "the masses of this row are not known; set the mass of its first "
@@ -116,8 +117,8 @@ static void changes_list(struct answer *a, const struct improvement *i)
             answer_leave_out(&list, columns[c].key);
     list.style.errors = false;
     for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
-        for (size_t k = 0; k < i->scene.row.count && !answer_lost(&list); k++) {
-            const struct domq_domino *from = &i->scene.domino[k], *to = &i->domino[k];
+        for (size_t k = 0; k < i->from.row.count && !answer_lost(&list); k++) {
+            const struct dom_domino *from = &i->from.domino[k], *to = &i->domino[k];
             struct cell cells[] = {cell_count((domq_real)k + 1),
                                    cell_real(from->height),
                                    cell_real(to->height),
@@ -141,7 +142,7 @@ static void changes_list(struct answer *a, const struct improvement *i)
 struct phrase {
     char text[320];
 };
-static struct phrase study_words(const struct domq_study *s)
+static struct phrase study_words(const struct dom_study *s)
 {
     struct phrase phrase;
     snprintf(phrase.text, sizeof phrase.text, "%zu of %zu rows fall (%s to %s)", s->fall, s->rows,
@@ -153,7 +154,7 @@ static struct phrase study_words(const struct domq_study *s)
 static void improvement_say(const struct query *query, struct answer *a, const struct improvement *i,
                             bool interrupted)
 {
-    const size_t count = i->scene.row.count;
+    const size_t count = i->from.row.count;
     if (interrupted)
         answer_say(a, "Interrupted; this is the best row so far.");
     if (i->study[0].fall == i->study[0].rows && i->changed == 0)
@@ -169,7 +170,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     else
         answer_say(a, "Before, %s; now %s, with 95 %% confidence.", study_words(&i->study[0]).text,
                    study_words(&i->study[1]).text);
-    if (i->scene.row.engine)
+    if (i->from.row.engine)
         answer_detail(
             a,
             "The search used the model, which treats feet as hinges. The probability comes from the "
@@ -210,21 +211,35 @@ static bool improvement_none(const struct query *query, struct problem *problem,
     return row_status(query, problem, status);
 }
 
+/* Makes the improved row the row of the scene. */
+static bool improvement_keep(struct scene *scene, const struct improvement *i, struct problem *problem)
+{
+    const size_t count = i->from.row.count;
+    struct domq_domino *domino = malloc(count * sizeof *domino);
+    if (!domino)
+        return problem_status(problem, scene, DOM_NO_MEMORY);
+    for (size_t k = 0; k < count; k++)
+        domino[k] = domino_from_double(&i->domino[k]);
+    const bool kept = dominoes_keep(scene, domino, count, i->limits.sizes, problem);
+    free(domino);
+    return kept;
+}
+
 bool improve_row(const struct query *query, const struct wishes *w, struct answer *a, struct improved *found,
                  struct problem *problem)
 {
     struct improvement i = {.domino = NULL};
     bool good = improvement_make(query, w, problem, &i);
-    enum dom_status status = good ? domq_row_improve(&i.scene.row, &i.scene.compute, &i.placement, &i.limits,
-                                                     progress_count, NULL, i.domino, i.study)
+    enum dom_status status = good ? dom_row_improve(&i.from.row, &i.from.compute, &i.placement, &i.limits,
+                                                    progress_count, NULL, i.domino, i.study)
                                   : DOM_OK;
     const bool interrupted = status == DOM_INTERRUPTED && i.study[1].rows > 0 && !a->sink.take;
     if (good && status == DOM_OK && (i.study[1].rows == 0 || (i.study[1].fall == 0 && i.study[0].fall > 0)))
         good = limits_unmet(w, problem);
     if (good && (status == DOM_OK || interrupted)) {
-        i.after = length_of(i.domino, i.scene.row.count);
-        for (size_t k = 0; k < i.scene.row.count; k++)
-            i.changed += is_changed(&i.scene.domino[k], &i.domino[k]);
+        i.after = length_of(i.domino, i.from.row.count);
+        for (size_t k = 0; k < i.from.row.count; k++)
+            i.changed += is_changed(&i.from.domino[k], &i.domino[k]);
         if (answer_for_people(a))
             improvement_say(query, a, &i, interrupted);
         *found = (struct improved){.study = {i.study[0], i.study[1]},
@@ -232,10 +247,10 @@ bool improve_row(const struct query *query, const struct wishes *w, struct answe
                                    .length = i.after,
                                    .interrupted = interrupted};
         good = !query->next || a->sink.take || i.changed == 0 ||
-               dominoes_keep(&query->next->scene, i.domino, i.scene.row.count, i.limits.sizes, problem);
+               improvement_keep(&query->next->scene, &i, problem);
     }
     free(i.domino);
-    free(i.scene.domino);
+    free(i.from.domino);
     return good && (status == DOM_OK || improvement_none(query, problem, &i, status));
 }
 
@@ -246,7 +261,7 @@ bool run_improve(const struct query *query, struct answer *a, struct problem *pr
     bool good = improve_row(query, w, a, &i, problem);
     if (!good && !i.interrupted)
         return false;
-    const struct domq_study *s = i.study;
+    const struct dom_study *s = i.study;
 #define SHARE(value) cell_computed((domq_real)(value))
     answer_row(a,
                ROW(SHARE((double)s[0].fall / (double)s[0].rows), SHARE(s[0].low), SHARE(s[0].high),

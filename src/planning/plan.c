@@ -130,7 +130,7 @@ static void push_words(const struct scene_row *scene, char *text, size_t size)
 }
 
 /* Writes the random errors of the scene with three digits, such as "gap 5 mm, thickness 1 %, lean 1 deg". */
-static void errors_words(const struct domq_random_error *error, char *text, size_t size)
+static void errors_words(const struct dom_random_error *error, char *text, size_t size)
 {
     int at = 0;
     text[0] = '\0';
@@ -152,7 +152,7 @@ static void caption_write(struct plan *p, const char *mark)
 {
     char errors[SENTENCE], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
     struct stage *stage = &p->row.stage;
-    const struct domq_study *s = &p->study;
+    const struct dom_study *s = &p->study;
     const size_t *critical = p->windows.critical;
     falling_row_summary(&p->row, summary);
     falling_row_verdict(&p->row, verdict);
@@ -188,9 +188,9 @@ static void plan_rows(const struct plan *p, struct answer *a)
     const struct scene_row *scene = &p->row.run.scene;
     for (size_t k = 0; k < scene->row.count && !answer_lost(a); k++) {
         const struct domq_domino *d = &scene->domino[k];
-        const struct domq_window *place = plan_window(p, DOM_WINDOW_PLACE, k),
-                                 *height = plan_window(p, DOM_WINDOW_HEIGHT, k),
-                                 *thickness = plan_window(p, DOM_WINDOW_THICKNESS, k);
+        const struct dom_window *place = plan_window(p, DOM_WINDOW_PLACE, k),
+                                *height = plan_window(p, DOM_WINDOW_HEIGHT, k),
+                                *thickness = plan_window(p, DOM_WINDOW_THICKNESS, k);
         const domq_real back = (domq_real)p->back[k];
         answer_cells(a, cell_count((domq_real)k + 1), cell_real(back), cell_real(back + d->thickness),
                      cell_real(place->low), cell_real(place->high), cell_real(d->gap), cell_real(d->height),

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct domq_window *plan_window(const struct plan *p, enum dom_window_of kind, size_t k)
+const struct dom_window *plan_window(const struct plan *p, enum dom_window_of kind, size_t k)
 {
     return &p->windows.kind[kind][k];
 }
@@ -26,7 +26,7 @@ static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
 static void window_put(struct guide_line *line, int at, const struct plan *p, enum dom_window_of kind,
                        size_t k, domq_real now)
 {
-    const struct domq_window *w = plan_window(p, kind, k);
+    const struct dom_window *w = plan_window(p, kind, k);
     mm(line->cell[at], now, 0);
     mm(line->cell[at + 1], w->low, 1);
     mm(line->cell[at + 2], w->high, -1);

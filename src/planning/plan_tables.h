@@ -13,15 +13,15 @@ struct plan {
     struct windows windows;
     double *back; /* positions of the dominoes' back edges on the tape measure, in m */
     bool is_thin; /* the dominoes are hollow, and the thickness of their walls is not known */
-    struct domq_study study;
-    struct domq_random_error error[DOM_ERROR_COUNT];
+    struct dom_study study;
+    struct dom_random_error error[DOM_ERROR_COUNT];
     struct guide guide;
     char sizes[320]; /* the note above the table of sizes */
 };
 
 /* Returns the window for the place, the height or the thickness of domino k, counted from 0. As long as only
  * this value changes and stays in its window, all dominoes fall. */
-const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
+const struct dom_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 
 bool plan_has_leans(const struct plan *plan);
 

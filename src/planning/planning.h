@@ -13,10 +13,11 @@ struct wishes {
     domq_real safety; /* the minimum safety that a design must have */
     domq_real hall;   /* the maximum length of the row in m */
     enum dom_least least;
-    bool has_hall;                            /* true if the user has typed 'hall' */
-    domq_real probability;                    /* the smallest allowed probability of falling, or 0 */
-    bool sizes;                               /* true if 'improve' also changes sizes */
-    domq_real board[BOARDS_MOST], mass, grid; /* as in struct dom_limits, where `mass` is called `heaviest` */
+    bool has_hall;             /* true if the user has typed 'hall' */
+    domq_real probability;     /* the smallest allowed probability of falling, or 0 */
+    bool sizes;                /* true if 'improve' also changes sizes */
+    domq_real mass, grid;      /* as in struct dom_limits, where `mass` is called `heaviest` */
+    double board[BOARDS_MOST]; /* as in struct dom_limits */
     size_t boards;
 };
 extern const struct wishes usual_wishes;
@@ -34,10 +35,10 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *from, size_t c
                    struct problem *problem);
 
 struct improved {
-    struct domq_study study[2]; /* the studies before and after the changes */
-    size_t changed;             /* the number of dominoes that have changed */
-    domq_real length;           /* the length of the row in m after its last domino has fallen */
-    bool interrupted;           /* true if ^C ended the search: the row is the best one so far */
+    struct dom_study study[2]; /* the studies before and after the changes */
+    size_t changed;            /* the number of dominoes that have changed */
+    double length;             /* the length of the row in m after its last domino has fallen */
+    bool interrupted;          /* true if ^C ended the search: the row is the best one so far */
 };
 
 /* Improves the row of the scene and prints the changes. If there is a next state, stores the row in it.

@@ -171,7 +171,7 @@ bool grid_check(domq_real grid, domq_real first, struct problem *problem)
 
 static int compare(const void *a, const void *b)
 {
-    const domq_real x = *(const domq_real *)a, y = *(const domq_real *)b;
+    const double x = *(const double *)a, y = *(const double *)b;
     return x < y ? -1 : x > y;
 }
 
@@ -184,17 +184,16 @@ static bool boards_bind(const struct question *q, const struct query *query, str
     const struct wishes_parsed *parsed = q->parsed;
     struct quantity board[BOARDS_MOST] = {{.value = 0}};
     w->boards = parsed->boards;
-    for (size_t i = 0; i < w->boards; i++)
-        if (!item_bind(&parsed->board[i], q->text, query, &board[i], &w->board[i], problem))
-            return false;
     for (size_t i = 0; i < w->boards; i++) {
+        domq_real thickness;
+        if (!item_bind(&parsed->board[i], q->text, query, &board[i], &thickness, problem))
+            return false;
         const bool bare = quantity_is_number(board[i]),
                    length = quantity_alike(board[i], (struct quantity){.length = 1});
-        if (!(w->board[i] > 0) || (!bare && !length))
+        if (!(thickness > 0) || (!bare && !length))
             return problem_error(
                 problem, "the thickness of a board must be a length above 0, as in 'boards 9, 12, 15 mm'");
-        if (bare)
-            w->board[i] *= parsed->board_unit;
+        w->board[i] = (double)(bare ? thickness * parsed->board_unit : thickness);
     }
     qsort(w->board, w->boards, sizeof *w->board, compare);
     return true;

@@ -9,7 +9,7 @@ void cost_proved(const struct query *query, struct answer *a, void *context)
 {
     static const double proved[] = {1e-3, 1e-6, 1e-9, 1e-12, 1e-14};
     struct cost_more *more = context;
-    struct dom_train train = proof_train(&query->scene->train);
+    struct dom_train train = train_in_double(&query->scene->train);
     struct dom_compute compute = {.interrupt = query->scene->compute.interrupt};
     more->method = "proved";
     for (size_t k = 0; (more->is_rmax || more->is_pair) && k < sizeof proved / sizeof *proved; k++) {

@@ -7,10 +7,6 @@
 
 extern const struct command prove_commands[];
 
-/* Rounds the parameters of a train to double precision. domino_proof.h says for which trains a proof about
- * the rounded train holds. */
-struct dom_train proof_train(const struct domq_train *train);
-
 /* Adds a row for each proof of 'rmax' or 'pair', with smaller and smaller tolerances until a proof fails. A
  * proof takes a long time, so it is timed only once. `context` is a struct cost_more. */
 void cost_proved(const struct query *query, struct answer *answer, void *context);

@@ -27,18 +27,6 @@ static const struct column prove_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-struct dom_train proof_train(const struct domq_train *train)
-{
-    struct dom_train t = {.fuel = train->fuel};
-#define COPY(name, default_, lowest, highest, unit, meaning) t.name = (double)train->name;
-    DOM_TRAIN_PARAMETERS(COPY)
-#undef COPY
-#define COPY(effect, member, status) t.member = (double)train->member;
-    DOM_DYNAMICS(COPY)
-#undef COPY
-    return t;
-}
-
 static struct dom_compute proof_compute(const struct query *query)
 {
     const struct domq_compute *compute = &query->scene->compute;
@@ -105,7 +93,7 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
                                          [DOM_PROVED_REACH] = "reach",
                                          [DOM_PROVED_NONE] = "none",
                                          [DOM_PROVED_PARTLY] = "not proved"};
-    struct dom_train train = proof_train(&query->scene->train);
+    struct dom_train train = train_in_double(&query->scene->train);
     struct dom_compute compute = proof_compute(query);
     struct dom_proof proof = {.low = DOM_NAN};
     char reason[ANSWER_REASON];
@@ -145,7 +133,7 @@ static void say_cycle(const struct query *query, struct answer *a, const struct 
 
 static bool prove_cycle(const struct query *query, struct answer *a, struct problem *problem, enum what what)
 {
-    struct dom_train train = proof_train(&query->scene->train);
+    struct dom_train train = train_in_double(&query->scene->train);
     struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
     char reason[ANSWER_REASON];
@@ -163,7 +151,7 @@ static bool prove_cycle(const struct query *query, struct answer *a, struct prob
 
 static bool prove_count(const struct query *query, struct answer *a, struct problem *problem, double height)
 {
-    struct dom_train train = proof_train(&query->scene->train);
+    struct dom_train train = train_in_double(&query->scene->train);
     struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
     struct start start;

@@ -22,11 +22,11 @@ static bool push_lacks(const struct domq_verdict *v)
 }
 
 /* Sets *push to the weakest push that saves the row, or to NaN if there is none. */
-static enum dom_status push_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v,
-                                domq_real *push)
+static enum dom_status push_say(struct answer *a, const struct double_row *made, const struct domq_verdict *v,
+                                double *push)
 {
-    enum dom_status status = domq_row_weakest_push(&scene->row, &scene->compute,
-                                                   domq_effect(DOM_EFFECT_push)->argument[0].highest, push);
+    enum dom_status status = dom_row_weakest_push(&made->row, &made->compute,
+                                                  dom_effect(DOM_EFFECT_push)->argument[0].highest, push);
     if (status != DOM_OK)
         return status;
     answer_say(a, v->end == DOM_ROW_LEANS
@@ -37,7 +37,7 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
     if (isnan(*push))
         answer_say(a, "A push alone cannot save this row; enter 'set push 5', and then 'mend' again.");
     else
-        answer_say(a, "With 'set push %.4g', all dominoes fall.", (double)*push);
+        answer_say(a, "With 'set push %.4g', all dominoes fall.", *push);
     return DOM_OK;
 }
 
@@ -45,15 +45,15 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
 
 /* Returns the smallest change of the gap to whole millimetres at which all dominoes fall. If there is none,
  * returns the nearest gap at which they fall. */
-static domq_real whole_gap(const struct domq_mend *m)
+static domq_real whole_gap(const struct dom_mend *m)
 {
     const bool wider = m->until > m->to;
-    const domq_real mm = (domq_real)1 / 1000,
-                    gap = mm * (wider ? quad(ceil)(m->to / mm) : quad(floor)(m->to / mm));
-    return (wider ? gap <= m->until : gap >= m->until) && gap > 0 ? gap : m->to;
+    const domq_real mm = (domq_real)1 / 1000, to = quad_decimal(m->to), until = quad_decimal(m->until),
+                    gap = mm * (wider ? quad(ceil)(to / mm) : quad(floor)(to / mm));
+    return (wider ? gap <= until : gap >= until) && gap > 0 ? gap : to;
 }
 
-static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_push)
+static void mend_say(struct answer *a, const struct dom_mend *m, bool needs_push)
 {
     const domq_real safe = whole_gap(m);
     const struct measured to = measured(safe, "m", 7);
@@ -61,10 +61,11 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
                needs_push ? "The smallest change, if the push stays as it is:" : "The smallest change:",
                m->to < m->gap ? "narrow" : "widen", m->domino, measured(m->gap, "m", 5).text, to.text,
                m->domino, to.text);
-    if (quad(fabs)(m->until - m->to) <= (domq_real)1e-4 * m->to)
+    if (fabs(m->until - m->to) <= 1e-4 * m->to)
         return;
     const bool wider = m->until > m->to;
-    const domq_real until = round_digits(m->until, 4, !wider), room = m->to + (until - m->to) / 3;
+    const domq_real until = round_digits(quad_decimal(m->until), 4, !wider),
+                    room = m->to + (until - m->to) / 3;
     const struct measured end = measured(until, "m", 7), near = measured(m->to, "m", 7);
     const char *from = until > 0 ? (wider ? near : end).text : "";
     answer_detail(a, "All dominoes fall if this gap is %s%s%s%s: 'place %zu %s' leaves a margin of %s.",
@@ -73,7 +74,7 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
 }
 
 /* Prints a table of the changes that were found and says how to make the smallest one. */
-static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
+static void mends_answer(struct answer *a, const struct dom_mend *list, size_t found,
                          const struct domq_verdict *v, size_t count, bool has_push)
 {
     static const char no_single_gap[] =
@@ -81,10 +82,10 @@ static void mends_answer(struct answer *a, const struct domq_mend *list, size_t 
         "the dominoes";
     const bool falls = v->end == DOM_ROW_FALLS;
     for (size_t i = 0; i < found; i++) {
-        domq_real change = list[i].to - list[i].gap;
+        const double change = list[i].to - list[i].gap;
         answer_cells(a, cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
                      cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
-                     cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4));
+                     cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOM_NAN, 4));
     }
     if (found > 0)
         mend_say(a, list, push_lacks(v));
@@ -102,23 +103,27 @@ static void mends_answer(struct answer *a, const struct domq_mend *list, size_t 
 bool run_mend(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
+    struct double_row made;
     struct domq_verdict v;
-    struct domq_mend list[DOM_MENDS];
+    struct dom_mend list[DOM_MENDS];
     size_t found = 0;
-    domq_real push = DOMQ_NAN;
+    double push = DOM_NAN;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
     scene.row.floor = false;
-    enum dom_status status = domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
+    enum dom_status status = scene_row_in_double(&scene, &made);
+    if (status == DOM_OK)
+        status = domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
     if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
-        status = push_say(a, &scene, &v, &push);
+        status = push_say(a, &made, &v, &push);
     if (status == DOM_OK && v.end != DOM_ROW_FALLS)
-        status = domq_row_mend(&scene.row, &scene.compute, progress_count, NULL, list, &found);
+        status = dom_row_mend(&made.row, &made.compute, progress_count, NULL, list, &found);
     if (status == DOM_OK)
         mends_answer(a, list, found, &v, scene.row.count, !isnan(push));
     if (status == DOM_OK && found == 0 && v.end != DOM_ROW_FALLS && isnan(push) &&
         !query->scene->listed.domino)
         answer_say(a, "'why' says with which gaps or growth an endless train keeps falling.");
+    free(made.domino);
     free(scene.domino);
     return row_status(query, problem, status);
 }

@@ -107,20 +107,40 @@ static const struct column rowmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* A callback for dom_row_rmax, and its context. */
+struct growth {
+    const struct scene *scene;
+    struct domq_domino *domino;
+};
+
+static void grow_in_double(double r, struct dom_domino *domino, size_t count, void *context)
+{
+    const struct growth *g = context;
+    row_grow((domq_real)r, g->domino, count, g->scene);
+    for (size_t k = 0; k < count; k++)
+        domino[k] = domino_in_double(&g->domino[k]);
+}
+
 static bool run_rowmax(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct domq_row_growth growth;
+    struct dom_row_growth growth;
     struct domq_limit limit;
     struct scene_row scene;
+    struct double_row made;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
-    free(scene.domino);
-    if (query->scene->listed.domino)
+    if (query->scene->listed.domino) {
+        free(scene.domino);
         return problem_error(problem, "a row from a file has no growth r; first enter 'set row N'");
-    const domq_real reach = domq_train_reach(&query->scene->train);
+    }
+    struct growth grown = {query->scene, scene.domino};
+    const double reach = (double)domq_train_reach(&query->scene->train);
     char reason[96];
-    enum dom_status status =
-        domq_row_rmax(&scene.row, &scene.compute, reach, row_grow, (void *)query->scene, &growth);
+    enum dom_status status = scene_row_in_double(&scene, &made);
+    if (status == DOM_OK)
+        status = dom_row_rmax(&made.row, &made.compute, reach, grow_in_double, &grown, &growth);
+    free(made.domino);
+    free(scene.domino);
     if (status == DOM_OK)
         status = domq_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
     if (status == DOM_OPEN)
@@ -132,19 +152,19 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
         return row_status(query, problem, status);
     snprintf(reason, sizeof reason,
              "there is no growth from 1 to %.6g at which all dominoes fall; 'set r 1; fall' shows why",
-             (double)reach);
-    bool more =
-        answer_row(a,
-                   ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
-                       cell_limit(cell_computed(growth.r_max)), cell_limit(cell_computed(limit.r_max))),
-                   isnan(growth.r_max) ? reason
-                   : has_train         ? NULL
-                                       : dom_status_text(DOM_NO_AIR));
+             reach);
+    bool more = answer_row(a,
+                           ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
+                               cell_limit(cell_computed((domq_real)growth.r_max)),
+                               cell_limit(cell_computed(limit.r_max))),
+                           isnan(growth.r_max) ? reason
+                           : has_train         ? NULL
+                                               : dom_status_text(DOM_NO_AIR));
     if (growth.r_min > 1)
         answer_say(a,
                    "All dominoes fall if r is between %.6g and r_max, but not if r is smaller, as 'set r 1; "
                    "fall' shows.",
-                   (double)round_digits(growth.r_min, 6, true));
+                   (double)round_digits((domq_real)growth.r_min, 6, true));
     return more;
 }
 
@@ -176,6 +196,7 @@ const struct command row_commands[] = {
      .brief = "",
      ANSWER(verdict)},
     {.name = "mend",
+     .in_double = true,
      .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
      .help =
@@ -190,6 +211,7 @@ const struct command row_commands[] = {
      .brief = "",
      ANSWER(mend)},
     {.name = "tolerance",
+     .in_double = true,
      .synonyms = "window precision error plumb measure tape spacing height",
      .summary = "how inaccurate each domino may be before the row stops",
      .help = "A window is a range of values, for example of the height of a domino. All dominoes fall with "
@@ -280,7 +302,7 @@ const struct command row_commands[] = {
      .rows = true,
      ANSWER(row)},
     {.name = "rowmax",
-     .has_errors = true,
+     .in_double = true,
      .synonyms = "maximum ratio factor",
      .summary = "the largest growth r at which the whole row falls",
      .help = "The row is the one that 'set row N' makes from s, d, q and h, and 'set push' starts it. "

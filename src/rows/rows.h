@@ -64,7 +64,7 @@ struct windows {
     /* An array of windows for each kind of window. For example, kind[DOM_WINDOW_HEIGHT][2] is the window of
      * the height of the third domino. All dominoes have the same friction, so there is only one window for
      * it: kind[DOM_WINDOW_FRICTION][0]. */
-    struct domq_window *kind[WINDOW_KINDS];
+    struct dom_window *kind[WINDOW_KINDS];
     /* Numbers of dominoes, counted from 1. If the row falls, critical[K] is the domino with the tightest
      * limits for its place, height, thickness or lean. If the row does not fall, critical[DOM_WINDOW_LEAN] is
      * the leaning domino whose lean needs the smallest change to save the row. All other elements are 0. */

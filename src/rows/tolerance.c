@@ -42,9 +42,9 @@ const struct column tolerance_columns[] = {
 
 /* Returns the distance from the current value to the nearer end of the window. The distance is negative if
  * the value is outside the window, and NaN if there is no window. */
-static domq_real room(const struct domq_window *w)
+static double room(const struct dom_window *w)
 {
-    return quad_smaller(w->now - w->low, w->high - w->now);
+    return fmin(w->now - w->low, w->high - w->now);
 }
 
 /* Returns the number of the domino whose value is closest to an end of its window, or 0 if there is no such
@@ -53,13 +53,13 @@ static domq_real room(const struct domq_window *w)
  * considered, for example dominoes that do not lean. */
 static size_t least_room(const struct windows *w, enum dom_window_of kind)
 {
-    domq_real least = DOMQ_NAN;
+    double least = DOM_NAN;
     size_t first = 0;
     for (size_t k = 0; k < w->count; k++) {
-        const struct domq_window *of = &w->kind[kind][k];
+        const struct dom_window *of = &w->kind[kind][k];
         /* A difference in height or thickness is divided by the current value. */
-        domq_real free =
-            quad(fabs)(room(of)) / (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
+        const double free =
+            fabs(room(of)) / (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
         if (!isnan(free) && !(free >= least) && (w->falls || of->now != 0)) {
             least = free;
             first = k + 1;
@@ -69,16 +69,17 @@ static size_t least_room(const struct windows *w, enum dom_window_of kind)
 }
 
 /* Converts a window of leans from angles to distances by which the top is off plumb. */
-static void lean_to_top(struct domq_window *lean, domq_real height)
+static void lean_to_top(struct dom_window *lean, double height)
 {
-    lean->now = height * quad(sin)(lean->now);
-    lean->low = height * quad(sin)(lean->low);
-    lean->high = height * quad(sin)(lean->high);
+    lean->now = height * sin(lean->now);
+    lean->low = height * sin(lean->low);
+    lean->high = height * sin(lean->high);
 }
 
 /* The search for all windows. Each kind of window is a task, and the tasks run in parallel. */
 struct search {
     struct windows *windows;
+    const struct double_row *made;
     enum dom_status status[WINDOW_KINDS];
     atomic_size_t done; /* the number of windows found so far */
     bool is_muted;      /* true if progress output is muted in the thread that started the search */
@@ -98,20 +99,20 @@ static void search_progress(size_t done, size_t of, void *context)
 static void search_kind(size_t kind, void *context)
 {
     struct search *s = context;
-    const struct scene_row *scene = s->windows->scene;
+    const struct dom_row *row = &s->made->row;
     const bool from_second = kind == DOM_WINDOW_GAP || kind == DOM_WINDOW_PLACE,
-               leans = !scene->row.engine && scene->row.rho == 0;
+               leans = !row->engine && row->rho == 0;
     s->status[kind] = DOM_OK;
     if (leans || kind != DOM_WINDOW_LEAN)
-        s->status[kind] = domq_row_windows(&scene->row, &scene->compute, (enum dom_window_of)kind,
-                                           search_progress, s, s->windows->kind[kind] + from_second);
+        s->status[kind] = dom_row_windows(row, &s->made->compute, (enum dom_window_of)kind, search_progress,
+                                          s, s->windows->kind[kind] + from_second);
 }
 
-static enum dom_status search_run(const struct query *query, struct windows *w)
+static enum dom_status search_run(const struct query *query, const struct double_row *made, struct windows *w)
 {
     struct task_pool pool = {.threads = query->state->settings.threads,
                              .interrupt = query->scene->compute.interrupt};
-    struct search search = {.windows = w, .is_muted = progress_mute(false)};
+    struct search search = {.windows = w, .made = made, .is_muted = progress_mute(false)};
     progress_mute(search.is_muted);
     enum dom_status status = workers_tasks(WINDOW_KINDS, search_kind, &search, &pool);
     for (int kind = 0; kind < WINDOW_KINDS && status == DOM_OK; kind++)
@@ -121,22 +122,25 @@ static enum dom_status search_run(const struct query *query, struct windows *w)
 
 enum dom_status windows_find(const struct query *query, const struct scene_row *scene, struct windows *w)
 {
-    const struct domq_row *row = &scene->row;
-    struct domq_verdict v;
-    *w = (struct windows){.scene = scene, .count = row->count};
+    struct double_row made;
+    struct dom_verdict v;
+    *w = (struct windows){.scene = scene, .count = scene->row.count};
     w->kind[0] = malloc(WINDOW_KINDS * w->count * sizeof **w->kind);
     if (!w->kind[0])
         return DOM_NO_MEMORY;
     for (int i = 1; i < WINDOW_KINDS; i++)
         w->kind[i] = w->kind[i - 1] + w->count;
     for (size_t i = 0; i < WINDOW_KINDS * w->count; i++)
-        w->kind[0][i] = (struct domq_window){.now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN};
-    enum dom_status status = domq_row_run(row, &scene->compute, false, NULL, NULL, &v);
+        w->kind[0][i] = (struct dom_window){.now = DOM_NAN, .low = DOM_NAN, .high = DOM_NAN};
+    enum dom_status status = scene_row_in_double(scene, &made);
+    if (status == DOM_OK)
+        status = dom_row_run(&made.row, &made.compute, false, NULL, NULL, &v);
     w->falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
     if (status == DOM_OK)
-        status = search_run(query, w);
+        status = search_run(query, &made, w);
     for (size_t k = 0; k < w->count; k++)
-        lean_to_top(&w->kind[DOM_WINDOW_LEAN][k], scene->domino[k].height);
+        lean_to_top(&w->kind[DOM_WINDOW_LEAN][k], (double)scene->domino[k].height);
+    free(made.domino);
     if (status == DOM_OK)
         w->critical[DOM_WINDOW_LEAN] = least_room(w, DOM_WINDOW_LEAN);
     if (status == DOM_OK && w->falls) {
@@ -151,15 +155,15 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
 
 /* Rounds both ends of a window, so that they are easier to read. The ends move inwards, so that every value
  * in the rounded window is allowed. Each end moves by at most a hundredth of the window's width. */
-static struct domq_window readable(const struct domq_window *w)
+static struct dom_window readable(const struct dom_window *w)
 {
-    struct domq_window r = *w;
-    domq_real width = w->high - w->low;
+    struct dom_window r = *w;
+    const domq_real low = quad_decimal(w->low), high = quad_decimal(w->high), width = high - low;
     if (!(width > 0))
         return r;
-    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(width / 100)));
-    r.low = quad(ceil)(w->low / digit) * digit;
-    r.high = quad(floor)(w->high / digit) * digit;
+    const domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(width / 100)));
+    r.low = (double)(quad(ceil)(low / digit) * digit);
+    r.high = (double)(quad(floor)(high / digit) * digit);
     return r;
 }
 
@@ -167,14 +171,14 @@ static struct domq_window readable(const struct domq_window *w)
  * enough for it. */
 enum { DIGITS = 6, DIGITS_NOW = 4 };
 
-static struct measured length(domq_real value, int digits)
+static struct measured length(double value, int digits)
 {
     return measured(value, "m", digits);
 }
 
 static void friction_detail(struct answer *a, const struct windows *w)
 {
-    const struct domq_window f = readable(w->kind[DOM_WINDOW_FRICTION]);
+    const struct dom_window f = readable(w->kind[DOM_WINDOW_FRICTION]);
     const struct measured now = measured(f.now, "", DIGITS_NOW);
     char range[2 * CELL_TEXT] = "";
     if (f.low > 0)
@@ -196,10 +200,10 @@ static void friction_detail(struct answer *a, const struct windows *w)
 }
 
 /* Returns a phrase such as "1.7 mm backwards" or "2 mm forwards". */
-static struct words off_plumb(domq_real value, int digits)
+static struct words off_plumb(double value, int digits)
 {
     struct words off;
-    snprintf(off.text, sizeof off.text, "%.40s%s", measured(quad(fabs)(value), "m", digits).text,
+    snprintf(off.text, sizeof off.text, "%.40s%s", measured(fabs(value), "m", digits).text,
              value < 0   ? " backwards"
              : value > 0 ? " forwards"
                          : "");
@@ -211,7 +215,7 @@ static void lean_detail(struct answer *a, const struct windows *w)
     const size_t k = w->critical[DOM_WINDOW_LEAN];
     if (k == 0)
         return;
-    const struct domq_window l = readable(&w->kind[DOM_WINDOW_LEAN][k - 1]);
+    const struct dom_window l = readable(&w->kind[DOM_WINDOW_LEAN][k - 1]);
     const char *all = w->count > 1 ? ", the tightest limits of all" : "";
     if (!w->falls)
         answer_detail(
@@ -236,7 +240,7 @@ static void heights_detail(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;
     for (size_t k = 0; k < w->count; k++) {
-        const struct domq_window *h = &w->kind[DOM_WINDOW_HEIGHT][k];
+        const struct dom_window *h = &w->kind[DOM_WINDOW_HEIGHT][k];
         open += w->falls && h->above == DOM_ROW_FALLS && h->high >= 4 * h->now;
         passing += !w->scene->row.engine && (h->below == DOM_ROW_PASSES || h->above == DOM_ROW_PASSES);
     }
@@ -258,9 +262,9 @@ static void heights_detail(struct answer *a, const struct windows *w)
 /* Prints the command that moves domino k, and no other domino, to the middle of its window. */
 static void place_change_detail(struct answer *a, const struct windows *w, size_t k)
 {
-    const struct domq_window *p = &w->kind[DOM_WINDOW_PLACE][k - 1];
-    const domq_real by = (p->low + p->high) / 2 - p->now;
-    const struct measured shift = measured(quad(fabs)(by), "m", 3);
+    const struct dom_window *p = &w->kind[DOM_WINDOW_PLACE][k - 1];
+    const double by = (p->low + p->high) / 2 - p->now;
+    const struct measured shift = measured(fabs(by), "m", 3);
     char after[2 * CELL_TEXT] = "";
     if (k < w->count)
         snprintf(after, sizeof after, "; change %zu gap %c%.40s", k + 1, by < 0 ? '+' : '-', shift.text);
@@ -274,11 +278,10 @@ static const char *const size_names[] = {
 /* Prints a 'change' command that sets the gap, height or thickness of domino k. */
 static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind, size_t k)
 {
-    const struct domq_window *of = &w->kind[kind][k - 1];
+    const struct dom_window *of = &w->kind[kind][k - 1];
     /* If the row does not fall, the change is kept small, as in 'mend'. */
-    const domq_real near = of->now < of->low ? of->low : of->high,
-                    far = of->now < of->low ? of->high : of->low,
-                    value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
+    const double near = of->now < of->low ? of->low : of->high, far = of->now < of->low ? of->high : of->low,
+                 value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
     (w->falls ? answer_detail : answer_say)(a, "'change %zu %s %s' %s.", k, size_names[kind],
                                             measured(value, "m", 4).text,
                                             w->falls ? "chooses the middle of this range" : "saves the row");
@@ -290,7 +293,7 @@ static void window_say(struct answer *a, const struct windows *w, enum dom_windo
     const size_t k = w->critical[kind];
     if (k == 0)
         return;
-    const struct domq_window of = readable(&w->kind[kind][k - 1]);
+    const struct dom_window of = readable(&w->kind[kind][k - 1]);
     answer_say(a, "The %s of domino %zu has %s limits: %s to %s.",
                kind == DOM_WINDOW_PLACE ? "place" : size_names[kind], k,
                w->count > 1 ? "the tightest" : "these", length(of.low, DIGITS).text,
@@ -339,7 +342,7 @@ static void columns_choose(struct answer *a, const struct windows *w)
                             "thickness thickness_low thickness_high");
     for (size_t k = 0; k < w->count; k++)
         for (int i = 0; i < COLUMN_KINDS; i++) { /* both ends of a window get the same unit */
-            domq_real high = w->kind[column_kinds[i]][k].high;
+            const double high = w->kind[column_kinds[i]][k].high;
             answer_announce(a, tolerance_columns[3 * i + 2].key, high);
             answer_announce(a, tolerance_columns[3 * i + 3].key, high);
         }
@@ -349,14 +352,14 @@ static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
 {
     const bool place = w->critical[DOM_WINDOW_PLACE] == k + 1,
                height = w->critical[DOM_WINDOW_HEIGHT] == k + 1;
-    const struct domq_window *friction = w->kind[DOM_WINDOW_FRICTION];
+    const struct dom_window *friction = w->kind[DOM_WINDOW_FRICTION];
     struct cell cells[ANSWER_COLUMNS] = {cell_count((domq_real)k + 1)}, *cell = cells + 1;
     bool saves = w->falls;
     for (int i = 0; i < COLUMN_KINDS; i++) {
-        const struct domq_window *of = &w->kind[column_kinds[i]][k];
-        const struct domq_window shown = answer_for_people(a) ? readable(of) : *of;
+        const struct dom_window *of = &w->kind[column_kinds[i]][k];
+        const struct dom_window shown = answer_for_people(a) ? readable(of) : *of;
         saves = saves || !isnan(of->low);
-        *cell++ = cell_narrow(shown.now, DIGITS);
+        *cell++ = cell_narrow(quad_decimal(shown.now), DIGITS);
         *cell++ = cell_narrow(shown.low, DIGITS);
         *cell++ = cell_narrow(shown.high, DIGITS);
     }

@@ -52,11 +52,11 @@ void row_run_free(struct row_run *run)
     free(run->fall);
 }
 
-void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *context)
+void row_grow(domq_real r, struct domq_domino *domino, size_t count, const struct scene *scene)
 {
-    struct scene scene = *(const struct scene *)context;
-    scene.train.r = r;
-    scene_row_fill(&scene, domino, count);
+    struct scene grown = *scene;
+    grown.train.r = r;
+    scene_row_fill(&grown, domino, count);
 }
 
 bool row_run_tipped(const struct row_run *run, size_t k)

@@ -28,9 +28,9 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
  * from 0, is this domino. */
 bool row_run_tipped(const struct row_run *run, size_t k);
 
-/* A callback for domq_row_rmax. Fills in the dominoes that the row of `scene` would have if the growth were
+/* Fills in the dominoes that the row of `scene` would have if the growth were
  * r. Keeps the changes that 'change' made to single dominoes. */
-void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene);
+void row_grow(domq_real r, struct domq_domino *domino, size_t count, const struct scene *scene);
 
 /* ---- Words and numbers ---- */
 

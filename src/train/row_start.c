@@ -39,6 +39,19 @@ static bool row_shorten(struct domq_row *row, enum dom_status status)
     return shorter;
 }
 
+/* Finds the weakest push up to `strongest`, in double. */
+static enum dom_status push_find(const struct scene_row *row, domq_real strongest, domq_real *push)
+{
+    struct double_row made;
+    double found = DOM_NAN;
+    enum dom_status status = scene_row_in_double(row, &made);
+    if (status == DOM_OK)
+        status = dom_row_weakest_push(&made.row, &made.compute, (double)strongest, &found);
+    free(made.domino);
+    *push = quad_decimal(found);
+    return status;
+}
+
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem)
 {
@@ -64,7 +77,7 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
          * keep it on the circle, and the domino lifts off the floor. */
         const domq_real lifting = quad(sqrt)(2 * made.row.g / made.domino[0].height);
         if (!start->engine)
-            status = domq_row_weakest_push(&made.row, &made.compute, lifting, &start->push);
+            status = push_find(&made, lifting, &start->push);
     }
     free(made.domino);
     return row_status(query, problem, status);
@@ -124,7 +137,7 @@ static bool search_falls(struct search *s, domq_real r)
     bool decided = false;
     while (!decided && s->status == DOM_OK) {
         row->count = count;
-        row_grow(r, s->made.domino, count, (void *)s->scene);
+        row_grow(r, s->made.domino, count, s->scene);
         s->settled = false;
         s->spare = HUGE_VAL;
         for (int k = 0; k < 3; k++)

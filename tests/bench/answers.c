@@ -7,7 +7,7 @@
  *        answers NAME            computes one answer, and prints its passes and dominoes
  *        answers NAME SECONDS    also prints its time in us, the shortest within so many seconds
  */
-#include "domino_quad.h"
+#include "domino_row.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,23 +18,23 @@ enum { ROW = 20, ROWS = 60, POINTS = 12 };
 /* An answer, and the parameters for which it is computed. A parameter that is 0 has its default. */
 struct counted {
     const char *name;
-    enum dom_status (*ask)(const struct domq_train *train, const struct domq_compute *compute);
+    enum dom_status (*ask)(const struct dom_train *train, const struct dom_compute *compute);
     double s, r, q, mu, rho;
     bool quad, single;
     bool apart; /* computed only if the program is called with the name of this answer */
 };
 
-static enum dom_status ask_rmax(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_rmax(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_limit limit;
-    return domq_limit_rmax(train, compute, &limit);
+    struct dom_limit limit;
+    return dom_limit_rmax(train, compute, &limit);
 }
 
 /* Computes r_max for s from 0.02 to 0.9, with both values of q, as the benchmark does. */
-static enum dom_status ask_curve(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_curve(const struct dom_train *train, const struct dom_compute *compute)
 {
     enum dom_status status = DOM_OK;
-    struct domq_train at = *train;
+    struct dom_train at = *train;
     for (int i = 0; i < 2 * POINTS && status == DOM_OK; i++) {
         at.q = i < POINTS ? 3 : 4;
         at.s = 0.02 + 0.88 * (i % POINTS) / (POINTS - 1);
@@ -43,118 +43,118 @@ static enum dom_status ask_curve(const struct domq_train *train, const struct do
     return status;
 }
 
-static enum dom_status ask_pair(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_pair(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_limit limit;
-    return domq_limit_pair(train, compute, &limit);
+    struct dom_limit limit;
+    return dom_limit_pair(train, compute, &limit);
 }
 
-static enum dom_status ask_best(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_best(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_best best;
-    return domq_limit_best(train, compute, &best);
+    struct dom_best best;
+    return dom_limit_best(train, compute, &best);
 }
 
-static enum dom_status ask_barrier(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_barrier(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_barrier barrier;
-    return domq_barrier_find(train, compute, &barrier);
+    struct dom_barrier barrier;
+    return dom_barrier_find(train, compute, &barrier);
 }
 
-static enum dom_status ask_duration(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_duration(const struct dom_train *train, const struct dom_compute *compute)
 {
-    domq_real duration;
-    return domq_cycle_duration(train, compute, &duration);
+    dom_real duration;
+    return dom_cycle_duration(train, compute, &duration);
 }
 
-static enum dom_status ask_events(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_events(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_event events[DOM_EVENTS_MAX];
+    struct dom_event events[DOM_EVENTS_MAX];
     int count;
-    return domq_cycle_events(train, compute, events, &count);
+    return dom_cycle_events(train, compute, events, &count);
 }
 
-static enum dom_status ask_floor(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_floor(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_floor floor;
-    return domq_cycle_floor(train, compute, &floor);
+    struct dom_floor floor;
+    return dom_cycle_floor(train, compute, &floor);
 }
 
-static bool visit_link(const struct domq_link *link, void *context)
+static bool visit_link(const struct dom_link *link, void *context)
 {
     (void)link, (void)context;
     return true;
 }
 
-static enum dom_status ask_chain(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_chain(const struct dom_train *train, const struct dom_compute *compute)
 {
-    return domq_chain_walk(train, compute, 0.1, visit_link, NULL);
+    return dom_chain_walk(train, compute, 0.1, visit_link, NULL);
 }
 
-static enum dom_status ask_count(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_count(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_count count;
-    return domq_count_find(0.048, 112, train->r, compute, &count);
+    struct dom_count count;
+    return dom_count_find(0.048, 112, train->r, compute, &count);
 }
 
-static struct domq_row row_of(const struct domq_train *train, struct domq_domino *domino)
+static struct dom_row row_of(const struct dom_train *train, struct dom_domino *domino)
 {
-    struct domq_scale scale = domq_scale_default();
-    domq_row_of_train(train, &scale, 1, domino, ROW);
-    return (struct domq_row){
+    struct dom_scale scale = dom_scale_default();
+    dom_row_of_train(train, &scale, 1, domino, ROW);
+    return (struct dom_row){
         .domino = domino, .count = ROW, .g = scale.g, .push = 6, .mu = train->mu, .rho = train->rho};
 }
 
-static enum dom_status ask_verdict(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_verdict(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_domino domino[ROW];
-    struct domq_verdict verdict;
-    struct domq_row row = row_of(train, domino);
-    return domq_row_run(&row, compute, false, NULL, NULL, &verdict);
+    struct dom_domino domino[ROW];
+    struct dom_verdict verdict;
+    struct dom_row row = row_of(train, domino);
+    return dom_row_run(&row, compute, false, NULL, NULL, &verdict);
 }
 
 /*
  * Computes the verdict on a random row, as a study of one row. A study does not count its work, so the work
  * is counted for the row without errors.
  */
-static enum dom_status ask_random(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_random(const struct dom_train *train, const struct dom_compute *compute)
 {
-    static struct domq_domino domino[ROW];
-    static struct domq_row row;
-    struct domq_study study;
-    struct domq_placement placement = {.error[DOM_ERROR_gap].size = 1e-4, .seed = 1, .rows = 1};
+    static struct dom_domino domino[ROW];
+    static struct dom_row row;
+    struct dom_study study;
+    struct dom_placement placement = {.error[DOM_ERROR_gap].size = 1e-4, .seed = 1, .rows = 1};
     if (compute->work) {
         row = row_of(train, domino);
         return ask_verdict(train, compute);
     }
-    return domq_placement_study(&row, compute, &placement, &study, NULL);
+    return dom_placement_study(&row, compute, &placement, &study, NULL);
 }
 
-static enum dom_status ask_row(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_row(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_domino domino[ROW];
-    struct domq_verdict verdict;
-    struct domq_row row = row_of(train, domino);
-    return domq_row_run(&row, compute, true, NULL, NULL, &verdict);
+    struct dom_domino domino[ROW];
+    struct dom_verdict verdict;
+    struct dom_row row = row_of(train, domino);
+    return dom_row_run(&row, compute, true, NULL, NULL, &verdict);
 }
 
-static enum dom_status ask_study(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_study(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_domino domino[ROW];
-    struct domq_study study;
-    struct domq_row row = row_of(train, domino);
-    struct domq_placement placement = {.error[DOM_ERROR_gap].size = 1e-3, .seed = 1, .rows = ROWS};
-    struct domq_compute with = *compute;
+    struct dom_domino domino[ROW];
+    struct dom_study study;
+    struct dom_row row = row_of(train, domino);
+    struct dom_placement placement = {.error[DOM_ERROR_gap].size = 1e-3, .seed = 1, .rows = ROWS};
+    struct dom_compute with = *compute;
     with.work = NULL;
-    return domq_placement_study(&row, &with, &placement, &study, NULL);
+    return dom_placement_study(&row, &with, &placement, &study, NULL);
 }
 
-static enum dom_status ask_windows(const struct domq_train *train, const struct domq_compute *compute)
+static enum dom_status ask_windows(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct domq_domino domino[ROW];
-    struct domq_window windows[ROW];
-    struct domq_row row = row_of(train, domino);
-    return domq_row_windows(&row, compute, DOM_WINDOW_GAP, NULL, NULL, windows);
+    struct dom_domino domino[ROW];
+    struct dom_window windows[ROW];
+    struct dom_row row = row_of(train, domino);
+    return dom_row_windows(&row, compute, DOM_WINDOW_GAP, NULL, NULL, windows);
 }
 
 static const struct counted table[] = {
@@ -197,11 +197,11 @@ static const struct counted table[] = {
 
 /* Answers one question. Callgrind looks for calls of this function, so it must keep its name and must not be
  * inlined. */
-__attribute__((noinline)) enum dom_status
-answer(const struct counted *counted, const struct domq_train *train, const struct domq_compute *compute);
+__attribute__((noinline)) enum dom_status answer(const struct counted *counted, const struct dom_train *train,
+                                                 const struct dom_compute *compute);
 
-enum dom_status answer(const struct counted *counted, const struct domq_train *train,
-                       const struct domq_compute *compute)
+enum dom_status answer(const struct counted *counted, const struct dom_train *train,
+                       const struct dom_compute *compute)
 {
     return counted->ask(train, compute);
 }
@@ -214,14 +214,13 @@ static double seconds_now(void)
 }
 
 /* Returns the shortest time of an answer, measured in batches that are long enough for the clock. */
-static double seconds_of(const struct counted *counted, const struct domq_train *train, double patience)
+static double seconds_of(const struct counted *counted, const struct dom_train *train, double patience)
 {
     enum { BATCH = 20 };
     double end = seconds_now() + patience, least = patience;
     for (double begun; (begun = seconds_now()) < end;) {
         for (int i = 0; i < BATCH; i++)
-            (void)counted->ask(train,
-                               &(struct domq_compute){.tol = (domq_real)1e-12, .precision = DOM_DOUBLE});
+            (void)counted->ask(train, &(struct dom_compute){.tol = (dom_real)1e-12, .precision = DOM_DOUBLE});
         double seconds = (seconds_now() - begun) / BATCH;
         least = seconds < least ? seconds : least;
     }
@@ -233,15 +232,15 @@ int main(int argc, char **argv)
     struct dom_work work = {.passes = 0};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         const struct counted *counted = &table[i];
-        struct domq_train train = domq_train_default();
-        struct domq_compute compute = domq_compute_default();
+        struct dom_train train = dom_train_default();
+        struct dom_compute compute = dom_compute_default();
         if (argc > 1 ? strcmp(argv[1], counted->name) != 0 : counted->apart)
             continue;
         train.s = counted->s > 0 ? counted->s : train.s;
         train.r = counted->r > 0 ? counted->r : train.r;
         train.q = counted->q > 0 ? counted->q : train.q;
         compute.precision = counted->quad ? DOM_QUAD : counted->single ? DOM_FLOAT : DOM_DOUBLE;
-        compute.tol = domq_arithmetic(compute.precision)->tol_default;
+        compute.tol = dom_arithmetic(compute.precision)->tol_default;
         train.mu = counted->mu;
         train.rho = counted->rho;
         compute.work = argc > 1 ? &work : NULL;

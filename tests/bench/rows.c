@@ -11,7 +11,7 @@ static double rows_a_second(double growth, double mu, unsigned threads)
     struct setup train = setup_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_domino domino[DOMINOES];
-    struct domq_study study;
+    struct dom_study study;
     train.r = growth;
     ask_row_of_train(&train, &scale, 1, domino, DOMINOES);
     struct row_setup row = {.domino = domino,
@@ -21,11 +21,11 @@ static double rows_a_second(double growth, double mu, unsigned threads)
                             .mu = mu,
                             .tol = train.tol,
                             .precision = DOM_DOUBLE};
-    struct domq_placement placement = {.error[DOM_ERROR_gap].size = 1e-4,
-                                       .seed = 1,
-                                       .rows = ROWS,
-                                       .parallel = threads_tasks,
-                                       .pool = &threads};
+    struct dom_placement placement = {.error[DOM_ERROR_gap].size = 1e-4,
+                                      .seed = 1,
+                                      .rows = ROWS,
+                                      .parallel = threads_tasks,
+                                      .pool = &threads};
     double begun = seconds_now();
     if (ask_placement_study(&row, &placement, &study, NULL) != DOM_OK || study.fall != study.rows)
         return 0; /* a row that stops early takes less time than one that falls */

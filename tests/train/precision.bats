@@ -147,3 +147,25 @@ quad() { # COMMANDS KEY DIGITS
     done
     same 'off again' 's r_max ends_by r_max_exact r_max_paper r_start' "$(json 'set errors on; set errors off; rmax' | keys)"
 }
+
+# bats test_tags=whole
+@test "searches and studies compute in double, and say so" {
+    local scene='set row 6; set r 1.3; set placement 2 mm' precision command tol=1e-6 double same note='This answer is computed in double precision.'
+    for precision in float quad; do
+        for command in rowmax tolerance 'change 4 gap 9 cm; mend' 'placement 100' 'budget 0.9 100' 'improve' 'design 1 m' plan 'plot gaps' 'plot placement 20'; do
+            double=$(json "$scene; set tol $tol; $command")
+            same=$(json "$scene; set precision $precision; set tol $tol; $command" | sed "s/,\"note\":\"$note\"//")
+            same "$command in $precision" "$double" "$same"
+        done
+        same "details in $precision" "($note)" "$("$DOMINO" -e "$scene; set precision $precision; placement 100 details" | tail -n 1)"
+        same "note in $precision" "$note" "$(json "$scene; set precision $precision; rowmax" | values note)"
+        same "sweep in $precision" "$(json "$scene; set tol $tol; sweep s 0.3, 0.4 : placement 50" | values probability low)" \
+            "$(json "$scene; set precision $precision; set tol $tol; sweep s 0.3, 0.4 : placement 50" | values probability low)"
+    done
+    same 'double needs no note' '(nothing)' "$("$DOMINO" -e "$scene; placement 100 details" | grep double)"
+    # The session's tolerance is too small for double, so the default of double takes its place.
+    same 'tol of quad' "$(json "$scene; rowmax" | values r_max)" "$(json "$scene; set precision quad; rowmax" | values r_max)"
+    # What becomes the row has few digits, also in quad.
+    same 's of a design' "$(json 'design 1 m; show s' | values value | tail -n 1)" "$(json 'set precision quad; design 1 m; show s' | values value | tail -n 1)"
+    close 'the last domino' 1 "$(json 'set precision quad; design 1 m; row' | values height | tail -n 1)" 1e-30
+}

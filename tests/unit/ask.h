@@ -172,13 +172,49 @@ static inline struct domq_compute row_setup_compute(const struct row_setup *a)
         row_setup_compute(a)                                                                                 \
     }
 
-#define ask_row_run(a, ...)          domq_row_run(ROW_SETUP(a), __VA_ARGS__)
-#define ask_row_rmax(a, ...)         domq_row_rmax(ROW_SETUP(a), __VA_ARGS__)
-#define ask_row_mend(a, ...)         domq_row_mend(ROW_SETUP(a), __VA_ARGS__)
-#define ask_row_windows(a, ...)      domq_row_windows(ROW_SETUP(a), __VA_ARGS__)
-#define ask_row_weakest_push(a, ...) domq_row_weakest_push(ROW_SETUP(a), __VA_ARGS__)
-#define ask_row_watch(a, ...)        domq_row_watch(ROW_SETUP(a), __VA_ARGS__)
-#define ask_placement_study(a, ...)  domq_placement_study(ROW_SETUP(a), __VA_ARGS__)
-#define ask_placement_budget(a, ...) domq_placement_budget(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_run(a, ...)   domq_row_run(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_watch(a, ...) domq_row_watch(ROW_SETUP(a), __VA_ARGS__)
+
+/* The same row in double, for searches and studies. The dominoes stay until the next call. */
+static inline struct dom_row row_setup_in_double(const struct row_setup *a)
+{
+    enum { MOST_IN_DOUBLE = 4096 };
+    static struct dom_domino domino[MOST_IN_DOUBLE];
+    for (size_t k = 0; a->domino && k < a->count && k < MOST_IN_DOUBLE; k++) {
+        const struct domq_domino *d = &a->domino[k];
+        domino[k] =
+            (struct dom_domino){(double)d->height, (double)d->thickness, (double)d->gap,  (double)d->mass,
+                                (double)d->radius, (double)d->lean,      (double)d->width};
+    }
+#define SETUP_NARROW(effect, member, status) .member = (double)a->member,
+    return (struct dom_row){.domino = domino,
+                            .count = a->count,
+                            .g = (double)a->g,
+                            .push = (double)a->push,
+                            .release = (double)a->release,
+                            .floor = a->floor,
+                            .boxes_above = (double)a->boxes_above,
+                            DOM_DYNAMICS(SETUP_NARROW)};
+#undef SETUP_NARROW
+}
+
+static inline struct dom_compute row_setup_compute_in_double(const struct row_setup *a)
+{
+    return (struct dom_compute){
+        .tol = (double)a->tol, .precision = a->precision, .work = a->work, .interrupt = a->interrupt};
+}
+
+#define ROW_SETUP_IN_DOUBLE(a)                                                                               \
+    (const struct dom_row[]){row_setup_in_double(a)}, (const struct dom_compute[])                           \
+    {                                                                                                        \
+        row_setup_compute_in_double(a)                                                                       \
+    }
+
+#define ask_row_rmax(a, ...)         dom_row_rmax(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
+#define ask_row_mend(a, ...)         dom_row_mend(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
+#define ask_row_windows(a, ...)      dom_row_windows(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
+#define ask_row_weakest_push(a, ...) dom_row_weakest_push(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
+#define ask_placement_study(a, ...)  dom_placement_study(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
+#define ask_placement_budget(a, ...) dom_placement_budget(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
 
 #endif

@@ -399,12 +399,12 @@ TEST(random_rows)
     uint64_t seed = 1504;
     int fall = 0, rows = 0;
     for (int i = 0; i < 80; i++) {
-        struct domq_placement p = {.seed = 1, .rows = 40};
-        struct domq_study rough, precise;
+        struct dom_placement p = {.seed = 1, .rows = 40};
+        struct dom_study rough, precise;
         random_airy_row(&run, &seed, i);
         if (row_end(&run) != DOM_ROW_FALLS)
             continue;
-        p.error[DOM_ERROR_place].size = run.domino[0].height / 10;
+        p.error[DOM_ERROR_place].size = (double)run.domino[0].height / 10;
         assert_status(ask_placement_study(&run.row, &p, &rough, NULL), DOM_OK);
         run.domino[0].lean = (domq_real)1e-13;
         assert_status(ask_placement_study(&run.row, &p, &precise, NULL), DOM_OK);

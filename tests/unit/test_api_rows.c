@@ -105,9 +105,8 @@ TEST(rows)
     rounding = DBL_EPSILON;
 }
 
-/* ---- What a row allows ---- */
+/* ---- Searches and studies: in double, whatever the precision is ---- */
 
-/* Makes the row of a train with this growth. The sizes are computed in double for both headers. */
 static void row_of_growth(double growth, struct dom_domino *domino, size_t count, void *context)
 {
     const struct dom_scale scale = dom_scale_default();
@@ -117,15 +116,6 @@ static void row_of_growth(double growth, struct dom_domino *domino, size_t count
     dom_row_of_train(&train, &scale, 1, domino, count);
 }
 
-static void row_of_growthq(domq_real growth, struct domq_domino *domino, size_t count, void *context)
-{
-    struct dom_domino narrow[ROW];
-    row_of_growth((double)growth, narrow, count, context);
-    for (size_t k = 0; k < count; k++)
-        domino[k] = (struct domq_domino){
-            narrow[k].height, narrow[k].thickness, narrow[k].gap, narrow[k].mass, 0, 0, 0};
-}
-
 static void part_done(size_t done, size_t of, void *context)
 {
     size_t *parts = context;
@@ -133,62 +123,64 @@ static void part_done(size_t done, size_t of, void *context)
     *parts = done;
 }
 
-TEST(growths_mends_and_pushes)
+/* What the searches find for a row. */
+struct found {
+    struct dom_row_growth growth;
+    struct dom_mend mends[DOM_MENDS];
+    struct dom_window windows[DOM_WINDOW_LEAN + 1][ROW];
+    size_t count;
+    double push;
+};
+
+static void search_all(enum dom_precision precision, double tol, struct found *found)
 {
     struct rows r;
-    rounding = 1e-10;
-    for (enum dom_precision p = DOM_DOUBLE; p <= DOM_QUAD && dom_arithmetic(p)->bits; p++) {
-        struct dom_row_growth d;
-        struct domq_row_growth q;
-        rows_make(&r, 1.3, 6, 0, p);
-        assert_status(dom_row_rmax(&r.row, &r.compute, 2.5, row_of_growth, NULL, &d), DOM_OK);
-        assert_status(domq_row_rmax(&r.rowq, &r.computeq, 2.5, row_of_growthq, NULL, &q), DOM_OK);
-        SAME(r_max);
-        assert_true(d.r_max > 1 && d.r_max < 2.5);
-        assert_int_equal(d.ends, q.ends);
-        double push;
-        domq_real pushq;
-        rows_make(&r, 1.3, 0.2, 0, p);
-        assert_status(dom_row_weakest_push(&r.row, &r.compute, 100, &push), DOM_OK);
-        assert_status(domq_row_weakest_push(&r.rowq, &r.computeq, 100, &pushq), DOM_OK);
-        assert_in_both("push", push, pushq, rounding);
-        assert_true(push > 0.2);
-        struct dom_mend mends[DOM_MENDS];
-        struct domq_mend mendsq[DOM_MENDS];
-        size_t count, countq, parts = 0, partsq = 0;
-        rows_make(&r, 1.3, 6, 0, p);
-        r.domino[3].gap *= 2.2;
-        r.dominoq[3].gap = r.domino[3].gap;
-        assert_status(dom_row_mend(&r.row, &r.compute, part_done, &parts, mends, &count), DOM_OK);
-        assert_status(domq_row_mend(&r.rowq, &r.computeq, part_done, &partsq, mendsq, &countq), DOM_OK);
-        assert_true(count > 0 && count == countq && parts > 0 && parts == partsq);
-        for (size_t k = 0; k < count; k++) {
-            const struct dom_mend *mend = &mends[k];
-            assert_int_equal(mend->domino, mendsq[k].domino);
-            assert_in_both("gap", mend->gap, mendsq[k].gap, rounding);
-            assert_in_both("to", mend->to, mendsq[k].to, rounding);
-            assert_in_both("until", mend->until, mendsq[k].until, rounding);
-        }
-        struct dom_window windows[8];
-        struct domq_window windowsq[8];
-        rows_make(&r, 1.3, 6, 0, p);
-        for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_LEAN; of++) {
-            size_t number = of == DOM_WINDOW_FRICTION ? 1 : r.row.count - (of <= DOM_WINDOW_PLACE);
-            assert_status(dom_row_windows(&r.row, &r.compute, of, NULL, NULL, windows), DOM_OK);
-            assert_status(domq_row_windows(&r.rowq, &r.computeq, of, NULL, NULL, windowsq), DOM_OK);
-            for (size_t k = 0; k < number; k++) {
-                assert_int_equal(windows[k].domino, windowsq[k].domino);
-                assert_int_equal(windows[k].above, windowsq[k].above);
-                assert_in_both("low", windows[k].low, windowsq[k].low, rounding);
-                assert_in_both("high", windows[k].high, windowsq[k].high, rounding);
-                assert_true(windows[k].low < windows[k].high);
-            }
-        }
-    }
-    rounding = DBL_EPSILON;
+    size_t parts = 0;
+    memset(found, 0, sizeof *found);
+    rows_make(&r, 1.3, 6, 0, precision);
+    r.compute.tol = tol;
+    assert_status(dom_row_rmax(&r.row, &r.compute, 2.5, row_of_growth, NULL, &found->growth), DOM_OK);
+    for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_LEAN; of++)
+        assert_status(dom_row_windows(&r.row, &r.compute, of, NULL, NULL, found->windows[of]), DOM_OK);
+    r.domino[3].gap *= 2.2;
+    assert_status(dom_row_mend(&r.row, &r.compute, part_done, &parts, found->mends, &found->count), DOM_OK);
+    assert_true(found->count > 0 && parts > 0);
+    rows_make(&r, 1.3, 0.2, 0, precision);
+    r.compute.tol = tol;
+    assert_status(dom_row_weakest_push(&r.row, &r.compute, 100, &found->push), DOM_OK);
 }
 
-/* ---- Errors of placement ---- */
+TEST(growths_mends_and_pushes)
+{
+    static struct found found, same;
+    search_all(DOM_DOUBLE, 1e-12, &found);
+    assert_true(found.growth.r_max > 1 && found.growth.r_max < 2.5 && found.push > 0.2);
+    for (size_t k = 0; k + 1 < ROW; k++)
+        assert_true(found.windows[DOM_WINDOW_GAP][k].low < found.windows[DOM_WINDOW_GAP][k].high);
+    search_all(DOM_FLOAT, 1e-12, &same);
+    assert_memory_equal(&same, &found, sizeof same);
+    search_all(DOM_QUAD, 1e-12, &same);
+    assert_memory_equal(&same, &found, sizeof same);
+    search_all(DOM_QUAD, 1e-30, &same); /* double has no such tolerance; its default takes its place */
+    assert_memory_equal(&same, &found, sizeof same);
+}
+
+/* Checks that what is found can be typed: the lower ends of windows have seven digits, and a push
+ * has four. */
+TEST(ends_have_few_digits)
+{
+    static struct found found;
+    char digits[32];
+    search_all(DOM_DOUBLE, 1e-12, &found);
+    for (int of = DOM_WINDOW_GAP; of <= DOM_WINDOW_HEIGHT; of++)
+        for (size_t k = 0; k + 1 < ROW; k++) {
+            const struct dom_window *w = &found.windows[of][k];
+            snprintf(digits, sizeof digits, "%.7g", w->low);
+            assert_true(w->below == DOM_ROW_FALLS || strtod(digits, NULL) == w->low);
+        }
+    snprintf(digits, sizeof digits, "%.4g", found.push);
+    assert_true(strtod(digits, NULL) == found.push);
+}
 
 /* Runs tasks from the last to the first and counts them. */
 static enum dom_status last_first(size_t count, dom_task *task, void *context, void *pool)
@@ -205,30 +197,27 @@ TEST(studies)
     size_t tasks = 0;
     const struct dom_placement p = {
         .error = {[DOM_ERROR_gap].size = 0.01, [DOM_ERROR_thickness] = {0.1, true}}, .seed = 3, .rows = 40};
-    const struct domq_placement pq = {
-        .error = {[DOM_ERROR_gap].size = p.error[DOM_ERROR_gap].size,
-                  [DOM_ERROR_thickness] = {p.error[DOM_ERROR_thickness].size, true}},
-        .seed = 3,
-        .rows = 40,
-        .parallel = last_first,
-        .pool = &tasks};
-    struct dom_study study;
-    struct domq_study studyq;
-    struct dom_budget budget;
-    struct domq_budget budgetq;
-    size_t stops[ROW], stopsq[ROW];
+    struct dom_placement parallel = p;
+    parallel.parallel = last_first;
+    parallel.pool = &tasks;
+    struct dom_study study, same, causes;
+    struct dom_budget budget, budget_same;
+    size_t stops[ROW], stops_same[ROW], without[DOM_ERROR_COUNT], all[(1 + DOM_ERROR_COUNT) * ROW];
     rows_make(&r, 1.3, 6, 0, DOM_DOUBLE);
     assert_status(dom_placement_study(&r.row, &r.compute, &p, &study, stops), DOM_OK);
-    assert_status(domq_placement_study(&r.rowq, &r.computeq, &pq, &studyq, stopsq), DOM_OK);
-    assert_true(study.rows == 40 && study.fall == studyq.fall && study.unknown == studyq.unknown);
-    assert_true(study.low == studyq.low && study.high == studyq.high && study.low < study.high);
-    assert_memory_equal(stops, stopsq, sizeof stops);
+    assert_status(dom_placement_budget(&r.row, &r.compute, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
+    assert_true(study.rows == 40 && study.low < study.high && study.fall > 0 && study.fall < 40);
+    assert_true(budget.low <= budget.sigma && budget.sigma <= budget.high);
+    for (enum dom_precision precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
+        r.compute.precision = precision;
+        assert_status(dom_placement_study(&r.row, &r.compute, &parallel, &same, stops_same), DOM_OK);
+        assert_memory_equal(&same, &study, sizeof same);
+        assert_memory_equal(stops_same, stops, sizeof stops);
+        assert_status(dom_placement_budget(&r.row, &r.compute, &p, DOM_ERROR_gap, 0.8, &budget_same), DOM_OK);
+        assert_memory_equal(&budget_same, &budget, sizeof budget);
+    }
     assert_true(tasks > 0);
-    size_t without[DOM_ERROR_COUNT], withoutq[DOM_ERROR_COUNT], all[(1 + DOM_ERROR_COUNT) * ROW];
-    struct dom_study causes;
     assert_status(dom_placement_causes(&r.row, &r.compute, &p, &causes, without, all), DOM_OK);
-    assert_status(domq_placement_causes(&r.rowq, &r.computeq, &pq, &studyq, withoutq, NULL), DOM_OK);
-    assert_memory_equal(without, withoutq, sizeof without);
     assert_memory_equal(&causes, &study, sizeof study);
     assert_memory_equal(all, stops, r.row.count * sizeof *all);
     /* A study without the error of the thickness counts as many rows as `without`. */
@@ -237,14 +226,9 @@ TEST(studies)
     assert_status(dom_placement_study(&r.row, &r.compute, &alone, &causes, NULL), DOM_OK);
     assert_int_equal(causes.fall, without[DOM_ERROR_thickness]);
     assert_int_equal(without[DOM_ERROR_mass], study.fall); /* the masses have no error */
-    study.low = studyq.low = 2;
+    study.low = 2;
     assert_status(dom_study_interval(&study), DOM_OK);
-    assert_status(domq_study_interval(&studyq), DOM_OK);
-    assert_true(study.low == studyq.low && study.low <= 1);
-    assert_status(dom_placement_budget(&r.row, &r.compute, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
-    assert_status(domq_placement_budget(&r.rowq, &r.computeq, &pq, DOM_ERROR_gap, 0.8, &budgetq), DOM_OK);
-    assert_near("sigma", budget.sigma, budgetq.sigma, 1e-9);
-    assert_true(budget.low <= budget.sigma && budget.sigma <= budget.high);
+    assert_true(study.low == same.low);
 }
 
 /* ---- Counts, scales, arithmetic ---- */

@@ -144,13 +144,13 @@ TEST(interrupted)
     struct domq_domino domino[5];
     struct row_setup row = row_setup_default(domino, 5, DOMQ_NAN);
     struct task_pool pool = {.threads = 2, .interrupt = &now};
-    struct domq_placement p = {
+    struct dom_placement p = {
         .error[DOM_ERROR_gap].size = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
     struct domq_limit limit = {.r_max = -1};
     struct domq_best best = {.r_max = -1};
     struct domq_verdict verdict = {.seconds = -1};
-    struct domq_study study = {.low = -1};
-    struct domq_budget budget = {.sigma = -1};
+    struct dom_study study = {.low = -1};
+    struct dom_budget budget = {.sigma = -1};
     ask_row_of_train(&t, &scale, 1, domino, 5);
     t.interrupt = row.interrupt = &now;
     t.tol = 1e-6;
@@ -215,11 +215,11 @@ TEST(memory_runs_out)
     struct domq_domino domino[5];
     struct row_setup row = row_setup_default(domino, 5, DOMQ_NAN);
     struct task_pool pool = {.threads = 2};
-    struct domq_placement p = {
+    struct dom_placement p = {
         .error[DOM_ERROR_gap].size = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
     struct domq_verdict verdict;
-    struct domq_study study, alone;
-    struct domq_budget budget;
+    struct dom_study study, alone;
+    struct dom_budget budget;
     size_t stops[5];
     ask_row_of_train(&t, &scale, 1, domino, 5);
     enum { RUN, STUDY, BUDGET, QUESTIONS };

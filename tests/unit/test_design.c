@@ -3,33 +3,33 @@
 /* Designs, checked with the functions for trains and rows, and compared with all separations on a grid. */
 #include "support.h"
 
-static struct domq_wish wish_of(double height, double safety, double hall, enum dom_least least)
+static struct dom_wish wish_of(double height, double safety, double hall, enum dom_least least)
 {
-    return (struct domq_wish){.first = 0.048,
-                              .height = height,
-                              .safety = safety,
-                              .hall = hall,
-                              .g = 9.81,
-                              .push = DOMQ_NAN,
-                              .least = least};
+    return (struct dom_wish){.first = 0.048,
+                             .height = height,
+                             .safety = safety,
+                             .hall = hall,
+                             .g = 9.81,
+                             .push = DOM_NAN,
+                             .least = least};
 }
 
-static double train_ratio(const struct domq_train *train, double s, double r)
+static double train_ratio(const struct dom_train *train, double s, double r)
 {
-    struct domq_train t = *train;
-    struct domq_barrier b;
+    struct dom_train t = *train;
+    struct dom_barrier b;
     t.s = s;
     t.r = r;
-    enum dom_status status = domq_barrier_find(&t, NULL, &b);
-    return status == DOM_OK || status == DOM_STOPS ? (double)(b.kinetic / b.barrier) : 0;
+    enum dom_status status = dom_barrier_find(&t, NULL, &b);
+    return status == DOM_OK || status == DOM_STOPS ? (b.kinetic / b.barrier) : 0;
 }
 
 /* The number of the weakest domino after domino 1: the first one with the smallest kinetic / barrier. */
 static size_t weakest;
 
-static bool least_seen(const struct domq_fall *fall, void *context)
+static bool least_seen(const struct dom_fall *fall, void *context)
 {
-    double *least = context, ratio = (double)(fall->kinetic / fall->barrier);
+    double *least = context, ratio = (fall->kinetic / fall->barrier);
     if (fall->domino > 1 && ratio < *least) {
         *least = ratio;
         weakest = fall->domino;
@@ -39,40 +39,40 @@ static bool least_seen(const struct domq_fall *fall, void *context)
 
 enum { MOST = 200 };
 
-static struct domq_domino domino[MOST];
+static struct dom_domino domino[MOST];
 
 /* Returns the smallest kinetic / barrier of the dominoes after the first one, or 0 if not all dominoes
  * fall. */
-static double row_least(const struct domq_train *train, const struct domq_wish *w, double s, size_t steps,
-                        bool times, struct domq_verdict *v)
+static double row_least(const struct dom_train *train, const struct dom_wish *w, double s, size_t steps,
+                        bool times, struct dom_verdict *v)
 {
-    struct domq_train t = *train;
-    const struct domq_scale scale = {.h = w->first, .g = w->g};
+    struct dom_train t = *train;
+    const struct dom_scale scale = {.h = w->first, .g = w->g};
     double least = HUGE_VAL;
     assert_true(steps < MOST);
-    t.s = (domq_real)s;
-    t.r = (domq_real)pow((double)(w->height / w->first), 1.0 / (double)steps);
-    domq_row_of_train(&t, &scale, 1, domino, steps + 1);
-    const struct domq_row row = {
+    t.s = s;
+    t.r = pow((w->height / w->first), 1.0 / (double)steps);
+    dom_row_of_train(&t, &scale, 1, domino, steps + 1);
+    const struct dom_row row = {
         .domino = domino, .count = steps + 1, .g = w->g, .push = w->push, .mu = t.mu, .alpha = t.alpha};
-    assert_status(domq_row_run(&row, NULL, times, least_seen, &least, v), DOM_OK);
+    assert_status(dom_row_run(&row, NULL, times, least_seen, &least, v), DOM_OK);
     return v->end == DOM_ROW_FALLS ? least : 0;
 }
 
 /* Checks a design by running the row that it describes. */
-static void row_holds(const struct domq_train *train, const struct domq_wish *w, const struct domq_design *d)
+static void row_holds(const struct dom_train *train, const struct dom_wish *w, const struct dom_design *d)
 {
-    struct domq_verdict v;
-    double feet = 0, least = row_least(train, w, (double)d->s, d->steps, true, &v);
+    struct dom_verdict v;
+    double feet = 0, least = row_least(train, w, d->s, d->steps, true, &v);
     assert_int_equal(v.end, DOM_ROW_FALLS);
-    assert_true((isinf(least) && isinf(d->row)) || fabs((double)d->row / least - 1) < 1e-8);
+    assert_true((isinf(least) && isinf(d->row)) || fabs(d->row / least - 1) < 1e-8);
     assert_true(isinf(least) || d->weakest == weakest);
-    assert_near("seconds", (double)d->seconds, (double)v.seconds, 1e-8);
+    assert_near("seconds", d->seconds, v.seconds, 1e-8);
     for (size_t k = 0; k <= d->steps; k++)
-        feet += (double)(domino[k].gap + domino[k].thickness);
-    assert_near("feet", (double)d->feet, feet, 1e-12);
-    assert_near("length", (double)d->length, feet + (double)w->height, 1e-12);
-    assert_near("height", (double)domino[d->steps].height, (double)w->height, 1e-12);
+        feet += (domino[k].gap + domino[k].thickness);
+    assert_near("feet", d->feet, feet, 1e-12);
+    assert_near("length", d->length, feet + w->height, 1e-12);
+    assert_near("height", domino[d->steps].height, w->height, 1e-12);
 }
 
 /* Checks with other functions that a design has the requested safety, and that with one domino fewer no
@@ -82,26 +82,26 @@ TEST(designs_hold)
     uint64_t seed = 181;
     int fit = 0, limits[4] = {0};
     for (int i = 0; i < 24; i++) {
-        struct domq_train train = domq_train_default();
-        struct domq_design d;
+        struct dom_train train = dom_train_default();
+        struct dom_design d;
         train.q = i % 2 ? 3 : 4;
         train.mu = i % 3 ? 0.6 * random_unit(&seed) : 0;
         train.alpha = i % 5 ? 0 : 0.04 * random_unit(&seed) - 0.02;
         double height = random_log(&seed, 0.06, 20), safety = 1 + random_log(&seed, 0.05, 4);
-        struct domq_wish w =
+        struct dom_wish w =
             wish_of(height, safety, i % 4 ? HUGE_VAL : height * (2 + random_unit(&seed)), DOM_LEAST_DOMINOES);
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
         limits[d.limit]++;
         if (d.limit != DOM_DESIGN_FITS)
             continue;
         fit++;
         row_holds(&train, &w, &d);
-        double ratio = train_ratio(&train, (double)d.s, (double)d.r);
-        assert_true((isinf(ratio) && isinf(d.train)) || fabs((double)d.train / ratio - 1) < 1e-9);
-        assert_true((double)d.row >= safety && (double)d.train >= safety);
-        assert_true(d.length <= w.hall && fabs((double)d.s * 1000 - round((double)d.s * 1000)) < 1e-12);
-        double fewer = pow(height / 0.048, 1.0 / (double)(d.steps - 1));
-        struct domq_verdict v;
+        double ratio = train_ratio(&train, d.s, d.r);
+        assert_true((isinf(ratio) && isinf(d.train)) || fabs(d.train / ratio - 1) < 1e-9);
+        assert_true(d.row >= safety && d.train >= safety);
+        assert_true(d.length <= w.hall && fabs(d.s * 1000 - round(d.s * 1000)) < 1e-12);
+        double fewer = pow(height / 0.048, 1.0 / (d.steps - 1));
+        struct dom_verdict v;
         for (int k = 5; d.steps > 1 && i % 4 && k <= 1000 && k / 1000.0 * fewer <= 1; k += 15)
             assert_true(train_ratio(&train, k / 1000.0, fewer) < safety ||
                         row_least(&train, &w, k / 1000.0, d.steps - 1, false, &v) < safety);
@@ -115,33 +115,33 @@ TEST(designs_hold)
 TEST(friction_with_edges)
 {
     uint64_t seed = 7;
-    const struct domq_compute rough = {.tol = 1e-7, .precision = DOM_DOUBLE};
-    const struct domq_scale scale = {.h = 0.048, .g = 9.81};
+    const struct dom_compute rough = {.tol = 1e-7, .precision = DOM_DOUBLE};
+    const struct dom_scale scale = {.h = 0.048, .g = 9.81};
     for (int i = 0; i < 8; i++) {
-        struct domq_train train = domq_train_default();
-        struct domq_design d;
-        struct domq_verdict v;
+        struct dom_train train = dom_train_default();
+        struct dom_design d;
+        struct dom_verdict v;
         train.q = 3 + i % 2;
         train.d = 0.12 + 0.2 * random_unit(&seed);
         train.mu = 0.1 + 0.3 * random_unit(&seed);
         train.rho = 0.003 + 0.03 * random_unit(&seed);
-        const struct domq_wish w = wish_of(5, 1.5, HUGE_VAL, DOM_LEAST_DOMINOES);
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        const struct dom_wish w = wish_of(5, 1.5, HUGE_VAL, DOM_LEAST_DOMINOES);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
         assert_int_equal(d.limit, DOM_DESIGN_FITS);
         assert_true(d.row >= w.safety && d.train >= w.safety && d.steps < MOST);
         train.s = d.s;
         train.r = d.r;
-        domq_row_of_train(&train, &scale, 1, domino, d.steps + 1);
-        const struct domq_row row = {.domino = domino,
-                                     .count = d.steps + 1,
-                                     .g = w.g,
-                                     .push = w.push,
-                                     .mu = train.mu,
-                                     .rho = train.rho};
+        dom_row_of_train(&train, &scale, 1, domino, d.steps + 1);
+        const struct dom_row row = {.domino = domino,
+                                    .count = d.steps + 1,
+                                    .g = w.g,
+                                    .push = w.push,
+                                    .mu = train.mu,
+                                    .rho = train.rho};
         double least = HUGE_VAL;
-        assert_status(domq_row_run(&row, &rough, false, least_seen, &least, &v), DOM_OK);
+        assert_status(dom_row_run(&row, &rough, false, least_seen, &least, &v), DOM_OK);
         assert_int_equal(v.end, DOM_ROW_FALLS);
-        assert_near("row", (double)d.row, least, 1e-4);
+        assert_near("row", d.row, least, 1e-4);
     }
 }
 
@@ -151,43 +151,43 @@ struct fake {
     bool decides;
 };
 
-static enum dom_status fake_run(const struct domq_row *row, const struct domq_compute *compute, bool times,
-                                domq_fall_visit *visit, void *context, struct domq_verdict *verdict)
+static enum dom_status fake_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
+                                dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
     (void)compute, (void)visit, (void)context;
     const struct fake *fake = row->engine->context;
-    bool falls = (double)(row->domino[1].height / row->domino[0].height) <= fake->most;
+    bool falls = (row->domino[1].height / row->domino[0].height) <= fake->most;
     *verdict =
-        (struct domq_verdict){.end = falls ? DOM_ROW_FALLS : DOM_ROW_STOPS, .seconds = times ? 10 : DOMQ_NAN};
+        (struct dom_verdict){.end = falls ? DOM_ROW_FALLS : DOM_ROW_STOPS, .seconds = times ? 10 : DOM_NAN};
     return fake->decides ? DOM_OK : DOM_NOT_CONVERGED;
 }
 
 /* Checks that dominoes are added until the row also falls in the engine that the wish names. */
 TEST(engine_decides)
 {
-    struct domq_train train = domq_train_default();
+    struct dom_train train = dom_train_default();
     struct fake fake = {HUGE_VAL, true};
-    const struct domq_engine engine = {fake_run, &fake};
-    struct domq_design free, d;
+    const struct dom_engine engine = {fake_run, &fake};
+    struct dom_design free, d;
     for (int least = DOM_LEAST_DOMINOES; least <= DOM_LEAST_LENGTH; least++) {
-        struct domq_wish w = wish_of(5, 1.5, HUGE_VAL, (enum dom_least)least);
+        struct dom_wish w = wish_of(5, 1.5, HUGE_VAL, (enum dom_least)least);
         fake = (struct fake){HUGE_VAL, true};
-        assert_status(domq_design_find(&train, &w, NULL, &free), DOM_OK);
+        assert_status(dom_design_find(&train, &w, NULL, &free), DOM_OK);
         w.engine = &engine;
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
         assert_true(d.s == free.s && d.steps == free.steps && d.seconds == 10);
-        assert_status(domq_design_steps(&train, &w, NULL, NULL, free.steps, &d), DOM_OK);
+        assert_status(dom_design_steps(&train, &w, NULL, NULL, free.steps, &d), DOM_OK);
         assert_true(d.seconds > 0 && d.seconds != 10); /* the time in the model */
-        fake.most = (double)free.r * 0.999;
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        fake.most = free.r * 0.999;
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
         assert_int_equal(d.limit, DOM_DESIGN_FITS);
         assert_int_equal(d.steps, free.steps + 1);
-        assert_true((double)d.r <= fake.most && d.row >= w.safety);
+        assert_true(d.r <= fake.most && d.row >= w.safety);
         fake.most = 1.001;
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
         assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
         fake = (struct fake){HUGE_VAL, false};
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
         assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
     }
 }
@@ -195,59 +195,59 @@ TEST(engine_decides)
 /* Checks that `needs` makes an impossible wish possible, and that a slightly smaller number does not. */
 TEST(needs_are_enough)
 {
-    struct domq_train train = domq_train_default();
-    struct domq_design d;
+    struct dom_train train = dom_train_default();
+    struct dom_design d;
     train.q = 3;
     train.mu = 0.3;
-    struct domq_wish w = wish_of(8, 2, 15, DOM_LEAST_DOMINOES);
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    struct dom_wish w = wish_of(8, 2, 15, DOM_LEAST_DOMINOES);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_HALL);
-    double shortest = (double)d.needs;
+    double shortest = d.needs;
     w.hall = shortest;
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_FITS);
     w.hall = shortest * (1 - 1e-9);
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_HALL);
     w = wish_of(8, 2, HUGE_VAL, DOM_LEAST_LENGTH);
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
-    assert_near("shortest", (double)d.length, shortest, 1e-12);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_near("shortest", d.length, shortest, 1e-12);
 
     w = wish_of(8, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
     w.push = 0.5;
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_START);
     w.push = d.needs;
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_FITS);
 
     train.mu = 3;
     w = wish_of(8, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_SAFETY);
     double most = 0;
     for (int k = 1; k < 1000; k++)
         most = fmax(most, train_ratio(&train, k / 1000.0, 1));
-    assert_near("safety", (double)d.needs, most, 1e-3);
-    assert_true(isnan((double)d.s) && d.steps == 0);
+    assert_near("safety", d.needs, most, 1e-3);
+    assert_true(isnan(d.s) && d.steps == 0);
 }
 
 /* Checks that no possible row is shorter than the shortest one that is found. */
 TEST(shortest_is_shortest)
 {
-    struct domq_train train = domq_train_default();
-    struct domq_design d;
+    struct dom_train train = dom_train_default();
+    struct dom_design d;
     train.q = 3;
     train.mu = 0.3;
-    struct domq_wish w = wish_of(2, 2.5, HUGE_VAL, DOM_LEAST_LENGTH);
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
-    double length = (double)d.length;
-    struct domq_verdict v;
+    struct dom_wish w = wish_of(2, 2.5, HUGE_VAL, DOM_LEAST_LENGTH);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+    double length = d.length;
+    struct dom_verdict v;
     for (size_t n = 4; n < 16; n++)
         for (int k = 200; k < 600; k += 4) {
             double r = pow(2 / 0.048, 1.0 / (double)n), feet = 0, height = 0.048;
             for (size_t j = 0; j <= n; j++, height *= r)
-                feet += height * ((double)train.d + (j ? k / 1000.0 : 0));
+                feet += height * (train.d + (j ? k / 1000.0 : 0));
             assert_true(feet + 2 >= length * (1 - 1e-9) || train_ratio(&train, k / 1000.0, r) < 2.5 ||
                         row_least(&train, &w, k / 1000.0, n, false, &v) < 2.5);
         }
@@ -262,17 +262,17 @@ TEST(closest_of_thin_dominoes)
         int k;
     } cases[] = {{0.001, 0.053, 2}, {0.0005, 0.05, 1}};
     for (int i = 0; i < 2; i++) {
-        struct domq_train train = domq_train_default();
-        struct domq_design d;
-        struct domq_verdict v;
+        struct dom_train train = dom_train_default();
+        struct dom_design d;
+        struct dom_verdict v;
         train.d = cases[i].d;
-        struct domq_wish w = wish_of(cases[i].height, 1.01, HUGE_VAL, DOM_LEAST_LENGTH);
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        struct dom_wish w = wish_of(cases[i].height, 1.01, HUGE_VAL, DOM_LEAST_LENGTH);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
         assert_int_equal(d.limit, DOM_DESIGN_FITS);
-        assert_near("s", (double)d.s, cases[i].k / 1000.0, 1e-12);
+        assert_near("s", d.s, cases[i].k / 1000.0, 1e-12);
         row_holds(&train, &w, &d);
         double closer = (cases[i].k - 1) / 1000.0;
-        assert_true(closer == 0 || train_ratio(&train, closer, (double)d.r) < 1.01 ||
+        assert_true(closer == 0 || train_ratio(&train, closer, d.r) < 1.01 ||
                     row_least(&train, &w, closer, d.steps, false, &v) < 1.01);
     }
 }
@@ -285,20 +285,21 @@ TEST(dominoes_of_a_train)
     const struct dom_scale scale = {.h = 0.05, .g = 9.81};
     const struct domq_scale wide_scale = {.h = scale.h, .g = scale.g};
     struct dom_domino own[6];
+    struct domq_domino wide_domino[6];
     train.q = 2.7;
     train.r = 1.3;
     wide.q = train.q;
     wide.r = train.r;
     dom_row_of_train(&train, &scale, 0.02, own, 6);
-    domq_row_of_train(&wide, &wide_scale, 0.02, domino, 6);
+    domq_row_of_train(&wide, &wide_scale, 0.02, wide_domino, 6);
     for (int k = 0; k < 6; k++) {
         const double size = pow(1.3, k), mass = 0.02 * pow(size, 1.7);
         assert_near("height", own[k].height, 0.05 * size, 1e-14);
         assert_near("thickness", own[k].thickness, train.d * 0.05 * size, 1e-14);
         assert_near("gap", own[k].gap, k ? train.s * 0.05 * size : 0, 1e-14);
         assert_near("mass", own[k].mass, mass, 1e-14);
-        assert_near("mass in quad", (double)domino[k].mass, mass, 1e-14);
-        assert_near("height in quad", (double)domino[k].height, 0.05 * size, 1e-14);
+        assert_near("mass in quad", (double)wide_domino[k].mass, mass, 1e-14);
+        assert_near("height in quad", (double)wide_domino[k].height, 0.05 * size, 1e-14);
     }
 }
 
@@ -355,37 +356,37 @@ TEST(first_mass)
 TEST(wrong_wishes)
 {
     static const double bad[] = {0, -1, NAN, INFINITY};
-    struct domq_train train = domq_train_default();
-    struct domq_design d;
+    struct dom_train train = dom_train_default();
+    struct dom_design d;
     for (int k = 0; k < 4; k++) {
-        struct domq_wish w = wish_of(1, 2, HUGE_VAL, DOM_LEAST_DOMINOES), ok = w;
+        struct dom_wish w = wish_of(1, 2, HUGE_VAL, DOM_LEAST_DOMINOES), ok = w;
         w.first = bad[k];
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
         w = ok, w.height = bad[k];
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
         w = ok, w.safety = bad[k];
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_SAFETY);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_SAFETY);
         w = ok, w.g = bad[k];
-        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_G);
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_G);
         w = ok, w.hall = bad[k];
         if (k < 3)
-            assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HALL);
+            assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HALL);
         w = ok, w.push = bad[k];
         if (k % 2)
-            assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_PUSH);
+            assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_PUSH);
     }
-    struct domq_wish w = wish_of(0.048, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
+    struct dom_wish w = wish_of(0.048, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
     w = wish_of(1, 1, HUGE_VAL, DOM_LEAST_DOMINOES);
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_SAFETY);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_SAFETY);
     w = wish_of(1, 2, 1, DOM_LEAST_DOMINOES);
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HALL);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HALL);
     w = wish_of(1, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
     train.d = 0;
-    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_D);
+    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_D);
     volatile sig_atomic_t stop = 1;
-    struct domq_compute compute = domq_compute_default();
+    struct dom_compute compute = dom_compute_default();
     compute.interrupt = &stop;
-    train = domq_train_default();
-    assert_status(domq_design_find(&train, &w, &compute, &d), DOM_INTERRUPTED);
+    train = dom_train_default();
+    assert_status(dom_design_find(&train, &w, &compute, &d), DOM_INTERRUPTED);
 }

@@ -42,8 +42,8 @@ static long double tail(size_t k, size_t n, long double p, bool more)
  */
 static void check_interval(size_t rows, size_t fall, size_t unknown)
 {
-    struct domq_study s = {.rows = rows, .fall = fall, .unknown = unknown};
-    assert_status(domq_study_interval(&s), DOM_OK);
+    struct dom_study s = {.rows = rows, .fall = fall, .unknown = unknown};
+    assert_status(dom_study_interval(&s), DOM_OK);
     size_t many = fall + unknown;
     double bound = 1e-10 + 2e-14 * (double)rows;
     if (fall == 0)

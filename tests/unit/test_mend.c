@@ -4,7 +4,7 @@
 #include "run.h"
 #include "support.h"
 
-static struct domq_mend mends[DOM_MENDS];
+static struct dom_mend mends[DOM_MENDS];
 
 static size_t mend(struct run *run)
 {
@@ -75,11 +75,11 @@ TEST(mended_rows_fall)
         size_t last = run.verdict.domino + 1, count = mend(&run);
         lost += count == 0;
         for (size_t j = 0; j < count; j++) {
-            const struct domq_mend *m = &mends[j];
+            const struct dom_mend *m = &mends[j];
             double to = m->to, until = m->until, gap = m->gap, away = to > gap ? 1 : -1;
             double digit = pow(10, floor(log10(fmax(to, gap))) - 6);
             assert_true(m->domino >= 2 && m->domino <= last);
-            assert_true(m->gap == run.domino[m->domino - 1].gap);
+            assert_true(m->gap == (double)run.domino[m->domino - 1].gap);
             assert_true((until - to) * away >= 0 && (to - gap) * away > 0);
             assert_true(falls_with(&run, m->domino, to));
             assert_true(falls_with(&run, m->domino, to + (until - to) / 3));
@@ -159,7 +159,7 @@ TEST(over_its_edge)
     static struct run run;
     make_row(&run, 1, 0.3, 1, 0);
     double edge = push_over(run.domino);
-    domq_real push;
+    double push;
     for (double own = 0; own < 1; own += 0.3) {
         run.row.push = own * edge;
         assert_status(ask_row_weakest_push(&run.row, 100, &push), DOM_OK);
@@ -168,7 +168,7 @@ TEST(over_its_edge)
     /* A push stronger than needed is returned unchanged. */
     run.row.push = 2 * edge;
     assert_status(ask_row_weakest_push(&run.row, 100, &push), DOM_OK);
-    assert_true(push == run.row.push);
+    assert_true(push == (double)run.row.push);
     run.row.push = 0;
     push = 0;
     assert_status(ask_row_weakest_push(&run.row, 0.99 * edge, &push), DOM_OK);
@@ -189,7 +189,7 @@ TEST(the_weakest_push)
             run.domino[1].gap = 0.05 * (double)run.domino[0].height;
         if (row_end(&run) == DOM_ROW_FALLS)
             continue;
-        domq_real push;
+        double push;
         assert_status(ask_row_weakest_push(&run.row, 1e3, &push), DOM_OK);
         none += isnan((double)push);
         if (isnan((double)push))

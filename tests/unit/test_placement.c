@@ -33,15 +33,15 @@ TEST(budget_interrupted)
     train.r = 1.3;
     ask_row_of_train(&train, &scale, 0.01, domino, 6);
     const struct row_setup row = row_setup_default(domino, 6, 5);
-    struct domq_placement p = {.seed = 5, .rows = 40};
-    struct domq_budget whole, part;
+    struct dom_placement p = {.seed = 5, .rows = 40};
+    struct dom_budget whole, part;
     assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &whole), DOM_OK);
     p.parallel = few_studies;
     int known = 0, bounded = 0;
     for (int studies = 0; studies < 18; studies++) {
         int left = studies;
         p.pool = &left;
-        part = (struct domq_budget){.sigma = -1};
+        part = (struct dom_budget){.sigma = -1};
         assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &part), DOM_INTERRUPTED);
         if (part.sigma == -1)
             continue;
@@ -58,15 +58,15 @@ TEST(budget_interrupted)
 TEST(budgets)
 {
     static struct run seen;
-    struct domq_budget budget;
-    struct domq_placement p = {.seed = 3, .rows = 200};
+    struct dom_budget budget;
+    struct dom_placement p = {.seed = 3, .rows = 200};
     alike(&seen, 10);
     assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.9999, &budget), DOM_OK);
     assert_true(budget.low == 0 && budget.sigma < budget.high);
     assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
     assert_true(0 < budget.low && budget.low < budget.sigma && budget.sigma < budget.high);
     /* Run the same rows with the sigma that was found. */
-    struct domq_study study;
+    struct dom_study study;
     p.error[DOM_ERROR_gap].size = budget.sigma;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_true(study.fall >= 160 && study.fall <= 161);
@@ -89,9 +89,9 @@ TEST(budgets)
 TEST(studies_add_up)
 {
     static struct run seen;
-    struct domq_study whole, part[2];
+    struct dom_study whole, part[2];
     size_t stops[10], stops_part[2][10], stopped = 0;
-    struct domq_placement p = {
+    struct dom_placement p = {
         .error = {[DOM_ERROR_gap].size = 0.008, [DOM_ERROR_height].size = 0.05}, .seed = 5, .rows = 500};
     alike(&seen, 10);
     assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
@@ -111,7 +111,7 @@ TEST(studies_add_up)
     assert_status(ask_placement_study(&seen.row, &p, &part[0], NULL), DOM_OK);
     assert_true(part[0].fall != part[1].fall);
     /* Without errors all rows are alike. In this row the third domino cannot reach the next one. */
-    p = (struct domq_placement){.rows = 50};
+    p = (struct dom_placement){.rows = 50};
     seen.domino[3].gap = 0.05;
     assert_status(run_whole(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_MISSES);

@@ -330,7 +330,8 @@ TEST(rows)
     row_refused(&r.row, NULL, 0, DOM_BAD_COUNT);
     row_make(&r);
     compute.precision = (enum dom_precision)(DOM_QUAD + 1);
-    row_refused(&r.row, &compute, 0, DOM_BAD_PRECISION);
+    struct dom_verdict verdict;
+    assert_named(dom_row_run(&r.row, &compute, false, NULL, NULL, &verdict), DOM_BAD_PRECISION);
     const volatile sig_atomic_t now = 1;
     compute = dom_compute_default();
     compute.interrupt = &now;

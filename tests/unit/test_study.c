@@ -119,7 +119,7 @@ TEST(rows_again_end_like_whole_rows)
         row.domino[1].thickness *= -1;
         copy.domino = row.domino;
         assert_status(row_study(study, &copy, 0, 1, &again), DOM_BAD_THICKNESS);
-        (void)row_study_end(study);
+        row_study_end(study);
     }
     print_message("# %d rows fall; %d changes also change the verdict\n", falls, other);
     assert_true(falls > 500 && other > 100);
@@ -148,7 +148,7 @@ TEST(random_rows_end_like_whole_rows)
         const struct dom_row copy = row_of(&row.request);
         assert_status(row_study(study, &copy, 0, row.request.count - 1, &found), DOM_OK);
         quick += study->quick && !study->doubt;
-        (void)row_study_end(study);
+        row_study_end(study);
         assert_status(row_run(&row.request, false, NULL, NULL, &whole), DOM_OK);
         if (found.end != whole.end || found.domino != whole.domino)
             fail_msg("row %d: %d at domino %zu instead of %d at %zu", i, found.end, found.domino, whole.end,
@@ -233,7 +233,7 @@ TEST(heads_that_keep_falling)
             if (k + 1 < row.request.count && run.verdict.end == DOM_ROW_FALLS)
                 assert_status(row_hit(&run, k, &d.st.geometry, &d.st.start), DOM_OK);
         }
-        (void)row_study_end(study);
+        row_study_end(study);
     }
     print_message("# %d of %d heads certainly keep falling\n", count[1], count[0]);
     assert_true(count[1] > 300 && count[1] > count[0] / 2);

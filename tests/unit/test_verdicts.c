@@ -11,20 +11,19 @@
 enum { MOST = 16 };
 
 /* An engine that runs the row in full with the library. */
-static enum dom_status in_full(const struct domq_row *row, const struct domq_compute *compute, bool times,
-                               domq_fall_visit *visit, void *context, struct domq_verdict *verdict)
+static enum dom_status in_full(const struct dom_row *row, const struct dom_compute *compute, bool times,
+                               dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    struct domq_row own = *row;
+    struct dom_row own = *row;
     own.engine = NULL;
-    return domq_row_run(&own, compute, times, visit, context, verdict);
+    return dom_row_run(&own, compute, times, visit, context, verdict);
 }
 
 struct kind {
     const char *name;
-    enum dom_precision precision;
     size_t count, rows;
     double s, r, q, push, sigma, heights, mu, alpha, walls, rho;
-    struct domq_random_error error[DOM_ERROR_COUNT]; /* more errors */
+    struct dom_random_error error[DOM_ERROR_COUNT]; /* more errors */
 };
 
 /* Initializers for the size of a normal error, and for the limit of a uniform error. */
@@ -44,8 +43,6 @@ static const struct kind KIND[] = {
     {.name = "uphill", .r = 1.4, .s = 0.3, .alpha = -0.03, .sigma = 0.004},
     {.name = "walls", .r = 1.3, .s = 0.4, .sigma = 0.003, .walls = 0.0005, .heights = 0.02},
     {.name = "rounded", .r = 1.5, .s = 0.4, .sigma = 0.004, .rho = 0.01, .rows = 20},
-    {.name = "float", .r = 1.5, .s = 0.5, .sigma = 0.004, .precision = DOM_FLOAT},
-    {.name = "quad", .r = 1.5, .s = 0.5, .sigma = 0.004, .precision = DOM_QUAD, .rows = 6},
     {.name = "friction", .r = 1.3, .s = 0.4, .sigma = 0.004, .mu = 0.2, .rows = 30},
     {.name = "friction, many stop", .r = 1.6, .s = 0.5, .sigma = 0.004, .mu = 0.2, .rows = 30},
     {.name = "friction, pushed", .r = 1.45, .s = 0.2, .push = 4, .sigma = 0.004, .mu = 0.2, .rows = 30},
@@ -109,51 +106,48 @@ static const struct kind KIND[] = {
                WITHIN(slope, 0.01), SIZE(push, 0.5)}},
 };
 
-static struct domq_row row_of(const struct kind *k, struct domq_domino *domino)
+static struct dom_row row_of(const struct kind *k, struct dom_domino *domino)
 {
-    struct domq_train train = domq_train_default();
-    struct domq_scale scale = domq_scale_default();
+    struct dom_train train = dom_train_default();
+    struct dom_scale scale = dom_scale_default();
     const size_t count = k->count ? k->count : MOST / 2;
     train.r = k->r;
     train.s = k->s;
     train.q = k->q != 0 ? k->q : 3;
-    domq_row_of_train(&train, &scale, 0.01, domino, count);
-    return (struct domq_row){.domino = domino,
-                             .count = count,
-                             .g = scale.g,
-                             .push = k->push != 0 ? k->push : DOM_NAN,
-                             .mu = k->mu,
-                             .alpha = k->alpha,
-                             .walls = k->walls,
-                             .rho = k->rho};
+    dom_row_of_train(&train, &scale, 0.01, domino, count);
+    return (struct dom_row){.domino = domino,
+                            .count = count,
+                            .g = scale.g,
+                            .push = k->push != 0 ? k->push : DOM_NAN,
+                            .mu = k->mu,
+                            .alpha = k->alpha,
+                            .walls = k->walls,
+                            .rho = k->rho};
 }
 
 /* Checks that the same number of rows end at each domino as when each row is run in full. */
 TEST(as_in_full)
 {
-    const struct domq_engine full = {.run = in_full};
+    const struct dom_engine full = {.run = in_full};
     size_t fall = 0, stop = 0;
     for (size_t i = 0; i < sizeof KIND / sizeof *KIND; i++) {
         const struct kind *k = &KIND[i];
-        struct domq_domino domino[MOST];
-        struct domq_row row = row_of(k, domino);
-        struct domq_compute compute = domq_compute_default();
-        struct domq_placement p = {
+        struct dom_domino domino[MOST];
+        struct dom_row row = row_of(k, domino);
+        struct dom_compute compute = dom_compute_default();
+        struct dom_placement p = {
             .error = {[DOM_ERROR_gap].size = k->sigma, [DOM_ERROR_height].size = k->heights},
             .seed = 7,
             .rows = k->rows ? k->rows : 100};
         for (int of = 0; of < DOM_ERROR_COUNT; of++)
             if (k->error[of].size > 0)
                 p.error[of] = k->error[of];
-        struct domq_study study, other;
+        struct dom_study study, other;
         size_t stops[MOST] = {0}, others[MOST] = {0};
-        compute.tol = 1e-5;
-        compute.precision = k->precision;
-        if (k->precision != DOM_FLOAT)
-            compute.tol = 1e-9;
-        assert_status(domq_placement_study(&row, &compute, &p, &study, stops), DOM_OK);
+        compute.tol = 1e-9;
+        assert_status(dom_placement_study(&row, &compute, &p, &study, stops), DOM_OK);
         row.engine = &full;
-        assert_status(domq_placement_study(&row, &compute, &p, &other, others), DOM_OK);
+        assert_status(dom_placement_study(&row, &compute, &p, &other, others), DOM_OK);
         if (study.fall != other.fall || study.unknown != other.unknown ||
             memcmp(stops, others, sizeof stops) != 0)
             fail_msg("%s: %zu fall, %zu are unknown; in full %zu and %zu", k->name, study.fall, study.unknown,
@@ -177,23 +171,23 @@ static enum dom_status three_batches(size_t count, dom_task *task, void *context
  * run. */
 TEST(interrupted_in_the_middle)
 {
-    struct domq_domino domino[MOST];
-    struct domq_row row = row_of(&KIND[0], domino);
-    struct domq_compute compute = domq_compute_default();
-    struct domq_placement p = {
+    struct dom_domino domino[MOST];
+    struct dom_row row = row_of(&KIND[0], domino);
+    struct dom_compute compute = dom_compute_default();
+    struct dom_placement p = {
         .error[DOM_ERROR_gap].size = KIND[0].sigma, .seed = 7, .rows = 100000, .parallel = three_batches};
-    struct domq_study part, whole;
+    struct dom_study part, whole;
     size_t stops[MOST] = {0}, others[MOST] = {0};
-    assert_status(domq_placement_study(&row, &compute, &p, &part, stops), DOM_INTERRUPTED);
+    assert_status(dom_placement_study(&row, &compute, &p, &part, stops), DOM_INTERRUPTED);
     assert_true(part.rows > 3 && part.rows < 1000);
     p.rows = part.rows;
     p.parallel = NULL;
-    assert_status(domq_placement_study(&row, &compute, &p, &whole, others), DOM_OK);
+    assert_status(dom_placement_study(&row, &compute, &p, &whole, others), DOM_OK);
     assert_memory_equal(&part, &whole, sizeof part);
     assert_memory_equal(stops, others, sizeof stops);
     volatile sig_atomic_t raised = 1;
     compute.interrupt = &raised;
-    assert_status(domq_placement_study(&row, &compute, &p, &part, stops), DOM_INTERRUPTED);
+    assert_status(dom_placement_study(&row, &compute, &p, &part, stops), DOM_INTERRUPTED);
     assert_memory_equal(&part, &whole, sizeof part);
 }
 

@@ -39,9 +39,9 @@ static enum dom_status fall_share(struct budget *b, double sigma, double *share)
     struct dom_study study = {.rows = p.rows};
     for (int k = 0; k < DOM_ERROR_COUNT; k++)
         if (b->kind == DOM_ERROR_COUNT)
-            p.error[k].size *= (dom_real)sigma;
+            p.error[k].size *= sigma;
         else if (k == (int)b->kind)
-            p.error[k].size = (dom_real)sigma;
+            p.error[k].size = sigma;
     enum dom_status status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
     *share = (double)study.fall / (double)study.rows;
     if (status == DOM_OK) {
@@ -102,16 +102,16 @@ static double size_most(const struct dom_row *row, enum dom_error_of kind)
 {
     double widest = 0;
     for (size_t k = 1; k < row->count; k++)
-        widest = fmax(widest, (double)row->domino[k].gap);
+        widest = fmax(widest, row->domino[k].gap);
     switch (kind) {
     case DOM_ERROR_gap:
     case DOM_ERROR_place:
         return widest;
     case DOM_ERROR_lean:
     case DOM_ERROR_slope:
-        return (double)row_steepest(row);
+        return row_steepest(row);
     case DOM_ERROR_push:
-        return isnan((double)row->push) ? 0 : (double)row->push;
+        return isnan(row->push) ? 0 : row->push;
     case DOM_ERROR_COUNT:
         return 64;
     default:

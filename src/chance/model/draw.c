@@ -5,21 +5,18 @@
  * same.
  */
 #include "chance/model/draw.h"
-#include "rows/model/boxes.h"
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
 #include "numerics/real.h"
+#include "rows/model/boxes.h"
 #include <gsl/gsl_randist.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* A random error never reduces a size or a mass below this fraction of its original value. */
-#define LEAST_SHARE ((dom_real)0.01)
+#define LEAST_SHARE 0.01
 
 /* A factor that makes the limits of slopes, leans, radii and thicknesses slightly tighter. A value that is
- * within the tightened limits is still within the true limits after rounding to float. */
-#define INSIDE (1 - (dom_real)1e-6)
+ * within the tightened limits is within the true limits in spite of rounding errors. */
+#define INSIDE (1 - 1e-6)
 
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
 {
@@ -59,23 +56,23 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
 /* Returns the next random error. It is made from the numbers of two generators, because the seeds of GSL have
  * only 32 bits. With a single generator, about a hundred pairs among a million rows would have the same seed
  * and therefore the same errors. */
-static dom_real error_next(const struct draw *draw, const struct dom_random_error *error)
+static double error_next(const struct draw *draw, const struct dom_random_error *error)
 {
     gsl_rng *const *random = draw->random;
     if (error->uniform) {
         double u = gsl_rng_uniform(random[0]) + gsl_rng_uniform(random[1]);
-        return error->size * (dom_real)(2 * (u < 1 ? u : u - 1) - 1);
+        return error->size * (2 * (u < 1 ? u : u - 1) - 1);
     }
     double normal = gsl_ran_gaussian_ziggurat(random[0], 1) + gsl_ran_gaussian_ziggurat(random[1], 1);
-    return error->size * (dom_real)(normal * M_SQRT1_2);
+    return error->size * (normal * M_SQRT1_2);
 }
 
-static dom_real factor_next(const struct draw *draw, const struct dom_random_error *error)
+static double factor_next(const struct draw *draw, const struct dom_random_error *error)
 {
     return fmax(1 + error_next(draw, error), LEAST_SHARE);
 }
 
-static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
+static double radius_of(const struct dom_row *row, const struct dom_domino *d)
 {
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
 }
@@ -85,7 +82,7 @@ static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
 static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
                       const struct dom_random_error *error, struct dom_domino *d)
 {
-    const dom_real factor = factor_next(draw, error);
+    const double factor = factor_next(draw, error);
     const struct dom_domino before = *d;
     switch (kind) {
     case DOM_ERROR_height:
@@ -94,7 +91,7 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
         d->mass *= wood_factor(row, &before, d, factor);
         break;
     case DOM_ERROR_thickness: {
-        const dom_real least = 2 * fmax(walls_of(row, d->height), radius_of(row, d)) / INSIDE;
+        const double least = 2 * fmax(walls_of(row, d->height), radius_of(row, d)) / INSIDE;
         d->thickness = fmax(d->thickness * factor, fmin(least, d->thickness));
         d->mass *= wood_factor(row, &before, d, d->thickness / before.thickness);
         break;
@@ -113,9 +110,9 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
  * domino, it is placed so that it touches the previous domino. */
 static void places_draw(const struct draw *draw, const struct dom_random_error *error, size_t count)
 {
-    dom_real before = 0; /* distance by which the previous domino has moved */
+    double before = 0; /* distance by which the previous domino has moved */
     for (size_t k = 1; k < count; k++) {
-        const dom_real by = error_next(draw, error), gap = draw->domino[k].gap + by - before;
+        const double by = error_next(draw, error), gap = draw->domino[k].gap + by - before;
         draw->domino[k].gap = fmax(gap, 0);
         before = gap < 0 ? by - gap : by;
     }
@@ -124,7 +121,7 @@ static void places_draw(const struct draw *draw, const struct dom_random_error *
 static void gaps_draw(const struct draw *draw, const struct dom_random_error *error, size_t count)
 {
     for (size_t k = 0; k < count; k++) {
-        const dom_real by = error_next(draw, error);
+        const double by = error_next(draw, error);
         if (k > 0)
             draw->domino[k].gap = fmax(draw->domino[k].gap + by, 0);
     }
@@ -136,18 +133,18 @@ static void leans_draw(const struct draw *draw, const struct dom_random_error *e
 {
     for (size_t k = 0; k < draw->row.count; k++) {
         struct dom_domino *d = &draw->domino[k];
-        dom_real limit[2];
+        double limit[2];
         dom_lean_limits(d, draw->row.alpha, draw->row.rho, limit);
-        const dom_real middle = (limit[0] + limit[1]) / 2, most = (limit[1] - limit[0]) / 2 * INSIDE;
+        const double middle = (limit[0] + limit[1]) / 2, most = (limit[1] - limit[0]) / 2 * INSIDE;
         d->lean = fmin(fmax(d->lean + error_next(draw, error), middle - most), middle + most);
     }
 }
 
-dom_real row_steepest(const struct dom_row *row)
+double row_steepest(const struct dom_row *row)
 {
-    dom_real steepest = (dom_real)M_PI_2;
+    double steepest = M_PI_2;
     for (size_t k = 0; k < row->count; k++) {
-        dom_real limit[2];
+        double limit[2];
         dom_lean_limits(&row->domino[k], 0, row->rho, limit);
         steepest = fmin(steepest, limit[1] - fabs(row->domino[k].lean));
     }
@@ -158,11 +155,11 @@ dom_real row_steepest(const struct dom_row *row)
 static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)
 {
     struct dom_row *row = &draw->row;
-    const dom_real by = error_next(draw, error);
+    const double by = error_next(draw, error);
     if (kind == DOM_ERROR_friction)
         row->mu = fmin(fmax(row->mu + by, 0), DOM_MU_HIGHEST);
     else if (kind == DOM_ERROR_slope) {
-        const dom_real most = fmax(row_steepest(row) * INSIDE, fabs(row->alpha));
+        const double most = fmax(row_steepest(row) * INSIDE, fabs(row->alpha));
         row->alpha = fmin(fmax(row->alpha + by, -most), most);
     } else if (kind == DOM_ERROR_floor)
         row->feet += by;
@@ -173,10 +170,10 @@ static void common_draw(struct draw *draw, enum dom_error_of kind, const struct 
 /* A first domino that would be inside the second one is released where it touches it. */
 static void release_limit(struct dom_row *row)
 {
-    dom_real touch;
+    double touch;
     if (row->release > 0 && isfinite(row->release) && !isnan(row->push) &&
         dom_row_touch(row, NULL, &touch) == DOM_OK && row->release > touch)
-        row->release = (dom_real)INFINITY;
+        row->release = HUGE_VAL;
 }
 
 static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)

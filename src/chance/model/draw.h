@@ -22,6 +22,6 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
               unsigned off);
 
 /* Returns the steepest slope, in rad, on which no domino of a row falls over by itself. */
-dom_real row_steepest(const struct dom_row *row);
+double row_steepest(const struct dom_row *row);
 
 #endif

@@ -8,7 +8,7 @@
 
 /* Whether a row falls depends only on the signs of its margins, so their values need not be accurate. A
  * smaller tolerance would change about one verdict in a billion. */
-#define VERDICT_TOL ((dom_real)1e-9)
+#define VERDICT_TOL 1e-9
 
 /* number of rows in a batch, large enough to make the time for memory allocation negligible */
 enum { BATCH = 16 };
@@ -27,7 +27,6 @@ struct shared {
 
 struct batch {
     struct draw draw;
-    const struct kernel *kernel;
     struct study *study; /* memory of the kernel that runs the rows, or NULL if an engine runs them */
 };
 
@@ -42,7 +41,7 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                                struct dom_verdict *verdict)
 {
     draw_row(&b->draw, s->row, s->placement, i, off);
-    return b->study ? b->kernel->row_study(b->study, &b->draw.row, 0, s->row->count - 1, verdict)
+    return b->study ? dom__studies.run(b->study, &b->draw.row, 0, s->row->count - 1, verdict)
                     : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
@@ -84,9 +83,8 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     if (s->row->engine)
         return DOM_OK;
     row.floor = false;
-    struct row_question q = row_question_make(&row, &s->compute);
-    b->kernel = q.kernel;
-    return ASK(q, row_study_begin, &b->study, NULL);
+    const struct row_question q = row_question_make(&row, &s->compute);
+    return q.status != DOM_OK ? q.status : dom__studies.begin(&q.request, &b->study, NULL);
 }
 
 /* A dom_task that runs batch number `index` of the rows, unless another batch has failed. */
@@ -105,8 +103,7 @@ static void batch_run(size_t index, void *context)
     int none = DOM_OK;
     if (status != DOM_OK)
         atomic_compare_exchange_strong(&s->status, &none, (int)status);
-    if (b.study)
-        (void)b.kernel->row_study_end(b.study);
+    dom__studies.end(b.study);
     draw_end(&b.draw);
 }
 
@@ -124,13 +121,12 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {
-    enum dom_status status = p->rows == 0                    ? DOM_BAD_ROWS
-                             : row->count == 0               ? DOM_BAD_COUNT
-                             : compute->precision > DOM_QUAD ? DOM_BAD_PRECISION
-                             : !(compute->tol >= dom_arithmetic(compute->precision)->tol_floor) ? DOM_BAD_TOL
-                                                                                                : DOM_OK;
+    enum dom_status status = p->rows == 0                                               ? DOM_BAD_ROWS
+                             : row->count == 0                                          ? DOM_BAD_COUNT
+                             : !(compute->tol >= dom_arithmetic(DOM_DOUBLE)->tol_floor) ? DOM_BAD_TOL
+                                                                                        : DOM_OK;
     for (int k = 0; k < DOM_ERROR_COUNT && status == DOM_OK; k++)
-        if (!(p->error[k].size >= 0 && (double)p->error[k].size < HUGE_VAL))
+        if (!(p->error[k].size >= 0 && p->error[k].size < HUGE_VAL))
             status = DOM_BAD_ERROR;
     if (status == DOM_OK && p->error[DOM_ERROR_lean].size > 0 && (row->rho != 0 || row->engine))
         status = DOM_NO_LEAN;
@@ -168,7 +164,7 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
                                      size_t without[DOM_ERROR_COUNT], size_t *stops)
 {
     struct shared shared = {
-        .row = row, .compute = compute_or_default(compute), .placement = p, .causes = without != NULL};
+        .row = row, .compute = compute_in_double(compute), .placement = p, .causes = without != NULL};
     struct dom_work *work = shared.compute.work;
     enum dom_status status = study_check(row, &shared.compute, p);
     if (status != DOM_OK)

@@ -14,34 +14,34 @@ enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 /* Chooses the largest size of the errors in the chart. Most of the random rows must stop at this size, so it
  * is well above the size at which half of them fall. The chart also includes `now`, the size that 'effect
  * placement' has set. If this effect is off, `now` is NaN. */
-static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
-                                  domq_real now, domq_real *most)
+static enum dom_status sigma_most(const struct double_row *made, const struct dom_placement *placement,
+                                  double now, double *most)
 {
-    struct domq_budget half;
-    struct domq_placement rough = *placement;
+    struct dom_budget half;
+    struct dom_placement rough = *placement;
     rough.rows = ROWS_ROUGH;
     enum dom_status status =
-        domq_placement_budget(&scene->row, &scene->compute, &rough, DOM_ERROR_gap, 0.5, &half);
+        dom_placement_budget(&made->row, &made->compute, &rough, DOM_ERROR_gap, 0.5, &half);
     *most = 0;
-    for (size_t k = 1; k < scene->row.count; k++)
-        *most = quad_larger(*most, scene->domino[k].gap);
+    for (size_t k = 1; k < made->row.count; k++)
+        *most = fmax(*most, made->domino[k].gap);
     if (status == DOM_OK && isfinite(half.sigma))
-        *most = (domq_real)(2.4 * half.sigma);
+        *most = 2.4 * half.sigma;
     if (now > 0)
-        *most = quad_larger(*most, now * (domq_real)1.2);
+        *most = fmax(*most, 1.2 * now);
     return status;
 }
 
-static enum dom_status studies_write(const struct scene_row *scene, struct domq_placement *placement,
-                                     domq_real most, struct answer *a, bool *unknown)
+static enum dom_status studies_write(const struct double_row *made, struct dom_placement *placement,
+                                     double most, struct answer *a, bool *unknown)
 {
     enum dom_status status = DOM_OK;
     for (int k = 0; k < SIGMAS && status == DOM_OK && !answer_lost(a); k++) {
-        struct domq_study study;
+        struct dom_study study;
         placement->error[DOM_ERROR_gap].size = most * k / (SIGMAS - 1);
-        status = domq_placement_study(&scene->row, &scene->compute, placement, &study, NULL);
+        status = dom_placement_study(&made->row, &made->compute, placement, &study, NULL);
         if (status == DOM_OK)
-            answer_cells(a, cell_real(placement->error[DOM_ERROR_gap].size),
+            answer_cells(a, cell_real((domq_real)placement->error[DOM_ERROR_gap].size),
                          cell_real((domq_real)((double)study.fall / (double)study.rows)),
                          cell_real((domq_real)study.low), cell_real((domq_real)study.high),
                          cell_count((domq_real)study.rows));
@@ -51,7 +51,7 @@ static enum dom_status studies_write(const struct scene_row *scene, struct domq_
     return status;
 }
 
-static void placement_chart(const struct scene_row *scene, size_t rows, domq_real now, bool unknown,
+static void placement_chart(const struct scene_row *scene, size_t rows, double now, bool unknown,
                             struct chart *chart)
 {
     snprintf(chart->title, sizeof chart->title, "How likely the whole row of %zu domino%s is to fall",
@@ -66,33 +66,38 @@ static void placement_chart(const struct scene_row *scene, size_t rows, domq_rea
     chart->y.high = 1.04;
     chart_level(chart, 0.95, "95 %");
     if (now > 0)
-        chart_event(chart, (double)now, "now");
+        chart_event(chart, now, "now");
 }
 
 static bool plot_placement(const struct query *query, struct answer *a, struct chart *chart,
                            struct problem *problem)
 {
     struct scene_row scene;
+    struct double_row made;
     struct task_pool pool = {.threads = query->state->settings.threads,
                              .interrupt = query->scene->compute.interrupt};
-    struct domq_placement placement = {.seed = (unsigned long)query->scene->seed,
-                                       .rows = ROWS_USUAL,
-                                       .parallel = workers_tasks,
-                                       .pool = &pool};
+    struct dom_placement placement = {.seed = (unsigned long)query->scene->seed,
+                                      .rows = ROWS_USUAL,
+                                      .parallel = workers_tasks,
+                                      .pool = &pool};
     bool unknown = false;
+    a->in_double = true;
     scene_errors(query->scene, placement.error);
     const bool has_placement = query->scene->effect[DOM_EFFECT_placement].on;
-    domq_real most, now = has_placement ? placement.error[DOM_ERROR_gap].size : DOMQ_NAN;
+    double most, now = has_placement ? placement.error[DOM_ERROR_gap].size : (double)NAN;
     if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &scene, problem))
         return false;
     if (query->given->count > 1)
         placement.rows = (size_t)query->given->number[1];
-    enum dom_status status = sigma_most(&scene, &placement, now, &most);
+    enum dom_status status = scene_row_in_double(&scene, &made);
     if (status == DOM_OK)
-        status = studies_write(&scene, &placement, most, a, &unknown);
+        status = sigma_most(&made, &placement, now, &most);
+    if (status == DOM_OK)
+        status = studies_write(&made, &placement, most, a, &unknown);
     if (status == DOM_OK && chart)
         placement_chart(&scene, placement.rows, now, unknown, chart);
     free(scene.domino);
+    free(made.domino);
     if (status == DOM_STOPS)
         return problem_no_answer(
             problem, "fewer than half of the rows fall, even without random errors in the gaps; 'fall' shows "

@@ -13,9 +13,6 @@
 #include "planning/model/chance.h"
 #include "chance/model/draw.h"
 #include "dispatch/dispatch.h"
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
 #include "numerics/real.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
@@ -45,7 +42,7 @@
 #define DECAYED 1e-3
 
 /* Relative step of the difference quotients. The margins have errors of about 1e-7. */
-#define CHANGE ((dom_real)1e-4)
+#define CHANGE 1e-4
 
 enum { BATCH = 16 }; /* random rows in a batch */
 
@@ -64,7 +61,7 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
 {
     struct run *run = context;
     const size_t k = fall->domino - 1;
-    double z = fall->barrier > 0 ? (log)((double)(fall->kinetic / fall->barrier)) : MARGIN_MOST;
+    double z = fall->barrier > 0 ? log(fall->kinetic / fall->barrier) : MARGIN_MOST;
     z = z > MARGIN_LEAST ? z : MARGIN_LEAST; /* the barrier is infinite if friction locks the domino */
     if (!(run->tips && k == 0))
         run->margin[k] = z < MARGIN_MOST ? z : MARGIN_MOST;
@@ -105,7 +102,7 @@ static void reaches_find(const struct dom_row *row, double *margin)
 {
     margin[0] = MARGIN_MOST;
     for (size_t k = 1; k < row->count; k++)
-        margin[k] = (double)(1 - row->domino[k].gap / row->domino[k - 1].height);
+        margin[k] = 1 - row->domino[k].gap / row->domino[k - 1].height;
 }
 
 /* ---- Sums over rows ---- */
@@ -165,23 +162,23 @@ static enum dom_status slopes_add(const struct chance *c, struct draw *draw, con
     const struct dom_limits *limits = c->shape->limits;
     enum dom_status status = DOM_OK;
     for (size_t k = 1; k < count; k++) {
-        const double height = (double)draw->domino[k - 1].height;
+        const double height = draw->domino[k - 1].height;
         sums->by_gap[k] += w->weight[count + k] / height;
-        sums->by_size[k - 1] -= w->weight[count + k] * (double)draw->domino[k].gap / height;
+        sums->by_size[k - 1] -= w->weight[count + k] * draw->domino[k].gap / height;
     }
     for (size_t k = 1; k < count && w->margin[k] < UNSEEN && status == DOM_OK; k++) {
         struct dom_domino *d = &draw->domino[k], before = *d;
-        const dom_real step = CHANGE * d[-1].height;
+        const double step = CHANGE * d[-1].height;
         d->gap += step;
         status = energies_find(c, &draw->row, w->margin, k, w->changed);
-        sums->by_gap[k] -= change_of(w, count) / (double)step;
+        sums->by_gap[k] -= change_of(w, count) / step;
         *d = before;
         if (status != DOM_OK || !limits->sizes || k + 1 == count)
             continue;
         shape_resize(c->shape, d, d->height * (1 + CHANGE),
                      d->thickness * (shape_from_board(c->shape, d->height) ? 1 : 1 + CHANGE));
         status = energies_find(c, &draw->row, w->margin, k, w->changed);
-        sums->by_size[k] -= change_of(w, count) / (double)CHANGE;
+        sums->by_size[k] -= change_of(w, count) / CHANGE;
         *d = before;
     }
     return status;

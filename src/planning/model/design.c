@@ -21,13 +21,13 @@ enum { COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
-/* Computes the chosen row with the requested precision and writes the result to *design. */
+/* Computes the chosen row with the requested tolerance and writes the result to *design. */
 static void design_fill(struct planner *p, struct choice c, const struct dom_compute *compute,
                         struct dom_design *design)
 {
     p->compute = *compute;
-    dom_real train = planner_train_ratio(p, choice_separation(c.k), planner_growth(p, c.steps));
-    dom_real row = planner_row_ratio(p, c, p->wish->push, true);
+    double train = planner_train_ratio(p, choice_separation(c.k), planner_growth(p, c.steps));
+    double row = planner_row_ratio(p, c, p->wish->push, true);
     design->s = choice_separation(c.k);
     design->r = planner_growth(p, c.steps);
     design->steps = c.steps;
@@ -74,7 +74,6 @@ static struct planner planner_make(const struct dom_train *train, const struct d
     struct question q = question_make(&p.train, &p.compute);
     struct dom_angles angles;
     p.status = ASK(q, angles_find, &angles);
-    p.compute.precision = DOM_DOUBLE;
     p.compute.tol = dom_arithmetic(DOM_DOUBLE)->tol_default;
     return p;
 }
@@ -110,15 +109,15 @@ static bool enough_in_engine(struct planner *p, struct choice c)
 
 /* Returns the largest growth r at which a train with the separation s is safe. Its relative error is at most
  * 1e-7. If the train is not safe at r = 1, returns 0. */
-static dom_real safe_growth(struct planner *p, dom_real s)
+static double safe_growth(struct planner *p, double s)
 {
-    dom_real lo = 1, hi = 1 / s;
+    double lo = 1, hi = 1 / s;
     if (!(planner_train_ratio(p, s, 1) >= p->wish->safety))
         return 0;
     if (planner_train_ratio(p, s, hi) >= p->wish->safety)
         return hi;
-    while (hi - lo > (dom_real)1e-7 * hi && p->status == DOM_OK) {
-        dom_real middle = (lo + hi) / 2;
+    while (hi - lo > 1e-7 * hi && p->status == DOM_OK) {
+        double middle = (lo + hi) / 2;
         *(planner_train_ratio(p, s, middle) >= p->wish->safety ? &lo : &hi) = middle;
     }
     return lo;
@@ -127,12 +126,12 @@ static dom_real safe_growth(struct planner *p, dom_real s)
 /* Finds the separation whose train is safe at the largest growth. Sets *best to this separation and returns
  * the growth. If no train is safe, returns 0. The search first takes coarse steps and then halves the step
  * repeatedly. */
-static dom_real separation_find(struct planner *p, int *best)
+static double separation_find(struct planner *p, int *best)
 {
-    dom_real most = 0;
+    double most = 0;
     *best = 0;
     for (int k = COARSE; k <= GRID; k += COARSE) {
-        dom_real r = safe_growth(p, choice_separation(k));
+        double r = safe_growth(p, choice_separation(k));
         if (r > most) {
             most = r;
             *best = k;
@@ -140,7 +139,7 @@ static dom_real separation_find(struct planner *p, int *best)
     }
     for (int step = COARSE / 2, from = *best; step > 0 && most > 0; step = step / 2, from = *best)
         for (int k = from - step; k <= from + step; k += 2 * step) {
-            dom_real r = k > 0 && k <= GRID ? safe_growth(p, choice_separation(k)) : 0;
+            double r = k > 0 && k <= GRID ? safe_growth(p, choice_separation(k)) : 0;
             if (r > most) {
                 most = r;
                 *best = k;
@@ -200,7 +199,7 @@ static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
  */
 static bool row_search(struct planner *p, size_t fewest, int k, bool shortest, struct choice *best)
 {
-    dom_real length = (dom_real)INFINITY, engine_seconds = DOM_NAN;
+    double length = HUGE_VAL, engine_seconds = DOM_NAN;
     size_t longer = 0, longer_most = p->wish->engine ? LONGER_IN_ENGINE : LONGER;
     for (size_t n = fewest; n <= fewest + MORE && longer < longer_most && p->status == DOM_OK;
          n = steps_next(p, fewest, n)) {
@@ -229,30 +228,30 @@ static bool row_search(struct planner *p, size_t fewest, int k, bool shortest, s
 
 /* Finds the shortest row with these limits, whatever the hall, and returns its length. If none is found,
  * returns infinity. */
-static dom_real shortest_on_grid(struct planner *p, size_t fewest, int k, struct choice *c)
+static double shortest_on_grid(struct planner *p, size_t fewest, int k, struct choice *c)
 {
     const struct dom_wish *wish = p->wish;
     struct dom_wish open = *wish;
-    open.hall = (dom_real)INFINITY;
+    open.hall = HUGE_VAL;
     p->wish = &open;
     const bool found = row_search(p, fewest, k, true, c) && planner_row_write(p, *c);
     p->wish = wish;
-    return found ? planner_feet(p, *c) + wish->height : (dom_real)INFINITY;
+    return found ? planner_feet(p, *c) + wish->height : HUGE_VAL;
 }
 
 /* Finds the weakest push that makes the row safe enough. The push that is returned has a relative error of at
  * most 1e-4. If no such push is found, returns NaN. */
-static dom_real push_enough(struct planner *p, struct choice c)
+static double push_enough(struct planner *p, struct choice c)
 {
-    dom_real hi = !(p->wish->push > 0) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
+    double hi = !(p->wish->push > 0) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
     for (int i = 0; i < 16 && planner_row_ratio(p, c, hi, false) < p->wish->safety; i++) {
         lo = hi;
         hi *= 2;
     }
     if (!(planner_row_ratio(p, c, hi, false) >= p->wish->safety))
         return DOM_NAN;
-    while (hi - lo > (dom_real)1e-4 * hi && p->status == DOM_OK) {
-        dom_real middle = (lo + hi) / 2;
+    while (hi - lo > 1e-4 * hi && p->status == DOM_OK) {
+        double middle = (lo + hi) / 2;
         *(planner_row_ratio(p, c, middle, false) >= p->wish->safety ? &hi : &lo) = middle;
     }
     return hi;
@@ -260,9 +259,9 @@ static dom_real push_enough(struct planner *p, struct choice c)
 
 /* Returns an estimate of the largest ratio of kinetic energy to barrier that any train can have. This ratio
  * occurs at r = 1. The estimate is slightly too low, because only some separations are tried. */
-static dom_real safety_most(struct planner *p)
+static double safety_most(struct planner *p)
 {
-    dom_real most = 0;
+    double most = 0;
     for (int k = COARSE / 2; k <= GRID; k += COARSE / 2)
         most = fmax(most, planner_train_ratio(p, choice_separation(k), 1));
     return most;
@@ -272,7 +271,7 @@ static void design_search(struct planner *p, const struct dom_compute *compute, 
 {
     struct choice c = {0, 0};
     int k;
-    dom_real length, most = separation_find(p, &k);
+    double length, most = separation_find(p, &k);
     if (most == 0) {
         design->limit = DOM_DESIGN_SAFETY;
         design->needs = safety_most(p);
@@ -306,7 +305,7 @@ enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_w
                                const struct dom_limits *limits, const struct dom_compute *compute,
                                struct dom_design *design)
 {
-    struct dom_compute final = compute_or_default(compute);
+    const struct dom_compute final = compute_in_double(compute);
     struct planner p = planner_make(train, wish, limits, &final);
     struct dom_design found = no_design;
     if (p.status == DOM_OK)
@@ -341,7 +340,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
                                  const struct dom_limits *limits, const struct dom_compute *compute,
                                  size_t steps, struct dom_design *design)
 {
-    struct dom_compute final = compute_or_default(compute);
+    const struct dom_compute final = compute_in_double(compute);
     struct planner p = planner_make(train, wish, limits, &final);
     struct dom_design found = no_design;
     struct dom_wish falls = *wish;
@@ -349,7 +348,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
     int k = 0;
     if (p.status == DOM_OK && steps == 0)
         p.status = DOM_BAD_COUNT;
-    falls.safety = 1 + (dom_real)1 / 1000;
+    falls.safety = 1 + 1.0 / 1000;
     falls.engine = NULL;
     if (p.status == DOM_OK && separation_find(&p, &k) == 0) {
         p.wish = &falls; /* no train has the required safety, so look for one that merely falls */
@@ -374,7 +373,7 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
 {
     const struct dom_compute compute = compute_or_default(NULL);
     struct planner p = planner_make(train, wish, limits, &compute);
-    const struct choice c = {(int)(double)floor(design->s * GRID + (dom_real)0.5), design->steps};
+    const struct choice c = {(int)floor(design->s * GRID + 0.5), design->steps};
     if (p.status == DOM_OK && design->limit != DOM_DESIGN_FITS)
         p.status = DOM_BAD_COUNT;
     if (p.status == DOM_OK && planner_row_write(&p, c))

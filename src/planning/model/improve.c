@@ -22,11 +22,8 @@
  */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
-#include "planning/model/chance.h"
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
 #include "numerics/real.h"
+#include "planning/model/chance.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
@@ -52,7 +49,7 @@ enum { CHECK = 8 };
 /* Lower bound on the standard deviation of a margin. */
 #define SCATTER_LEAST 0.03
 
-#define MARGIN_TOL ((dom_real)1e-5)
+#define MARGIN_TOL 1e-5
 
 /* FIRST_STEP is the length of the minimizer's first step. The variables are logarithms, so a step is a
  * relative change. LINE_TOL is the accuracy of line searches; its value is the one that GSL's manual
@@ -135,11 +132,11 @@ static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
         (void)shape_dominoes(&s->shape, x->data, false, s->candidate);
         *moved = at;
         for (size_t k = 1; k < s->shape.row->count; k++)
-            sum += s->by_gap[k] * (double)(s->candidate[k].gap - s->domino[k].gap) +
-                   s->by_size[k] * (double)(s->candidate[k].height / s->domino[k].height - 1);
+            sum += s->by_gap[k] * (s->candidate[k].gap - s->domino[k].gap) +
+                   s->by_size[k] * (s->candidate[k].height / s->domino[k].height - 1);
         gsl_vector_set(gradient, i, sum / step / (fails * (1 - fails)));
     }
-    const double value = (double)log((dom_real)fails / (1 - (dom_real)fails));
+    const double value = log(fails / (1 - fails));
     if (value < s->lowest) {
         s->lowest = value;
         gsl_vector_memcpy(s->lowest_x, x);
@@ -310,8 +307,7 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
     if ((study[0].fall == study[0].rows && s.given_allowed) || n < 2)
         return DOM_OK;
     s.chance =
-        (struct chance){.shape = &s.shape, .compute = compute_or_default(compute), .placement = *placement};
-    s.chance.compute.precision = DOM_DOUBLE;
+        (struct chance){.shape = &s.shape, .compute = compute_in_double(compute), .placement = *placement};
     s.chance.compute.tol = MARGIN_TOL;
     s.chance.compute.work = NULL;
     s.chance.placement.first += placement->rows;

@@ -6,7 +6,7 @@
 
 /* After a failure, the tolerance is multiplied by ROUGHER but never raised above ROUGHEST. */
 #define ROUGHER  1000
-#define ROUGHEST ((dom_real)1e-6)
+#define ROUGHEST 1e-6
 
 /* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
@@ -32,7 +32,7 @@ static void failure_keep(struct planner *p, enum dom_status status)
         p->status = status;
 }
 
-dom_real planner_train_ratio(struct planner *p, dom_real s, dom_real r)
+double planner_train_ratio(struct planner *p, double s, double r)
 {
     struct dom_barrier barrier = {.kinetic = DOM_NAN, .barrier = DOM_NAN};
     if (p->status != DOM_OK || s * r > 1)
@@ -61,7 +61,7 @@ dom_real planner_train_ratio(struct planner *p, dom_real s, dom_real r)
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {
     struct planner *p = context;
-    dom_real ratio = fall->barrier > 0 ? fall->kinetic / fall->barrier : (dom_real)INFINITY;
+    double ratio = fall->barrier > 0 ? fall->kinetic / fall->barrier : HUGE_VAL;
     if (fall->domino > 1 && !(ratio >= p->least)) {
         p->least = ratio;
         p->weakest = fall->domino;
@@ -69,7 +69,7 @@ static bool ratio_seen(const struct dom_fall *fall, void *context)
     return p->whole || p->least >= p->wish->safety;
 }
 
-struct dom_row planner_row(const struct planner *p, struct choice c, dom_real push,
+struct dom_row planner_row(const struct planner *p, struct choice c, double push,
                            const struct dom_engine *engine)
 {
     struct dom_row row = {.domino = p->domino,
@@ -105,8 +105,8 @@ bool planner_row_write(struct planner *p, struct choice c)
     p->train.s = choice_separation(c.k);
     p->train.r = planner_growth(p, c.steps);
     /* In air the masses count: with the density 1, the ratio of the densities is the density of the air. */
-    const dom_real volume = p->wish->first * p->wish->first * p->wish->first * p->train.d * p->train.width,
-                   mass = p->train.air != 0 ? volume : 1;
+    const double volume = p->wish->first * p->wish->first * p->wish->first * p->train.d * p->train.width,
+                 mass = p->train.air != 0 ? volume : 1;
     dom_row_of_train(&p->train, &scale, mass, p->domino, count);
     p->domino[c.steps].height = p->wish->height;
     p->domino[c.steps].width = p->train.width * p->wish->height;
@@ -126,7 +126,7 @@ bool planner_row_write(struct planner *p, struct choice c)
     return true;
 }
 
-dom_real planner_row_ratio(struct planner *p, struct choice c, dom_real push, bool times)
+double planner_row_ratio(struct planner *p, struct choice c, double push, bool times)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
     if (p->status != DOM_OK || !planner_row_write(p, c))
@@ -135,7 +135,7 @@ dom_real planner_row_ratio(struct planner *p, struct choice c, dom_real push, bo
     struct dom_compute compute = p->compute;
     enum dom_status status;
     do {
-        p->least = (dom_real)INFINITY;
+        p->least = HUGE_VAL;
         p->weakest = 0;
         p->whole = times;
         status = row_verdict(&row, &compute, times, ratio_seen, p, &verdict);
@@ -150,29 +150,29 @@ dom_real planner_row_ratio(struct planner *p, struct choice c, dom_real push, bo
 
 /* Returns the length of a standing row, from the back of the first domino to the front of the last. The row
  * has the separation s. Its dimensions are not rounded to a grid. */
-static dom_real feet_of(const struct planner *p, size_t steps, dom_real s)
+static double feet_of(const struct planner *p, size_t steps, double s)
 {
-    dom_real r = planner_growth(p, steps), height = p->wish->first, sum = 0;
+    double r = planner_growth(p, steps), height = p->wish->first, sum = 0;
     for (size_t k = 0; k <= steps; k++, height *= r)
         sum += (p->train.d + (k ? s : 0)) * height;
     return sum;
 }
 
-dom_real planner_length(const struct planner *p, struct choice c)
+double planner_length(const struct planner *p, struct choice c)
 {
     return feet_of(p, c.steps, choice_separation(c.k)) + p->wish->height;
 }
 
-int planner_widest(const struct planner *p, size_t steps, dom_real hall)
+int planner_widest(const struct planner *p, size_t steps, double hall)
 {
-    dom_real closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
-    dom_real s = (hall - p->wish->height - closed) / (open - closed);
-    return s >= 1 ? GRID : s > 0 ? (int)(double)floor(s * GRID) : 0;
+    double closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
+    double s = (hall - p->wish->height - closed) / (open - closed);
+    return s >= 1 ? GRID : s > 0 ? (int)floor(s * GRID) : 0;
 }
 
-dom_real planner_feet(const struct planner *p, struct choice c)
+double planner_feet(const struct planner *p, struct choice c)
 {
-    dom_real sum = 0;
+    double sum = 0;
     for (size_t k = 0; p->limits && k <= c.steps; k++)
         sum += p->domino[k].gap + p->domino[k].thickness;
     return p->limits ? sum : feet_of(p, c.steps, choice_separation(c.k));

@@ -8,9 +8,6 @@
 #define DOM_PLANNER_H
 
 #include "dispatch/dispatch.h"
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
 #include "numerics/real.h"
 
 enum { GRID = 1000 };
@@ -19,22 +16,21 @@ enum { GRID = 1000 };
  * then on, nothing more is computed, and every test fails. */
 struct planner {
     struct dom_train train;
-    /* settings of the search, which computes in double even if the result has another precision */
-    struct dom_compute compute;
+    struct dom_compute compute; /* settings of the search */
     const struct dom_wish *wish;
     /* the sizes that the dominoes may have, or NULL if any sizes are allowed */
     const struct dom_limits *limits;
     struct dom_domino *domino; /* array of `room` dominoes */
     size_t room;
     enum dom_status status;
-    dom_real failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
+    double failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
     /* true to run all dominoes; false to end a run at the first domino that is not safe enough */
     bool whole;
     /* number of the weakest domino in the last run, counted from 1: the domino with the smallest ratio of
      * kinetic energy to barrier; the first domino does not count, because its energy depends on the push */
     size_t weakest;
-    dom_real least;                   /* ratio of kinetic energy to barrier of `weakest` */
-    dom_real seconds, engine_seconds; /* duration of the last run in the model and in the engine */
+    double least;                   /* ratio of kinetic energy to barrier of `weakest` */
+    double seconds, engine_seconds; /* duration of the last run in the model and in the engine */
     bool engine_refused; /* true if a row was safe enough in the model but did not fall in the engine */
 };
 
@@ -45,23 +41,23 @@ struct choice {
     size_t steps;
 };
 
-static inline dom_real choice_separation(int k)
+static inline double choice_separation(int k)
 {
-    return (dom_real)k / GRID;
+    return (double)k / GRID;
 }
 
 /* Returns the growth that leads from the first height to the last in `steps` steps. */
-static inline dom_real planner_growth(const struct planner *p, size_t steps)
+static inline double planner_growth(const struct planner *p, size_t steps)
 {
-    return pow(p->wish->height / p->wish->first, 1 / (dom_real)steps);
+    return pow(p->wish->height / p->wish->first, 1 / (double)steps);
 }
 
 /* Returns the ratio of kinetic energy to barrier in an endless train with the separation s and the growth r.
  * If there is no such ratio, for example because the next domino is out of reach, returns 0. */
-dom_real planner_train_ratio(struct planner *p, dom_real s, dom_real r);
+double planner_train_ratio(struct planner *p, double s, double r);
 
 /* Returns a row with the dominoes that planner_row_write wrote last. */
-struct dom_row planner_row(const struct planner *p, struct choice c, dom_real push,
+struct dom_row planner_row(const struct planner *p, struct choice c, double push,
                            const struct dom_engine *engine);
 
 /* Writes the dominoes of a candidate row to p->domino. If memory is exhausted, or if the walls do not fit
@@ -72,17 +68,17 @@ bool planner_row_write(struct planner *p, struct choice c);
  * dominoes after the first. If the row does not fall, returns 0. If `times` is false, the run ends at the
  * first domino whose ratio is below the required safety, and this ratio is returned. Since the dominoes after
  * it are not run, the row may stop even if the ratio is above 1. */
-dom_real planner_row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
+double planner_row_ratio(struct planner *p, struct choice c, double push, bool times);
 
 /* Returns the length of a candidate row after its last domino has fallen forwards. The dimensions of the row
  * are not rounded to a grid. */
-dom_real planner_length(const struct planner *p, struct choice c);
+double planner_length(const struct planner *p, struct choice c);
 
 /* Returns the largest k, up to GRID, for which a row with the separation k / GRID fits into the hall. If
  * there is none, returns 0. The dimensions of the row are not rounded to a grid. */
-int planner_widest(const struct planner *p, size_t steps, dom_real hall);
+int planner_widest(const struct planner *p, size_t steps, double hall);
 
 /* Returns the length of the standing row that planner_row_write wrote last. */
-dom_real planner_feet(const struct planner *p, struct choice c);
+double planner_feet(const struct planner *p, struct choice c);
 
 #endif

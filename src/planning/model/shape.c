@@ -1,37 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "planning/model/shape.h"
-#include "rows/model/boxes.h"
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
+#include "numerics/decimal.h"
 #include "numerics/real.h"
+#include "rows/model/boxes.h"
 #include <string.h>
 
 /* Limits of a gap, as fractions of the height of the domino before it. */
-#define LEAST ((dom_real)1 / 1000)
-#define MOST  ((dom_real)98 / 100)
+#define LEAST (1.0 / 1000)
+#define MOST  (98.0 / 100)
 
 /* If a row is too long for the hall, its gaps are narrowed. To avoid a kink, the narrowing sets in gradually,
  * a little before the row fills the hall. The larger this exponent, the more abruptly the narrowing sets in.
  * If the row exactly fills the hall, its gaps are multiplied by 2^(-1 / SHARP). */
-#define SHARP ((dom_real)64)
+#define SHARP 64.0
 
 /* A height is multiplied or divided by at most this factor. */
-#define FARTHEST ((dom_real)4)
+#define FARTHEST 4.0
 
 /* Because of rounding errors, a value still counts as allowed if it exceeds its limit by at most this
  * factor. */
-#define ROUNDED (1 + (dom_real)1e-9)
+#define ROUNDED (1 + 1e-9)
 
 enum dom_status limits_check(const struct dom_limits *l)
 {
-    enum dom_status status = !(l->q > 0 && (double)l->q < HUGE_VAL)          ? DOM_BAD_Q
-                             : !(l->hall > 0)                                ? DOM_BAD_HALL
-                             : !(l->heaviest > 0)                            ? DOM_BAD_MASS
-                             : !(l->grid >= 0 && (double)l->grid < HUGE_VAL) ? DOM_BAD_GAP
-                                                                             : DOM_OK;
+    enum dom_status status = !(l->q > 0 && l->q < HUGE_VAL)          ? DOM_BAD_Q
+                             : !(l->hall > 0)                        ? DOM_BAD_HALL
+                             : !(l->heaviest > 0)                    ? DOM_BAD_MASS
+                             : !(l->grid >= 0 && l->grid < HUGE_VAL) ? DOM_BAD_GAP
+                                                                     : DOM_OK;
     for (size_t i = 0; i < l->boards && status == DOM_OK; i++)
-        status = l->board[i] > 0 && (double)l->board[i] < HUGE_VAL ? DOM_OK : DOM_BAD_THICKNESS;
+        status = l->board[i] > 0 && l->board[i] < HUGE_VAL ? DOM_OK : DOM_BAD_THICKNESS;
     return status;
 }
 
@@ -51,28 +49,28 @@ void shape_begin(const struct shape *s, double *x)
     const struct dom_domino *d = s->row->domino;
     const size_t gaps = s->row->count - 1;
     for (size_t k = 1; k <= gaps; k++) {
-        x[k - 1] = (double)log(fmax(d[k].gap / d[k - 1].height, LEAST));
+        x[k - 1] = log(fmax(d[k].gap / d[k - 1].height, LEAST));
         if (shape_variables(s) > gaps)
-            x[gaps + k - 1] = (double)log(d[k].height / d[k - 1].height);
+            x[gaps + k - 1] = log(d[k].height / d[k - 1].height);
     }
 }
 
 /* The last domino must keep its height, but the growths in the variables may lead to another height. Returns
  * the number that must be subtracted from the logarithm of each growth to correct this. */
-static dom_real growth_excess(const struct shape *s, const double *growth)
+static double growth_excess(const struct shape *s, const double *growth)
 {
     const struct dom_domino *d = s->row->domino;
     const size_t gaps = s->row->count - 1;
-    dom_real sum = 0;
+    double sum = 0;
     for (size_t k = 0; k < gaps; k++)
-        sum += (dom_real)growth[k];
-    return (sum - log(d[gaps].height / d[0].height)) / (dom_real)gaps;
+        sum += growth[k];
+    return (sum - log(d[gaps].height / d[0].height)) / (double)gaps;
 }
 
-void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, dom_real thickness)
+void shape_resize(const struct shape *s, struct dom_domino *d, double height, double thickness)
 {
     const struct dom_domino before = *d;
-    const dom_real x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q;
+    const double x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q;
     d->width *= x;
     d->radius *= x;
     d->height = height;
@@ -83,13 +81,13 @@ void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, 
 }
 
 /* Returns the multiple of the grid nearest to a length, but at least one grid step. */
-static dom_real on_grid(const struct shape *s, dom_real length)
+static double on_grid(const struct shape *s, double length)
 {
-    const dom_real grid = s->limits->grid;
-    return grid > 0 ? fmax(floor(length / grid + (dom_real)0.5), 1) * grid : length;
+    const double grid = s->limits->grid;
+    return grid > 0 ? multiple_of(fmax(floor(length / grid + 0.5), 1), grid) : length;
 }
 
-bool shape_from_board(const struct shape *s, dom_real height)
+bool shape_from_board(const struct shape *s, double height)
 {
     const bool is_box = s->row->boxes_above > 0 && walls_of(s->row, height) > 0;
     return s->limits->boards > 0 && !is_box;
@@ -98,12 +96,12 @@ bool shape_from_board(const struct shape *s, dom_real height)
 /* Returns the thickness that a domino gets if `thickness` is wanted. If the domino must be made from a board,
  * this is the thickness of the board that is closest to `thickness`. If not, it is `thickness`, rounded to
  * the grid if `final` is true. */
-static dom_real board_near(const struct shape *s, dom_real height, dom_real thickness, bool final)
+static double board_near(const struct shape *s, double height, double thickness, bool final)
 {
     const struct dom_limits *l = s->limits;
     if (!shape_from_board(s, height))
         return final ? on_grid(s, thickness) : thickness;
-    dom_real near = l->board[0];
+    double near = l->board[0];
     for (size_t i = 1; i < l->boards; i++)
         if (fabs(l->board[i] - thickness) < fabs(near - thickness))
             near = l->board[i];
@@ -111,13 +109,13 @@ static dom_real board_near(const struct shape *s, dom_real height, dom_real thic
 }
 
 /* Sets the height of domino k to `height`, or to less if the domino would be too heavy. */
-static void size_set(const struct shape *s, size_t k, dom_real height, bool final, struct dom_domino *d)
+static void size_set(const struct shape *s, size_t k, double height, bool final, struct dom_domino *d)
 {
     const struct dom_domino *given = &s->row->domino[k];
-    const dom_real heaviest = s->limits->heaviest, ratio = given->thickness / given->height;
+    const double heaviest = s->limits->heaviest, ratio = given->thickness / given->height;
     height = fmin(fmax(height, given->height / FARTHEST), given->height * FARTHEST);
     for (int i = 0; i < 8; i++) {
-        const dom_real rounded = final ? on_grid(s, height) : height;
+        const double rounded = final ? on_grid(s, height) : height;
         *d = *given;
         shape_resize(s, d, rounded, board_near(s, rounded, ratio * rounded, final));
         if (d->mass <= heaviest)
@@ -130,11 +128,11 @@ static void size_set(const struct shape *s, size_t k, dom_real height, bool fina
  * gap is rounded, the rounding error of the earlier gaps is added to it. */
 static void gaps_round(const struct shape *s, struct dom_domino *d)
 {
-    const dom_real grid = s->limits->grid;
-    dom_real exact = 0, rounded = 0;
+    const double grid = s->limits->grid;
+    double exact = 0, rounded = 0;
     for (size_t k = 1; k < s->row->count; k++) {
         exact += d[k].gap;
-        d[k].gap = fmax(floor((exact - rounded) / grid + (dom_real)0.5), 0) * grid;
+        d[k].gap = multiple_of(fmax(floor((exact - rounded) / grid + 0.5), 0), grid);
         rounded += d[k].gap;
     }
 }
@@ -142,25 +140,25 @@ static void gaps_round(const struct shape *s, struct dom_domino *d)
 bool shape_dominoes(const struct shape *s, const double *x, bool final, struct dom_domino *d)
 {
     const size_t count = s->row->count, gaps = count - 1;
-    const dom_real grid = s->limits->grid;
-    dom_real room = s->limits->hall - s->row->domino[count - 1].height - grid, sum = 0;
+    const double grid = s->limits->grid;
+    double room = s->limits->hall - s->row->domino[count - 1].height - grid, sum = 0;
     memcpy(d, s->row->domino, count * sizeof *d);
-    const dom_real excess = has_size(s, 1) ? growth_excess(s, x + gaps) : 0;
-    dom_real height = d[0].height;
+    const double excess = has_size(s, 1) ? growth_excess(s, x + gaps) : 0;
+    double height = d[0].height;
     for (size_t k = 1; has_size(s, k); k++) {
-        height *= exp((dom_real)x[gaps + k - 1] - excess);
+        height *= exp(x[gaps + k - 1] - excess);
         size_set(s, k, height, final, &d[k]);
     }
     for (size_t k = 0; k < count; k++)
         room -= d[k].thickness;
     for (size_t k = 1; k < count; k++) {
-        d[k].gap = fmin(fmax(exp((dom_real)x[k - 1]), LEAST), MOST) * d[k - 1].height;
+        d[k].gap = fmin(fmax(exp(x[k - 1]), LEAST), MOST) * d[k - 1].height;
         sum += d[k].gap;
     }
     if (room <= 0 && gaps > 0)
         return false;
     /* This is min(1, room / sum) without the kink, so that the minimizer can follow the limit. */
-    const dom_real narrower = isinf(room) ? 1 : pow(1 + pow(sum / room, SHARP), -1 / SHARP);
+    const double narrower = isinf(room) ? 1 : pow(1 + pow(sum / room, SHARP), -1 / SHARP);
     for (size_t k = 1; k < count; k++)
         d[k].gap *= narrower;
     if (final && grid > 0)
@@ -168,10 +166,10 @@ bool shape_dominoes(const struct shape *s, const double *x, bool final, struct d
     return true;
 }
 
-static bool is_on_grid(const struct shape *s, dom_real length)
+static bool is_on_grid(const struct shape *s, double length)
 {
-    const dom_real grid = s->limits->grid, cells = grid > 0 ? length / grid : 0;
-    return fabs(cells - floor(cells + (dom_real)0.5)) < (dom_real)1e-6;
+    const double grid = s->limits->grid, cells = grid > 0 ? length / grid : 0;
+    return fabs(cells - floor(cells + 0.5)) < 1e-6;
 }
 
 /* Returns true if the mass, the height and the thickness of a domino are within the limits. */
@@ -188,7 +186,7 @@ static bool size_keeps(const struct shape *s, const struct dom_domino *d)
 bool shape_keeps(const struct shape *s, const struct dom_domino *d)
 {
     const size_t count = s->row->count;
-    dom_real length = d[count - 1].height;
+    double length = d[count - 1].height;
     for (size_t k = 0; k < count; k++) {
         length += d[k].gap + d[k].thickness;
         if ((has_size(s, k) && !size_keeps(s, &d[k])) || (k > 0 && !is_on_grid(s, d[k].gap)))
@@ -201,8 +199,8 @@ void shape_round(const struct shape *s, struct dom_domino *d)
 {
     const size_t count = s->row->count;
     for (size_t k = 1; k < count; k++) {
-        const dom_real height = k + 1 < count ? on_grid(s, d[k].height) : d[k].height,
-                       thickness = d[k].thickness * (height / d[k].height);
+        const double height = k + 1 < count ? on_grid(s, d[k].height) : d[k].height,
+                     thickness = d[k].thickness * (height / d[k].height);
         shape_resize(s, &d[k], height, board_near(s, height, thickness, true));
     }
     if (s->limits->grid > 0)

@@ -140,7 +140,8 @@ class Row:
 
     friction, slope (rad), edges (radius over height), walls (m) and air (kg/m^3) are effects; drag is the drag
     coefficient in air, if it is not 1.2. In air, masses count: in kg. push is the angular velocity of the
-    first domino in rad/s; without it, this domino tips over its edge from rest.
+    first domino in rad/s; without it, this domino tips over its edge from rest. `precision` is that of falls; windows,
+    placements and budgets are computed in double.
     """
 
     def __init__(self, dominoes: Iterable[Any], *, friction: float = 0.0, slope: float = 0.0, edges: float = 0.0,

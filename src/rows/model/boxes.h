@@ -5,13 +5,13 @@
 
 #include "numerics/api.h"
 
-static inline dom_real width_of(const struct dom_domino *domino)
+static inline double width_of(const struct dom_domino *domino)
 {
     return domino->width > 0 ? domino->width : domino->height / 2;
 }
 
 /* Returns the thickness of the walls of a domino in m, or 0 if the domino is solid. */
-static inline dom_real walls_of(const struct dom_row *row, dom_real height)
+static inline double walls_of(const struct dom_row *row, double height)
 {
     return height > row->boxes_above ? row->walls : 0;
 }
@@ -19,20 +19,20 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
 /* Returns the allowed height that is closest to `height`, for a domino that has had the height `before`. A
  * solid domino must stay solid, and a box must stay a box. (A domino taller than row->boxes_above is a
  * box.) */
-static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
+static inline double height_of_kind(const struct dom_row *row, double before, double height)
 {
-    const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);
+    const double most = row->boxes_above, least = most * (1 + 1.0 / 1000000);
     if (before <= most)
         return height < most ? height : most;
     return height > least ? height : least < before ? least : before;
 }
 
 /* Returns the volume of the wood in a domino, or 0 if its walls do not fit. */
-dom_real wood_volume(const struct dom_row *row, const struct dom_domino *domino);
+double wood_volume(const struct dom_row *row, const struct dom_domino *domino);
 
 /* Returns the factor by which the mass of a domino changes if the domino is resized from `before` to `after`
  * and its wood keeps its density. If the row has no boxes, or if the walls do not fit, returns `solid`. */
-dom_real wood_factor(const struct dom_row *row, const struct dom_domino *before,
-                     const struct dom_domino *after, dom_real solid);
+double wood_factor(const struct dom_row *row, const struct dom_domino *before, const struct dom_domino *after,
+                   double solid);
 
 #endif

@@ -11,18 +11,18 @@
 /* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current height, and likewise thicknesses.
  * Friction is tried up to FRICTION_MOST or four times the current friction, whichever is larger, but not
  * beyond DOM_MU_HIGHEST. */
-#define HEIGHT_PART     ((dom_real)0.01)
+#define HEIGHT_PART     0.01
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
 /* Heights, thicknesses and leans have limits, beyond which the domino falls over by itself, or has no room
- * for its walls or its rounded edges. The values that are tried stay this fraction away from the limits. The
- * fraction exceeds the rounding error of a float. */
-#define STANDS_SHORT ((dom_real)1e-6)
+ * for its walls or its rounded edges. The values that are tried stay this fraction away from the limits,
+ * which is more than rounding errors. */
+#define STANDS_SHORT 1e-6
 
 /* The range of values that are tried. */
 struct range {
-    dom_real lowest, highest;
+    double lowest, highest;
     /* how the fall ends at a value above `highest`, or DOM_ROW_FALLS if this is unknown */
     enum dom_row_end above;
 };
@@ -38,7 +38,7 @@ static struct range gaps_of(const struct trial *t, const struct dom_domino *d)
  * it. */
 static struct range places_of(const struct trial *t, const struct dom_domino *d)
 {
-    const dom_real reach = d[-1].height - d->gap, room = t->k + 1 == t->row.count ? reach : d[1].gap;
+    const double reach = d[-1].height - d->gap, room = t->k + 1 == t->row.count ? reach : d[1].gap;
     return (struct range){t->place - d->gap, t->place + fmin(reach, room),
                           reach <= room ? DOM_ROW_MISSES : DOM_ROW_FALLS};
 }
@@ -52,11 +52,11 @@ static struct range places_of(const struct trial *t, const struct dom_domino *d)
  */
 static struct range heights_of(const struct trial *t, const struct dom_domino *d)
 {
-    dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
-    dom_real self = t->row.rho != 0 ? 2 * d->radius : 0, share = self > 0 ? 0 : 2 * t->row.rho;
-    dom_real stands = (d->thickness - self) / (tan(tilt) + share) * (1 - STANDS_SHORT);
-    dom_real lowest = fmax(HEIGHT_PART * d->height, self * (1 + STANDS_SHORT));
-    dom_real highest = fmin(HEIGHT_MULTIPLE * d->height, stands);
+    double tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
+    double self = t->row.rho != 0 ? 2 * d->radius : 0, share = self > 0 ? 0 : 2 * t->row.rho;
+    double stands = (d->thickness - self) / (tan(tilt) + share) * (1 - STANDS_SHORT);
+    double lowest = fmax(HEIGHT_PART * d->height, self * (1 + STANDS_SHORT));
+    double highest = fmin(HEIGHT_MULTIPLE * d->height, stands);
     lowest = height_of_kind(&t->row, d->height, lowest);
     highest = height_of_kind(&t->row, d->height, highest);
     return (struct range){fmin(lowest, d->height), fmax(highest, d->height), DOM_ROW_FALLS};
@@ -65,10 +65,10 @@ static struct range heights_of(const struct trial *t, const struct dom_domino *d
 /* The domino must be thick enough to stand, and to have room for two walls or for two rounded edges. */
 static struct range thicknesses_of(const struct trial *t, const struct dom_domino *d)
 {
-    const dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean)),
-                   rho = t->row.rho != 0 && d->radius > 0 ? d->radius / d->height : t->row.rho,
-                   stands = (tan(tilt) + 2 * rho) * d->height,
-                   least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * walls_of(&t->row, d->height));
+    const double tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean)),
+                 rho = t->row.rho != 0 && d->radius > 0 ? d->radius / d->height : t->row.rho,
+                 stands = (tan(tilt) + 2 * rho) * d->height,
+                 least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * walls_of(&t->row, d->height));
     return (struct range){fmin(least * (1 + STANDS_SHORT), d->thickness), HEIGHT_MULTIPLE * d->thickness,
                           DOM_ROW_FALLS};
 }
@@ -81,24 +81,24 @@ static struct range frictions_of(const struct trial *t, const struct dom_domino 
 
 static struct range leans_of(const struct trial *t, const struct dom_domino *d)
 {
-    dom_real lean[2];
+    double lean[2];
     dom_lean_limits(d, t->row.alpha, t->row.rho, lean);
-    const dom_real inside = (lean[1] - lean[0]) / 2 * STANDS_SHORT;
+    const double inside = (lean[1] - lean[0]) / 2 * STANDS_SHORT;
     return (struct range){fmin(lean[0] + inside, d->lean), fmax(lean[1] - inside, d->lean), DOM_ROW_FALLS};
 }
 
-static void gap_set(struct trial *t, struct dom_domino *d, dom_real value)
+static void gap_set(struct trial *t, struct dom_domino *d, double value)
 {
     (void)t;
     d->gap = value;
 }
 
-static void place_set(struct trial *t, struct dom_domino *d, dom_real value)
+static void place_set(struct trial *t, struct dom_domino *d, double value)
 {
-    const dom_real by = value - t->place;
+    const double by = value - t->place;
     d->gap = fmax(d->gap + by, 0);
     /* rounding must not put the gap out of reach of the previous domino */
-    if (fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
+    if (fabs(d->gap - d[-1].height) < 4 * DBL_EPSILON * value)
         d->gap = d[-1].height;
     if (t->k + 1 < t->row.count)
         d[1].gap = fmax(d[1].gap - by, 0);
@@ -106,32 +106,32 @@ static void place_set(struct trial *t, struct dom_domino *d, dom_real value)
 
 /* Sets the height or the thickness of a domino. The density of the wood, the thickness of the walls and the
  * width stay the same. So the mass changes too. */
-static void size_set(struct trial *t, struct dom_domino *d, dom_real *size, dom_real value)
+static void size_set(struct trial *t, struct dom_domino *d, double *size, double value)
 {
     const struct dom_domino before = *d;
-    const dom_real by = value / *size;
+    const double by = value / *size;
     d->width = width_of(d);
     *size = value;
     d->mass *= wood_factor(&t->row, &before, d, by);
 }
 
-static void height_set(struct trial *t, struct dom_domino *d, dom_real value)
+static void height_set(struct trial *t, struct dom_domino *d, double value)
 {
     size_set(t, d, &d->height, value);
 }
 
-static void thickness_set(struct trial *t, struct dom_domino *d, dom_real value)
+static void thickness_set(struct trial *t, struct dom_domino *d, double value)
 {
     size_set(t, d, &d->thickness, value);
 }
 
-static void friction_set(struct trial *t, struct dom_domino *d, dom_real value)
+static void friction_set(struct trial *t, struct dom_domino *d, double value)
 {
     (void)d;
     t->row.mu = value;
 }
 
-static void lean_set(struct trial *t, struct dom_domino *d, dom_real value)
+static void lean_set(struct trial *t, struct dom_domino *d, double value)
 {
     (void)t;
     d->lean = value;
@@ -139,27 +139,27 @@ static void lean_set(struct trial *t, struct dom_domino *d, dom_real value)
 
 static const struct property {
     struct range (*range)(const struct trial *t, const struct dom_domino *d);
-    void (*set)(struct trial *t, struct dom_domino *d, dom_real value);
+    void (*set)(struct trial *t, struct dom_domino *d, double value);
 } properties[] = {
     [DOM_WINDOW_GAP] = {gaps_of, gap_set},          [DOM_WINDOW_PLACE] = {places_of, place_set},
     [DOM_WINDOW_HEIGHT] = {heights_of, height_set}, [DOM_WINDOW_FRICTION] = {frictions_of, friction_set},
     [DOM_WINDOW_LEAN] = {leans_of, lean_set},       [DOM_WINDOW_THICKNESS] = {thicknesses_of, thickness_set},
 };
 
-static dom_real value_now(const struct trial *t)
+static double value_now(const struct trial *t)
 {
     const struct dom_domino *d = &t->domino[t->k];
-    const dom_real now[] = {d->gap, t->place, d->height, t->row.mu, d->lean, d->thickness};
+    const double now[] = {d->gap, t->place, d->height, t->row.mu, d->lean, d->thickness};
     return now[t->of];
 }
 
 /* A trial_test. Sets the value, runs the row, and then restores the row. */
-static bool falls_with(dom_real value, void *context)
+static bool falls_with(double value, void *context)
 {
     struct trial *t = context;
     const size_t next = t->k + 1 < t->row.count;
     struct dom_domino *d = &t->domino[t->k], self = *d, after = d[next];
-    const dom_real mu = t->row.mu;
+    const double mu = t->row.mu;
     bool falls;
     properties[t->of].set(t, d, value);
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
@@ -182,25 +182,25 @@ static bool falls_with(dom_real value, void *context)
  * results are accurate to only one percent. */
 enum { VALUE_DIGITS = 6, VALUE_DIGITS_OF_ENGINE = 2, STEPS = 40, STEPS_OF_ENGINE = 10 };
 
-static dom_real value_digit(const struct trial *t, dom_real value)
+static double value_digit(const struct trial *t, double value)
 {
     return digit_of(fabs(value), t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
 /* Returns value number i of a walk. The values are close together near `from`, and farther apart towards
  * `end`. For an engine, they have few digits. */
-static dom_real value_step(const struct trial *t, dom_real from, dom_real end, int i, int steps)
+static double value_step(const struct trial *t, double from, double end, int i, int steps)
 {
-    const dom_real part = (dom_real)i / (dom_real)steps, x = from + (end - from) * part * part * part;
+    const double part = (double)i / (double)steps, x = from + (end - from) * part * part * part;
     if (!t->row.engine || x == end)
         return x;
-    const dom_real rounded = round(x / value_digit(t, x)) * value_digit(t, x);
+    const double digit = value_digit(t, x), rounded = multiple_of(round(x / digit), digit);
     return fmin(fmax(rounded, fmin(from, end)), fmax(from, end));
 }
 
 /* Searches for the edge between two values. All dominoes must fall at the value `good`, but not at the value
  * `bad`. */
-static dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
+static double value_edge(struct trial *t, double good, double bad)
 {
     return edge_find(falls_with, t, good, &bad, value_digit(t, fmax(fabs(good), fabs(bad))), 0);
 }
@@ -209,7 +209,7 @@ static dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
  */
 struct band {
     bool found;
-    dom_real from, to;
+    double from, to;
     enum dom_row_end beyond; /* how the fall ends beyond `to`, if a value there was tried */
     bool others;             /* true if the row also falls at some value farther on */
 };
@@ -219,14 +219,14 @@ struct band {
  * begins there, and the walk goes on to `end` to see whether the row falls again beyond the band. Otherwise
  * the walk looks for the first band on its way.
  */
-static struct band walk(struct trial *t, dom_real from, dom_real end, bool falls, enum dom_row_end beyond)
+static struct band walk(struct trial *t, double from, double end, bool falls, enum dom_row_end beyond)
 {
     struct band band = {.found = falls, .from = from, .to = end, .beyond = beyond};
     bool open = falls, over = from == end;
-    dom_real last = from;
+    double last = from;
     const int steps = t->row.engine ? STEPS_OF_ENGINE : STEPS;
     for (int i = 1; i <= steps && !over && t->status == DOM_OK; i++) {
-        const dom_real x = value_step(t, from, end, i, steps);
+        const double x = value_step(t, from, end, i, steps);
         const bool good = x == last ? open : falls_with(x, t);
         if (good && !band.found) {
             band.from = value_edge(t, x, last);
@@ -250,7 +250,7 @@ static struct band walk(struct trial *t, dom_real from, dom_real end, bool falls
 static struct band nearest(struct trial *t)
 {
     const struct range range = properties[t->of].range(t, &t->domino[t->k]);
-    const dom_real now = value_now(t);
+    const double now = value_now(t);
     if (now > range.highest && falls_with(range.highest, t))
         return walk(t, range.highest, range.lowest, true, DOM_ROW_FALLS);
     struct band in = walk(t, now, range.lowest, false, DOM_ROW_FALLS),
@@ -292,11 +292,11 @@ static bool is_repeated(const struct dom_row *row, size_t k)
 
 /* Looks for an edge near `guess`. The search steps from there towards the edge, each step eight times as long
  * as the one before, until the edge lies between two trials. */
-static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
+static double edge_near(struct trial *t, double guess, double end, enum dom_row_end *beyond)
 {
-    const dom_real now = value_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
-    const dom_real first = fmin(fmax(round(guess / digit) * digit, fmin(now, end)), fmax(now, end));
-    dom_real good = first, bad = first, step = end < now ? -digit : digit;
+    const double now = value_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
+    const double first = fmin(fmax(multiple_of(round(guess / digit), digit), fmin(now, end)), fmax(now, end));
+    double good = first, bad = first, step = end < now ? -digit : digit;
     if (falls_with(first, t))
         for (; good == bad && good != end; step *= 8) {
             bad = fabs(end - good) < fabs(step) ? end : good + step;
@@ -318,7 +318,7 @@ static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum do
 static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
 {
     const struct range range = properties[t->of].range(t, &t->domino[t->k]);
-    const dom_real by = w->now - last->now;
+    const double by = w->now - last->now;
     w->above = range.above;
     w->others = last->others;
     w->low = fmin(edge_near(t, last->low + by, range.lowest, &w->below), w->now);
@@ -382,7 +382,7 @@ enum { BACK = DOM_MENDS - 1 };
 static int by_change(const void *a, const void *b)
 {
     const struct dom_mend *x = a, *y = b;
-    dom_real dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
+    double dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
     return dx < dy ? -1 : dx > dy;
 }
 

@@ -182,17 +182,17 @@ static bool plot_speed(const struct query *query, struct answer *a, struct chart
 /* Returns by how much a gap must change to reach the nearer end of its window. The window is the range of
  * sizes of this gap at which the row falls if no other gap changes. Returns infinity if the gap has no
  * window. */
-static double window_room(const struct domq_window *w)
+static double window_room(const struct dom_window *w)
 {
-    double room = fmin(fabs((double)(w->low - w->now)), fabs((double)(w->high - w->now)));
+    double room = fmin(fabs(w->low - w->now), fabs(w->high - w->now));
     return isnan(room) ? HUGE_VAL : room;
 }
 
 /* Writes the note below the chart: which gap has the tightest limits or, if the row does not fall, which gap
  * needs the smallest change to save the row. */
-static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
+static void gaps_note(const struct dom_window *w, size_t count, bool falls, struct chart *chart)
 {
-    const struct domq_window *t = w;
+    const struct dom_window *t = w;
     for (size_t i = 1; i < count; i++)
         t = window_room(&w[i]) < window_room(t) ? &w[i] : t;
     if (window_room(t) == HUGE_VAL)
@@ -210,15 +210,15 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
                  measured(t->low, "m", 3).text, measured(t->high, "m", 3).text, t->domino);
 }
 
-static void gaps_chart(const struct domq_window *w, size_t count, struct chart *chart)
+static void gaps_chart(const struct dom_window *w, size_t count, struct chart *chart)
 {
     double widest = 0, narrowest = HUGE_VAL, lowest = HUGE_VAL;
     bool falls = false;
     for (size_t i = 0; i < count; i++) {
-        double gap = (double)w[i].now;
+        const double gap = w[i].now;
         widest = fmax(widest, gap);
         narrowest = gap > 0 ? fmin(narrowest, gap) : narrowest;
-        lowest = w[i].low > 0 ? fmin(lowest, (double)w[i].low) : lowest;
+        lowest = w[i].low > 0 ? fmin(lowest, w[i].low) : lowest;
         falls = falls || (w[i].low <= w[i].now && w[i].now <= w[i].high);
     }
     gaps_note(w, count, falls, chart);
@@ -231,13 +231,16 @@ static bool plot_gaps(const struct query *query, struct answer *a, struct chart 
                       struct problem *problem)
 {
     struct scene_row scene;
+    struct double_row made;
+    a->in_double = true;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
     size_t count = scene.row.count - 1;
-    struct domq_window *w = calloc(count ? count : 1, sizeof *w);
-    enum dom_status status =
-        w ? domq_row_windows(&scene.row, &scene.compute, DOM_WINDOW_GAP, progress_count, NULL, w)
-          : DOM_NO_MEMORY;
+    struct dom_window *w = calloc(count ? count : 1, sizeof *w);
+    enum dom_status status = scene_row_in_double(&scene, &made);
+    if (status == DOM_OK)
+        status = w ? dom_row_windows(&made.row, &made.compute, DOM_WINDOW_GAP, progress_count, NULL, w)
+                   : DOM_NO_MEMORY;
     bool done = status == DOM_OK && count > 0;
     if (status != DOM_OK)
         row_status(query, problem, status);
@@ -248,6 +251,7 @@ static bool plot_gaps(const struct query *query, struct answer *a, struct chart 
     for (size_t i = 0; i < count && done; i++)
         answer_cells(a, cell_count((domq_real)w[i].domino), cell_real(w[i].now), cell_real(w[i].low),
                      cell_real(w[i].high), cell_flag(w[i].others));
+    free(made.domino);
     free(scene.domino);
     free(w);
     return done;

@@ -317,7 +317,12 @@ void answer_keep(struct answer *a, const struct cell *cells)
 
 bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
-    struct cell compared[ANSWER_COLUMNS], left[ANSWER_COLUMNS];
+    struct cell compared[ANSWER_COLUMNS], left[ANSWER_COLUMNS], in_double[ANSWER_COLUMNS];
+    for (int i = 0; a->in_double && i < cells_count(a); i++) {
+        in_double[i] = cells[i];
+        in_double[i].in_double = true;
+    }
+    cells = a->in_double ? in_double : cells;
     answer_keep(a, cells);
     if (a->errors.recorder)
         reference_add(a->errors.recorder, a->errors.row, cells, (size_t)cells_count(a));

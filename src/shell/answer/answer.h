@@ -78,6 +78,7 @@ struct answer {
     struct column copy[ANSWER_COLUMNS];
     unsigned left_out; /* bit i is set if cell i of each row is not shown (see answer_leave_out) */
     bool rows;         /* the answer is a table of rows, rather than a single row */
+    bool in_double;    /* its numbers are computed in double precision, whatever `style` has */
     struct {
         /* In formats for people: the keys of the columns that the answer shows, or "*" for all. The others
          * are in its rest, which 'details' prints. NULL if the answer has no rest. */

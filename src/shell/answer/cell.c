@@ -90,9 +90,13 @@ static domq_real printed_error(struct cell cell, const char *text)
     return cell.error + quad(fabs)(quad_read(text, NULL) - cell.number);
 }
 
+/* A double is known to this many digits. */
+enum { DOUBLE_DIGITS = 15 };
+
 static const char *real_text(struct cell cell, int digits, bool errors, char text[CELL_TEXT])
 {
     char number[WIDE_TEXT], shown[WIDE_TEXT];
+    digits = cell.in_double && digits > DOUBLE_DIGITS ? DOUBLE_DIGITS : digits;
     bool with_error = errors && isfinite(cell.error) && cell.digits == 0;
     if (!with_error)
         return (cell.is_limit ? quad_limit_write : quad_write)(cell.number,
@@ -144,7 +148,8 @@ static domq_real read_back(const struct answer_style *style, const char *text)
 
 /*
  * Returns the style in which csv and json write a cell. Most numbers are written at the precision of the
- * session. A brief number is always written in double precision, because it is known only as a double. At
+ * session. A brief number is always written in double precision, because it is known only as a double, and so
+ * is a number that was computed in double. At
  * float precision, a count is also written in double precision, because a large count does not fit into
  * float.
  */
@@ -152,7 +157,7 @@ static const struct answer_style *cell_style(const struct answer_style *style, s
 {
     static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
     bool is_large = cell.kind == CELL_COUNT && style->precision == DOM_FLOAT;
-    return cell.digits || is_large ? &in_double : style;
+    return cell.digits || is_large || cell.in_double ? &in_double : style;
 }
 
 bool cell_finite(const struct answer_style *style, struct cell cell)

@@ -35,7 +35,8 @@ struct cell {
     /* The number was computed to the tolerance of the style. If its error is not shown, a table shows
      * only the digits that this tolerance guarantees. */
     bool computed;
-    bool is_limit; /* tables round the number down, because people build by it */
+    bool in_double; /* the number was computed in double precision, whatever that of the style is */
+    bool is_limit;  /* tables round the number down, because people build by it */
 };
 
 /* These functions make cells. NaN and infinity give an empty cell, which is null in json. */

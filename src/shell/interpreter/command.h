@@ -139,6 +139,8 @@ struct command {
     /* The whole answer is computed in the precision of the session. Then the numbers have errors: their
      * differences from a computation in quad precision. */
     bool has_errors;
+    /* The answer is computed in double precision, whatever the precision of the session is. */
+    bool in_double;
     enum {
         WRITES_DATA,
         WRITES_PICTURES, /* in csv and json: the data of a picture */

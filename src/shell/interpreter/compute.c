@@ -2,6 +2,7 @@
 #include "interpreter/compute.h"
 #include "answer/reference.h"
 #include "language/quad.h"
+#include "session/double_row.h"
 #include "session/engine.h"
 
 /*
@@ -78,6 +79,19 @@ static bool command_run(const struct command *c, const struct query *query, stru
                               *answer->late_reason ? ": " : "", answer->late_reason));
 }
 
+/* Runs a command that computes in double precision. */
+static bool double_compute(const struct command *c, const struct query *query, struct answer *answer,
+                           struct problem *problem)
+{
+    struct scene scene = *query->scene; /* shares the memory of the original */
+    struct query in_double = *query;
+    scene.compute.tol = (domq_real)compute_in_double(&scene.compute).tol;
+    scene.compute.precision = DOM_DOUBLE;
+    in_double.scene = &scene;
+    answer->in_double = true;
+    return command_run(c, &in_double, answer, problem);
+}
+
 bool command_compute(const struct command *c, const struct query *query, struct answer *answer,
                      struct problem *problem)
 {
@@ -87,6 +101,8 @@ bool command_compute(const struct command *c, const struct query *query, struct 
                    has_errors && query->state->settings.style.errors && (answer->out || answer->sink.take);
     if (query->reference && !(has_errors && query->scene->compute.precision == DOM_QUAD))
         query->reference->is_void = true;
+    if (c->in_double)
+        return double_compute(c, query, answer, problem);
     if (!is_wanted)
         return command_run(c, query, answer, problem);
     struct reference reference = {.is_void = false};

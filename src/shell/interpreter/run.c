@@ -19,6 +19,14 @@
 #define TRAIN_NOTE                                                                                           \
     "This answer is about the endless train with these parameters, not about the row. 'fall' runs the row."
 
+#define DOUBLE_NOTE "This answer is computed in double precision."
+
+/* Returns true if a command answers in another precision than that of the session. */
+static bool is_in_double(const struct command *c, const struct query *query)
+{
+    return c->in_double && query->scene->compute.precision != DOM_DOUBLE;
+}
+
 /* Tells the user that the answer is about the endless train, not about the row. The note usually goes below
  * the answer. If the answer is a picture in a file, the note goes to standard error instead. */
 static void train_note(const struct session *session, struct answer *answer)
@@ -127,7 +135,9 @@ static bool run_command(struct session *session, const struct command *c, const 
         .appended = output->append,
         .style = state_style(query->state),
         .command = c->name,
-        .note = is_not_row ? TRAIN_NOTE : NULL,
+        .note = is_not_row               ? TRAIN_NOTE
+                : is_in_double(c, query) ? DOUBLE_NOTE
+                                         : NULL,
         .csv.last_header = end->header,
         .columns = c->columns,
         .rows = c->rows,
@@ -148,8 +158,10 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (done && c->columns && dom_raised(answer.progress.interrupt))
         done = problem_status(problem, query->scene, DOM_INTERRUPTED);
     session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.progress.wrote_text;
-    if (done && answer.note)
+    if (done && answer.note && is_not_row)
         train_note(session, &answer);
+    else if (done && answer.note)
+        (answer.details.rest ? answer_detail : answer_say)(&answer, "(" DOUBLE_NOTE ")");
     if (done && answer.errors.has_unknown)
         unknown_note(c, &answer);
     const struct format *format = answer.style.format;

@@ -86,3 +86,9 @@ const char *quad_exact(domq_real value, int most, char text[WIDE_TEXT])
         digits++;
     return text;
 }
+
+domq_real quad_decimal(double value)
+{
+    char text[WIDE_TEXT];
+    return isfinite(value) ? quad_read(quad_write((domq_real)value, 15, text), NULL) : (domq_real)value;
+}

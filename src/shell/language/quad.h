@@ -58,6 +58,10 @@ const char *quad_limit_write(domq_real limit, int digits, char text[WIDE_TEXT]);
  * trailing zeros. Returns `text`. */
 const char *quad_exact(domq_real value, int most, char text[WIDE_TEXT]);
 
+/* Converts a result that was computed in double to quad. The result has the same 15 digits, so that 0.024
+ * does not become 0.0240000000000000005. */
+domq_real quad_decimal(double value);
+
 /* Reads a number as strtod does. Sets errno to ERANGE if the number is out of range. */
 domq_real quad_read(const char *text, char **end);
 

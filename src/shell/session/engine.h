@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs rows in a rigid-body engine, which is a feature. After 'set method engine', the engine runs every row.
  * After 'set method model', it runs only rows with an effect that the model lacks, such as 'set feet'. The
- * library's searches and studies call the engine through struct domq_engine. */
+ * library's searches and studies call the engine through struct dom_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
 
@@ -25,9 +25,10 @@ struct engine_report {
 };
 
 struct scene_engine {
-    struct domq_engine engine; /* engine.context points to this struct */
-    double feet;               /* friction coefficient of the floor; infinite if feet are hinged to it */
-    double bounce;             /* coefficient of restitution between dominoes */
+    struct domq_engine engine;   /* engine.context points to this struct */
+    struct dom_engine in_double; /* the same engine, for searches and studies */
+    double feet;                 /* friction coefficient of the floor; infinite if feet are hinged to it */
+    double bounce;               /* coefficient of restitution between dominoes */
     /* Each run that computes times fills in this report. NULL if no report is needed, as in studies. */
     struct engine_report *report;
 };

@@ -45,7 +45,10 @@ static const char tol_help[] =
 static const char precision_help[] =
     "The equations are solved in float, double or quad arithmetic. Parameters are kept with all their "
     "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If the parameter "
-    "tol has its default, tol changes with the precision. 'set digits 33' shows all digits that quad gives.";
+    "tol has its default, tol changes with the precision. 'set digits 33' shows all digits that quad gives. "
+    "Commands that search for a row or run many rows, such as 'tolerance' and 'placement', compute in "
+    "double, "
+    "and say so.";
 static const char errors_help[] =
     "Each answer is computed a second time, with 30 digits (quad precision, tol 1e-30). A number is then "
     "followed "

@@ -215,6 +215,13 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
     return good;
 }
 
+enum dom_status scene_row_in_double(const struct scene_row *row, struct double_row *made)
+{
+    const bool done = double_row_make(&row->row, &row->compute, made);
+    made->row.engine = row->row.engine ? &row->engine.in_double : NULL;
+    return done ? DOM_OK : DOM_NO_MEMORY;
+}
+
 domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
                             enum row_measure measure)
 {

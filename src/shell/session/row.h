@@ -3,6 +3,7 @@
 #ifndef SHELL_ROW_H
 #define SHELL_ROW_H
 
+#include "session/double_row.h"
 #include "session/engine.h"
 #include "session/row_change.h"
 
@@ -22,6 +23,10 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 
 /* Like scene_row_make, but does not prepare a run. It checks only that there is a row. */
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
+
+/* Converts a row that scene_row_make has made to double, in which the library searches and runs many rows.
+ * The caller frees made->domino. While made->row is used, `row` must exist, except its dominoes. */
+enum dom_status scene_row_in_double(const struct scene_row *row, struct double_row *made);
 
 /* Checks that the walls fit into the dominoes of a row. */
 bool scene_walls_fit(const struct scene *scene, const struct scene_row *row, struct problem *problem);

@@ -238,6 +238,24 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
     return row_verdict(row, compute, times, visit, context, verdict);
 }
 
+static bool tilt_seen(const struct dom_fall *fall, void *context)
+{
+    *(dom_real *)context = fall->theta;
+    return false;
+}
+
+enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt)
+{
+    struct dom_verdict verdict;
+    struct dom_row two = *row;
+    two.count = row->count < 2 ? row->count : 2;
+    two.engine = NULL;
+    two.floor = false;
+    two.push = 0;
+    two.release = (dom_real)HUGE_VAL;
+    return row_verdict(&two, compute, false, tilt_seen, tilt, &verdict);
+}
+
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
                               const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
                               struct dom_verdict *verdict)

@@ -31,6 +31,19 @@ static inline struct dom_compute compute_or_default(const struct dom_compute *co
     return compute ? *compute : dom_compute_default();
 }
 
+#ifndef DOMQ
+/* Returns the settings of a search or a study, which computes in double whatever the precision is. */
+static inline struct dom_compute compute_in_double(const struct dom_compute *given)
+{
+    struct dom_compute compute = compute_or_default(given);
+    const struct dom_arithmetic *in_double = dom_arithmetic(DOM_DOUBLE);
+    if (compute.precision == DOM_QUAD && compute.tol < in_double->tol_floor)
+        compute.tol = in_double->tol_default;
+    compute.precision = DOM_DOUBLE;
+    return compute;
+}
+#endif
+
 /* Makes a question about a train. Checks the range of each value; the kernel checks the rest, such as the
  * reach. */
 struct question question_make(const struct dom_train *train, const struct dom_compute *compute);

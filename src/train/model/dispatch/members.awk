@@ -4,8 +4,8 @@
 # NUMBER is applied to members of the type dom_real, PART to structures, OTHER to all other members.
 #   awk -f members.awk HEADER...
 
-/^\/\* ==== / { typed = 1 }
 FNR == 1 { typed = 0 }
+/^\/\* ==== / { typed = !typed }
 
 typed && /^struct dom_[a-z_]+ \{/ {
     structure = substr($2, 5)

@@ -3,3 +3,4 @@
 #include "precision/kernel.inc"
 
 const struct kernel dom__kernel_double = KERNEL_TABLE;
+const struct studies dom__studies = {row_study_begin, row_study, row_study_end};

@@ -34,20 +34,7 @@
     X(row_run, const struct row_request *, bool, dom_fall_visit *, void *, struct dom_verdict *)             \
     X(row_watch, const struct row_request *, const dom_real *, size_t, dom_moment_visit *, void *,           \
       struct dom_verdict *)                                                                                  \
-    X(row_study_begin, const struct row_request *, struct study **, struct dom_verdict *)                    \
-    X(row_study, struct study *, const struct dom_row *, size_t, size_t, struct dom_verdict *)               \
-    X(row_study_end, struct study *)                                                                         \
     X(count_find, dom_real, dom_real, dom_real, const struct dom_compute *, struct dom_count *)
-
-struct study; /* row/study.h */
-
-/*
- * The three functions of a study run a row many times. row_study_begin runs the row as planned. row_study
- * then runs copies of it in which the dominoes `first` to `last` have changed. If the `verdict` of
- * row_study_begin is NULL, no row is planned, and each row of row_study may differ in all dominoes, in its
- * effects and in its push. Of their verdicts only `end` and `domino` count. Call row_study_end even after an
- * error.
- */
 
 struct kernel {
 #define KERNEL_MEMBER(name, ...) enum dom_status (*name)(__VA_ARGS__);
@@ -61,6 +48,23 @@ struct kernel {
 extern const struct kernel domq__kernel_float, domq__kernel_quad, domq__kernel_bridge;
 #else
 extern const struct kernel dom__kernel_double, dom__kernel_gsl, dom__kernel_paper, dom__kernel_bridge;
+
+struct study; /* row/study.h */
+
+/*
+ * Studies run a row many times, in double. `begin` runs the row as planned. `run` then runs copies of it in
+ * which the dominoes `first` to `last` have changed. If the `verdict` of `begin` is NULL, no row is planned,
+ * and each row may differ in all dominoes, in its effects and in its push. Of their verdicts only `end` and
+ * `domino` count. Call `end` even after an error.
+ */
+struct studies {
+    enum dom_status (*begin)(const struct row_request *request, struct study **study,
+                             struct dom_verdict *verdict);
+    enum dom_status (*run)(struct study *study, const struct dom_row *row, size_t first, size_t last,
+                           struct dom_verdict *verdict);
+    void (*end)(struct study *study);
+};
+extern const struct studies dom__studies;
 #endif
 
 #endif

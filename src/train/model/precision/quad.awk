@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes <domino_quad.h> from the headers in include/, so that double and quad share one source: the text after the
-# marker line of a header, "==== From here on", is written again with domq_ and DOMQ_ instead of dom_ and DOM_. Names
-# that are declared before the marker, or in a header without a marker, are common to both. The headers are read twice:
-# first for the names, then for the text.
+# marker line of a header, "==== From here on everything is also", is written again with domq_ and DOMQ_ instead of dom_
+# and DOM_, up to the marker "==== From here on everything exists only". Names that are declared before the first marker,
+# or in a header without a marker, are common to both. The headers are read twice: first for the names, then for the text.
 #   awk -f quad.awk HEADER... write=1 HEADER...             prints domino_quad.h
 #   awk -v names=1 -f quad.awk HEADER... write=1 HEADER...  prints '#define dom_train domq_train' and so on
 
@@ -34,8 +34,9 @@ function renamed(line,   name, own, done) {
     return done line
 }
 
-FNR == 1 || /^#ifdef __cplusplus/ { typed = 0 }
-/^\/\* ==== / { typed = 1 }
+FNR == 1 || /^#ifdef __cplusplus/ { typed = single = 0 }
+/^\/\* ==== / { single = typed; typed = !typed }
+single { next }
 !write { learn($0); next }
 !typed || /^\/\* ==== / { next }
 !begun++ && !names {

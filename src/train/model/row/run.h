@@ -79,4 +79,19 @@ KERNEL bool study_passes(struct run *run, size_t k, struct start *at);
 KERNEL bool study_ends(struct run *run, size_t k, const struct run *before, const struct descent *d,
                        const struct dom_fall *fall);
 
+#if defined REAL_FLOAT || defined REAL_QUAD /* studies exist only in double */
+KERNEL bool study_passes(struct run *run, size_t k, struct start *at)
+{
+    (void)run, (void)k, (void)at;
+    return false;
+}
+
+KERNEL bool study_ends(struct run *run, size_t k, const struct run *before, const struct descent *d,
+                       const struct dom_fall *fall)
+{
+    (void)run, (void)k, (void)before, (void)d, (void)fall;
+    return false;
+}
+#endif
+
 #endif

@@ -189,12 +189,11 @@ KERNEL enum dom_status row_study(struct study *s, const struct dom_row *row, siz
     return s->mark ? study_change(s, first, last, verdict) : study_random(s, verdict);
 }
 
-KERNEL enum dom_status row_study_end(struct study *s)
+KERNEL void row_study_end(struct study *s)
 {
     if (s) {
         row_free(&s->row);
         free(s->mark);
     }
     free(s);
-    return DOM_OK;
 }

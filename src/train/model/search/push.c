@@ -2,31 +2,11 @@
 /* Finds the weakest push and the growths at which all dominoes of a row fall. */
 #include "search/trial.h"
 
-/* ---- A first domino that is released ---- */
-
-static bool tilt_seen(const struct dom_fall *fall, void *context)
-{
-    *(dom_real *)context = fall->theta;
-    return false;
-}
-
-enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt)
-{
-    struct dom_verdict verdict;
-    struct dom_row two = *row;
-    two.count = row->count < 2 ? row->count : 2;
-    two.engine = NULL;
-    two.floor = false;
-    two.push = 0;
-    two.release = (dom_real)HUGE_VAL;
-    return row_verdict(&two, compute, false, tilt_seen, tilt, &verdict);
-}
-
 /* ---- A push ---- */
 
-#define PUSH_TOL ((dom_real)1e-5)
+#define PUSH_TOL 1e-5
 
-static bool falls_pushed(dom_real push, void *context)
+static bool falls_pushed(double push, void *context)
 {
     struct trial *t = context;
     t->row.push = push;
@@ -42,22 +22,22 @@ static bool falls_pushed(dom_real push, void *context)
  *
  * Here I is the moment of inertia about the edge, m is the mass, h is the height, and d is the thickness.
  */
-static dom_real push_over_edge(const struct dom_row *row)
+static double push_over_edge(const struct dom_row *row)
 {
-    dom_real h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
+    double h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
     return sqrt(3 * row->g * d * d / ((reach + h) * reach * reach));
 }
 
 enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom_compute *compute,
-                                     dom_real strongest, dom_real *push)
+                                     double strongest, double *push)
 {
     struct trial t = trial_of(row, compute);
-    if (!(strongest > 0 && (double)strongest < HUGE_VAL))
+    if (!(strongest > 0 && strongest < HUGE_VAL))
         return DOM_BAD_PUSH;
     bool falls = trial_falls(&t);
-    dom_real found = falls ? row->push : DOM_NAN;
+    double found = falls ? row->push : DOM_NAN;
     if (t.status == DOM_OK && !falls) {
-        dom_real bad = isnan(row->push) ? 0 : row->push, good = fmax(push_over_edge(row), bad) / 2;
+        double bad = isnan(row->push) ? 0 : row->push, good = fmax(push_over_edge(row), bad) / 2;
         do {
             good = fmin(2 * good, strongest);
             falls = falls_pushed(good, &t);
@@ -66,7 +46,7 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
         if (falls && bad < good) {
             good = edge_find(falls_pushed, &t, good, &bad, 0, PUSH_TOL);
             /* round up, so that the push is still strong enough */
-            const dom_real digit = digit_of(good, 3), rounded = ceil(good / digit) * digit;
+            const double digit = digit_of(good, 3), rounded = multiple_of(ceil(good / digit), digit);
             found = falls_pushed(rounded, &t) ? rounded : good;
         }
     }
@@ -79,10 +59,10 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
 
 /* Each step of the search multiplies the growth by GROWTH_STEP. Because an engine is slow, the search for the
  * first growth at which the row falls in an engine multiplies the growth by GROWTH_STEP_OF_ENGINE instead. */
-#define GROWTH_STEP           ((dom_real)1.02)
-#define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
+#define GROWTH_STEP           1.02
+#define GROWTH_STEP_OF_ENGINE 1.1
 
-static bool falls_grown(dom_real r, void *context)
+static bool falls_grown(double r, void *context)
 {
     struct trial *t = context;
     if (t->status == DOM_OK)
@@ -96,9 +76,9 @@ static bool falls_grown(dom_real r, void *context)
  * growth one step before the last. Returns false if nothing changes up to `highest`. Bisection is not used,
  * because it could miss the first change.
  */
-static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
+static bool growth_change(struct trial *t, bool falls, double highest, double *before, double *r)
 {
-    const dom_real step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;
+    const double step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;
     while (*r < highest && t->status == DOM_OK) {
         *before = *r;
         *r = fmin(*r * step, highest);
@@ -111,9 +91,9 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
 /* Finds r_min and r_max. The growth r_min is the smallest growth, from 1 upwards, at which the row falls. The
  * row falls at all growths from r_min to r_max. If it does not fall at r = 1, r_min is larger than 1. For
  * example, the gaps at r = 1 can be too narrow for the first domino to tip over. */
-static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
+static void growths_find(struct trial *t, double highest, struct dom_row_growth *growth)
 {
-    dom_real before = 1, r = 1;
+    double before = 1, r = 1;
     bool falls = falls_grown(1, t);
     *growth = (struct dom_row_growth){DOM_NAN, DOM_NAN, t->ends};
     if (!falls && !growth_change(t, false, highest, &before, &r))
@@ -124,12 +104,12 @@ static void growths_find(struct trial *t, dom_real highest, struct dom_row_growt
     growth->ends = ends ? t->ends : DOM_ROW_FALLS;
 }
 
-enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
+enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, double highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth)
 {
     if (row->count == 0)
         return DOM_BAD_COUNT;
-    if (!(highest >= 1 && (double)highest < HUGE_VAL))
+    if (!(highest >= 1 && highest < HUGE_VAL))
         return DOM_BAD_R;
     struct trial t = trial_of(row, compute);
     t.make = make;

@@ -3,7 +3,7 @@
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
 {
-    struct trial t = {.row = *row, .compute = compute_or_default(compute), .status = DOM_OK};
+    struct trial t = {.row = *row, .compute = compute_in_double(compute), .status = DOM_OK};
     t.row.floor = false;
     return t;
 }
@@ -19,13 +19,13 @@ static bool trial_judged(struct trial *t)
 
 static bool spare_seen(const struct dom_fall *fall, void *context)
 {
-    *(dom_real *)context = fall->margin / fall->barrier;
+    *(double *)context = fall->margin / fall->barrier;
     return true;
 }
 
 bool trial_falls(struct trial *t)
 {
-    dom_real last = DOM_NAN;
+    double last = DOM_NAN;
     t->verdict.end = DOM_ROW_STOPS;
     if (t->status == DOM_OK)
         t->status = row_verdict(&t->row, &t->compute, false, spare_seen, &last, &t->verdict);
@@ -37,9 +37,8 @@ bool trial_falls(struct trial *t)
 /* Runs the unchanged row and stores states from which runs of changed rows can start. */
 static enum dom_status trial_study(struct trial *t)
 {
-    struct row_question q = row_question_make(&t->row, &t->compute);
-    t->kernel = q.kernel;
-    return ASK(q, row_study_begin, &t->study, &t->verdict);
+    const struct row_question q = row_question_make(&t->row, &t->compute);
+    return q.status != DOM_OK ? q.status : dom__studies.begin(&q.request, &t->study, &t->verdict);
 }
 
 bool trial_begin(struct trial *t)
@@ -64,31 +63,29 @@ bool trial_again(struct trial *t, size_t first, size_t last)
 {
     t->verdict.end = DOM_ROW_STOPS;
     if (t->status == DOM_OK)
-        t->status = t->kernel->row_study(t->study, &t->row, first, last, &t->verdict);
+        t->status = dom__studies.run(t->study, &t->row, first, last, &t->verdict);
     return trial_judged(t);
 }
 
 void trial_end(struct trial *t)
 {
-    if (t->study)
-        (void)t->kernel->row_study_end(t->study);
+    dom__studies.end(t->study);
     free(t->domino);
 }
 
 /*
  * Neither num_root nor a solver of GSL can be used here, because some tests yield no number, and because the
- * result must be a point that was tested. Besides, GSL has only double precision.
+ * result must be a point that was tested.
  *
  * In general, this is a bisection. If the spare energies at both ends are known, and one is positive and the
  * other negative, every second step uses the secant method instead.
  */
-dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real *bad, dom_real digit,
-                   dom_real tol)
+double edge_find(trial_test *test, struct trial *t, double good, double *bad, double digit, double tol)
 {
-    dom_real of_good = DOM_NAN, of_bad = DOM_NAN, near;
+    double of_good = DOM_NAN, of_bad = DOM_NAN, near;
     for (bool halve = true; fabs(good - *bad) > (near = fmax(digit, tol * good)); halve = !halve) {
-        const dom_real low = fmin(good, *bad), high = fmax(good, *bad);
-        dom_real x = (good + *bad) / 2;
+        const double low = fmin(good, *bad), high = fmax(good, *bad);
+        double x = (good + *bad) / 2;
         if (!halve && of_good > 0 && of_bad < 0) {
             x = good + (*bad - good) * (of_good / (of_good - of_bad));
             /* Shift x a little towards the farther end. Without this shift, only the nearer end would
@@ -96,9 +93,9 @@ dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real *b
             x += (fabs(x - good) < fabs(*bad - x)) == (*bad > good) ? near / 2 : -near / 2;
         }
         if (digit > 0)
-            x = round(x / digit) * digit;
+            x = multiple_of(round(x / digit), digit);
         if (!(x > low && x < high))
-            x = digit > 0 ? round((good + *bad) / 2 / digit) * digit : (good + *bad) / 2;
+            x = digit > 0 ? multiple_of(round((good + *bad) / 2 / digit), digit) : (good + *bad) / 2;
         if (!(x > low && x < high))
             break;
         const bool falls = test(x, t);
@@ -106,9 +103,4 @@ dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real *b
         *(falls ? &of_good : &of_bad) = t->spare;
     }
     return good;
-}
-
-dom_real digit_of(dom_real value, int places)
-{
-    return pow(10, floor(log10(value)) - (dom_real)places);
 }

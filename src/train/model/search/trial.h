@@ -5,9 +5,7 @@
 #define DOM_TRIAL_H
 
 #include "dispatch/dispatch.h"
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
+#include "numerics/decimal.h"
 #include "numerics/real.h"
 #include <stdlib.h>
 #include <string.h>
@@ -21,8 +19,7 @@ struct trial {
     enum dom_window_of of;     /* the property that is changed */
     size_t k;                  /* index of the domino that is changed, from 0 */
     /* distance from the back of the first domino to the back of domino k before the change */
-    dom_real place;
-    const struct kernel *kernel;
+    double place;
     /* the kernel's state for running slightly changed rows, or NULL if an engine runs them */
     struct study *study;
     dom_row_make *make; /* callback that writes the dominoes of the row for a given growth */
@@ -33,7 +30,7 @@ struct trial {
     /* Spare energy in the last run, as a fraction of the barrier (margin / barrier). If the row fell, this is
      * the spare energy of the weakest domino. If the row stopped for lack of energy, it is the spare energy
      * of the domino at which it stopped. If the fall ended in another way, it is NaN. */
-    dom_real spare;
+    double spare;
 };
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute);
@@ -50,7 +47,7 @@ void trial_end(struct trial *t);
  * 0. */
 bool trial_again(struct trial *t, size_t first, size_t last);
 
-typedef bool trial_test(dom_real x, void *trial);
+typedef bool trial_test(double x, void *trial);
 
 /*
  * Searches for the edge between two values. At the value `good`, the test is true, and at the value `bad`, it
@@ -58,11 +55,6 @@ typedef bool trial_test(dom_real x, void *trial);
  * If `digit` > 0, it tries only multiples of `digit`, and stops when none lies between the two values.
  * Returns the last value of `good`, and sets *bad to the last value of `bad`.
  */
-dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real *bad, dom_real digit,
-                   dom_real tol);
-
-/* Returns the place value of one digit of `value`. If places = 0, this is the first significant digit. If
- * places = 1, it is the next digit, and so on. For example, digit_of(250, 1) is 10. */
-dom_real digit_of(dom_real value, int places);
+double edge_find(trial_test *test, struct trial *t, double good, double *bad, double digit, double tol);
 
 #endif
