@@ -286,7 +286,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
 
 const struct command study_commands[] = {
     {.name = "placement",
-     .in_double = true,
+     .precision = PRECISION_DOUBLE,
      .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where rows stop",
@@ -321,7 +321,7 @@ const struct command study_commands[] = {
      .access.files = true,
      .run = run_pool},
     {.name = "budget",
-     .in_double = true,
+     .precision = PRECISION_DOUBLE,
      .synonyms = "probability chance random precision spacing tolerance",
      .argument =
          {{.name = "P", .kind = ARGUMENT_ANY, .noun = "share"},
@@ -341,7 +341,7 @@ const struct command study_commands[] = {
      .brief = "",
      ANSWER(budget)},
     {.name = "slip",
-     .has_errors = true,
+     .precision = PRECISION_AS_SET,
      .synonyms = "foot feet slide slippery ground",
      .train = true,
      .summary = "the least friction of the floor at which no foot slips",

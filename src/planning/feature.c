@@ -6,7 +6,7 @@
 
 static const struct command design_commands[] = {
     {.name = "design",
-     .in_double = true,
+     .precision = PRECISION_DOUBLE,
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "WISHES",
                    .kind = ARGUMENT_GRID,
@@ -44,7 +44,7 @@ static const struct command design_commands[] = {
      .brief = "",
      ANSWER(design)},
     {.name = "plan",
-     .in_double = true,
+     .precision = PRECISION_DOUBLE,
      .synonyms = "guide print sheet cut list boards tape workshop hall build",
      .argument = {{.name = "title TITLE", .kind = ARGUMENT_WORDS, .optional = true, .parse = plan_parse}},
      .summary = "a guide for building the row: sizes, boards, places",
@@ -63,7 +63,7 @@ static const struct command design_commands[] = {
      .brief = "",
      ANSWER(plan)},
     {.name = "improve",
-     .in_double = true,
+     .precision = PRECISION_DOUBLE,
      .synonyms = "optimise optimize best robust reliable",
      .argument = {{.name = "WISHES",
                    .kind = ARGUMENT_GRID,

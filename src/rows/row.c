@@ -171,7 +171,7 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
 const struct command row_commands[] = {
     {.name = "fall",
      .in_joules = scene_has_masses,
-     .has_errors = true,
+     .precision = PRECISION_AS_SET,
      .synonyms = "simulate simulation run topple time speed",
      .summary = "run the row, domino by domino",
      .help = "Shows for each domino when it is hit, when it hits the next one, and how fast it starts. Also "
@@ -185,7 +185,7 @@ const struct command row_commands[] = {
      ANSWER(fall)},
     {.name = "verdict",
      .in_joules = scene_has_masses,
-     .has_errors = true,
+     .precision = PRECISION_AS_SET,
      .typed.shortest = "v",
      .synonyms = "result success topple stop",
      .summary = "whether the whole row falls, and which domino is weakest",
@@ -196,7 +196,7 @@ const struct command row_commands[] = {
      .brief = "",
      ANSWER(verdict)},
     {.name = "mend",
-     .in_double = true,
+     .precision = PRECISION_DOUBLE,
      .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
      .help =
@@ -211,7 +211,7 @@ const struct command row_commands[] = {
      .brief = "",
      ANSWER(mend)},
     {.name = "tolerance",
-     .in_double = true,
+     .precision = PRECISION_DOUBLE,
      .synonyms = "window precision error plumb measure tape spacing height",
      .summary = "how inaccurate each domino may be before the row stops",
      .help = "A window is a range of values, for example of the height of a domino. All dominoes fall with "
@@ -302,7 +302,7 @@ const struct command row_commands[] = {
      .rows = true,
      ANSWER(row)},
     {.name = "rowmax",
-     .in_double = true,
+     .precision = PRECISION_DOUBLE,
      .synonyms = "maximum ratio factor",
      .summary = "the largest growth r at which the whole row falls",
      .help = "The row is the one that 'set row N' makes from s, d, q and h, and 'set push' starts it. "

@@ -44,7 +44,7 @@ static const struct command sweep_commands[] = {
      .columns = growths_columns,
      .run = run_sweep},
     {.name = "solve",
-     .has_errors = true,
+     .precision = PRECISION_AS_SET,
      .argument =
          {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
           {.name = ": ANSWER",

@@ -247,13 +247,13 @@ static bool run_growths(const struct query *query, struct answer *a, struct prob
 
 /* Not in a table: only 'curve' runs this command. */
 const struct command growths_command = {
-    .name = "curve", .has_errors = true, .train = true, .sweep.echo = "s", ANSWER(growths)};
+    .name = "curve", .precision = PRECISION_AS_SET, .train = true, .sweep.echo = "s", ANSWER(growths)};
 
 #define SEPARATION .name = "S", .kind = ARGUMENT_VALUE_OF, .parameter = "s", .optional = true
 
 const struct command limit_commands[] = {
     {.name = "rmax",
-     .has_errors = true,
+     .precision = PRECISION_AS_SET,
      .synonyms = "maximum ratio factor larger",
      .train = true,
      .argument = {{SEPARATION}},
@@ -276,7 +276,7 @@ const struct command limit_commands[] = {
      .brief = "",
      ANSWER(rmax)},
     {.name = "pair",
-     .has_errors = true,
+     .precision = PRECISION_AS_SET,
      .synonyms = "two maximum",
      .train = true,
      .argument = {{SEPARATION}},
@@ -289,7 +289,7 @@ const struct command limit_commands[] = {
      .brief = "",
      ANSWER(pair)},
     {.name = "best",
-     .has_errors = true,
+     .precision = PRECISION_AS_SET,
      .synonyms = "optimum optimal spacing distance maximum",
      .train = true,
      .summary = "the gap that allows the largest growth",
@@ -299,7 +299,7 @@ const struct command limit_commands[] = {
      .brief = "",
      ANSWER(best)},
     {.name = "count",
-     .has_errors = true,
+     .precision = PRECISION_AS_SET,
      .synonyms = "quiz tower building Domtoren height number tall",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_VALUE_OF, .parameter = "r", .optional = true}},

@@ -142,6 +142,16 @@ class dom_row_end(IntEnum):
     DOM_ROW_SKEWED = 7
     DOM_ROW_BACK = 8
 
+DOM_MENDS = 31
+
+class dom_window_of(IntEnum):
+    DOM_WINDOW_GAP = 0
+    DOM_WINDOW_PLACE = 1
+    DOM_WINDOW_HEIGHT = 2
+    DOM_WINDOW_FRICTION = 3
+    DOM_WINDOW_LEAN = 4
+    DOM_WINDOW_THICKNESS = 5
+
 
 class dom_least(IntEnum):
     DOM_LEAST_DOMINOES = 0
@@ -158,15 +168,6 @@ class dom_design_limit(IntEnum):
     DOM_DESIGN_FAILED = 5
 
 
-class dom_window_of(IntEnum):
-    DOM_WINDOW_GAP = 0
-    DOM_WINDOW_PLACE = 1
-    DOM_WINDOW_HEIGHT = 2
-    DOM_WINDOW_FRICTION = 3
-    DOM_WINDOW_LEAN = 4
-    DOM_WINDOW_THICKNESS = 5
-
-
 class dom_error_of(IntEnum):
     DOM_ERROR_gap = 0
     DOM_ERROR_place = 1
@@ -181,7 +182,6 @@ class dom_error_of(IntEnum):
     DOM_ERROR_push = 10
     DOM_ERROR_COUNT = 11
 
-DOM_MENDS = 31
 
 class dom_proof_gap(IntEnum):
     DOM_PROOF_NONE = 0
@@ -550,9 +550,6 @@ dom_count._fields_ = [
     ("exact", c_double),
     ("last", c_double),
 ]
-dom_progress = CFUNCTYPE(None, c_size_t, c_size_t, c_void_p)
-dom_task = CFUNCTYPE(None, c_size_t, c_void_p)
-dom_parallel = CFUNCTYPE(c_int, c_size_t, dom_task, c_void_p, c_void_p)
 dom_domino._fields_ = [
     ("height", c_double),
     ("thickness", c_double),
@@ -619,6 +616,7 @@ dom_moment._fields_ = [
     ("omega", POINTER(c_double)),
 ]
 dom_moment_visit = CFUNCTYPE(c_bool, POINTER(dom_moment), c_void_p)
+dom_progress = CFUNCTYPE(None, c_size_t, c_size_t, c_void_p)
 dom_row_make = CFUNCTYPE(None, c_double, POINTER(dom_domino), c_size_t, c_void_p)
 dom_row_growth._fields_ = [
     ("r_max", c_double),
@@ -675,6 +673,8 @@ dom_design._fields_ = [
     ("limit", c_int),
     ("needs", c_double),
 ]
+dom_task = CFUNCTYPE(None, c_size_t, c_void_p)
+dom_parallel = CFUNCTYPE(c_int, c_size_t, dom_task, c_void_p, c_void_p)
 dom_random_error._fields_ = [
     ("size", c_double),
     ("uniform", c_bool),
@@ -776,9 +776,9 @@ FUNCTIONS = {
     "dom_row_watch": (c_int, [POINTER(dom_row), POINTER(dom_compute), POINTER(c_double), c_size_t, dom_moment_visit, c_void_p, POINTER(dom_verdict)]),
     "dom_row_of_train": (None, [POINTER(dom_train), POINTER(dom_scale), c_double, POINTER(dom_domino), c_size_t]),
     "dom_row_rmax": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_double, dom_row_make, c_void_p, POINTER(dom_row_growth)]),
+    "dom_row_weakest_push": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_double, POINTER(c_double)]),
     "dom_row_mend": (c_int, [POINTER(dom_row), POINTER(dom_compute), dom_progress, c_void_p, POINTER(dom_mend), POINTER(c_size_t)]),
     "dom_row_windows": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_int, dom_progress, c_void_p, POINTER(dom_window)]),
-    "dom_row_weakest_push": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_double, POINTER(c_double)]),
     "dom_design_find": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_compute), POINTER(dom_design)]),
     "dom_design_fit": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_limits), POINTER(dom_compute), POINTER(dom_design)]),
     "dom_design_steps": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_limits), POINTER(dom_compute), c_size_t, POINTER(dom_design)]),

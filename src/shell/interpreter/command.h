@@ -136,11 +136,13 @@ struct command {
     /* The answer is the value of an expression. Messages do not mention 'print', because the user can omit
      * it. */
     bool is_print;
-    /* The whole answer is computed in the precision of the session. Then the numbers have errors: their
-     * differences from a computation in quad precision. */
-    bool has_errors;
-    /* The answer is computed in double precision, whatever the precision of the session is. */
-    bool in_double;
+    enum {
+        PRECISION_MIXED,
+        /* The whole answer is computed in the precision of the session. Then the numbers have errors: their
+         * differences from a computation in quad precision. */
+        PRECISION_AS_SET,
+        PRECISION_DOUBLE, /* the answer is computed in double, whatever the precision of the session is */
+    } precision;
     enum {
         WRITES_DATA,
         WRITES_PICTURES, /* in csv and json: the data of a picture */

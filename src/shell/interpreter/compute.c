@@ -96,12 +96,12 @@ bool command_compute(const struct command *c, const struct query *query, struct 
                      struct problem *problem)
 {
     /* The engine computes in double precision only. */
-    const bool has_errors = c->has_errors && (c->train || !scene_has_engine(query->scene)),
+    const bool has_errors = c->precision == PRECISION_AS_SET && (c->train || !scene_has_engine(query->scene)),
                is_wanted =
                    has_errors && query->state->settings.style.errors && (answer->out || answer->sink.take);
     if (query->reference && !(has_errors && query->scene->compute.precision == DOM_QUAD))
         query->reference->is_void = true;
-    if (c->in_double)
+    if (c->precision == PRECISION_DOUBLE)
         return double_compute(c, query, answer, problem);
     if (!is_wanted)
         return command_run(c, query, answer, problem);

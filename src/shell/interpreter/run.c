@@ -24,7 +24,7 @@
 /* Returns true if a command answers in another precision than that of the session. */
 static bool is_in_double(const struct command *c, const struct query *query)
 {
-    return c->in_double && query->scene->compute.precision != DOM_DOUBLE;
+    return c->precision == PRECISION_DOUBLE && query->scene->compute.precision != DOM_DOUBLE;
 }
 
 /* Tells the user that the answer is about the endless train, not about the row. The note usually goes below
@@ -111,10 +111,23 @@ static void answer_remember(struct session *session, const struct command *c, co
 static void unknown_note(const struct command *c, struct answer *answer)
 {
     answer_say(answer,
-               c->has_errors ? "Where no error is given, 30 digits lead to another answer, or a part of the "
-                               "answer is computed in double precision only."
-                             : "No errors are given: '%s' computes in double precision only.",
+               c->precision == PRECISION_AS_SET
+                   ? "Where no error is given, 30 digits lead to another answer, or a part of the "
+                     "answer is computed in double precision only."
+                   : "No errors are given: '%s' computes in double precision only.",
                c->name);
+}
+
+/* Says what is special about the numbers of an answer. */
+static void notes_say(const struct session *session, const struct command *c, const struct query *query,
+                      struct answer *answer)
+{
+    if (is_in_double(c, query))
+        (answer->details.rest ? answer_detail : answer_say)(answer, "(" DOUBLE_NOTE ")");
+    else if (answer->note)
+        train_note(session, answer);
+    if (answer->errors.has_unknown)
+        unknown_note(c, answer);
 }
 
 /* Runs a command and writes its answer to the output at the top of the stack. */
@@ -158,12 +171,8 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (done && c->columns && dom_raised(answer.progress.interrupt))
         done = problem_status(problem, query->scene, DOM_INTERRUPTED);
     session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.progress.wrote_text;
-    if (done && answer.note && is_not_row)
-        train_note(session, &answer);
-    else if (done && answer.note)
-        (answer.details.rest ? answer_detail : answer_say)(&answer, "(" DOUBLE_NOTE ")");
-    if (done && answer.errors.has_unknown)
-        unknown_note(c, &answer);
+    if (done)
+        notes_say(session, c, query, &answer);
     const struct format *format = answer.style.format;
     const char *unsaid = done && format->end ? format->end(&answer) : NULL;
     if (unsaid)
