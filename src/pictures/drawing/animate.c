@@ -30,22 +30,14 @@ struct row_film {
 };
 
 /* Moves the view along the row with the front of the fall. When the domino `head` (counted from 1) is hit,
- * this domino is near the middle of the view, and the view has a size that suits it. By the time of the next
- * hit, the next domino is near the middle, and the size suits this next domino. In between, the size changes
- * exponentially. */
+ * this domino is in the middle, and by the time of the next hit, the next domino is. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
-    const struct drawn *current = &f->row.stage.domino[head - 1];
-    double size = current->height, begun = falling_row_hit(&f->row, head - 1), at = current->foot;
-    if (head < f->row.stage.count) {
-        const struct drawn *next = current + 1;
-        double until = falling_row_hit(&f->row, head);
-        double part = until > begun ? fmin(fmax((time - begun) / (until - begun), 0), 1) : 0;
-        double growth = pow(next->height / size, part), more = next->height - size;
-        at += (fabs(more) > 1e-9 * size ? (growth - 1) * size / more : part) * (next->foot - at);
-        size *= growth;
-    }
-    sheet_follow(&f->film.movie.sheet, at, 2.6 * size);
+    struct stage *stage = &f->row.stage;
+    const struct drawn *current = &stage->domino[head - 1], *next = current + (head < stage->count);
+    const double begun = falling_row_hit(&f->row, head - 1),
+                 until = head < stage->count ? falling_row_hit(&f->row, head) : begun;
+    film_follow(stage, current, next, until > begun ? (time - begun) / (until - begun) : 0);
 }
 
 static bool row_frame(const struct domq_moment *m, void *context)

@@ -6,6 +6,16 @@
 #include "train/walk.h"
 #include <math.h>
 
+void film_follow(struct stage *stage, const struct drawn *from, const struct drawn *to, double part)
+{
+    const double more = to->height - from->height, share = fmin(fmax(part, 0), 1),
+                 growth = pow(to->height / from->height, share);
+    /* The size of the view grows exponentially, and the place moves in proportion to it. */
+    const double way = fabs(more) > 1e-9 * from->height ? (growth - 1) * from->height / more : share;
+    stage->at = from->foot + way * (to->foot - from->foot);
+    stage->tall = 2.6 * from->height * growth;
+}
+
 bool film_frame(struct film *f, const struct stage *stage)
 {
     if (f->player)
@@ -191,6 +201,10 @@ static enum dom_status train_frame(struct train_film *f, size_t frame, bool *goe
                                                : "the train does not get over its barrier");
         stage.ruler = f->ruler;
         stage_place(&stage, f, p);
+        /* A file shows all cycles at the same scale, but a terminal has too few characters. */
+        if (f->film.player)
+            film_follow(&stage, &stage.domino[1], &stage.domino[0],
+                        (time - p.begun) / p.slower / f->duration);
         *goes_on = film_frame(&f->film, &stage);
     }
     stage_free(&stage);

@@ -26,6 +26,10 @@ struct film {
  * film_frame, or adds it to film->out. On failure, `watch` sets film->problem. */
 bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struct film *film));
 
+/* Moves the view of a film that follows the fall: it has a size that suits the domino `from`, with this
+ * domino near the middle, if `part` is 0, and likewise for the domino `to` if `part` is 1. */
+void film_follow(struct stage *stage, const struct drawn *from, const struct drawn *to, double part);
+
 /* Draws a frame. Returns false if the user has ended the film. */
 bool film_frame(struct film *film, const struct stage *stage);
 

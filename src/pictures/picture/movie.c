@@ -68,6 +68,8 @@ void movie_frame(struct movie *m, const struct stage *stage)
 {
     FILE *script = m->picture.script;
     fprintf(script, "unset label\nunset arrow\n");
+    if (stage->tall > 0)
+        sheet_follow(&m->sheet, stage->at, stage->tall);
     sheet_palette(&m->sheet, (int)(m->frame % 2), script);
     stage_script(stage, &m->sheet, script);
     progress_show((double)++m->frame / (double)m->frames);

@@ -54,6 +54,9 @@ struct stage {
     struct drawn *domino; /* a row begins with domino 1, and a train with the foremost domino */
     size_t count;
     double left, right, top; /* the limits of the visible part */
+    /* A film can follow the fall. The visible part then has the height `tall`, and `at` is near its middle.
+     * If `tall` is 0, the limits above apply. */
+    double at, tall;
     /* The unit of all lengths. For a train, it is "h". For a row, the pointer is NULL: lengths are in m, and
      * the ruler shows them in mm, cm or m. */
     const char *unit;

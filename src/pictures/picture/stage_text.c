@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws a stage with characters, to scale. A character is assumed to be twice as high as it is wide. */
 #include "answer/wrap.h"
+#include "language/text.h"
 #include "pictures/picture/stage.h"
 #include <math.h>
 #include <string.h>
 
 enum {
-    LEFT = 7,  /* columns for the vertical scale */
-    BELOW = 3, /* rows for the ground, the numbers of the dominoes, and the ruler */
+    LEFT = 7,       /* columns for the vertical scale */
+    FILM_LINES = 3, /* lines for the caption of a film that follows the fall */
+    BELOW = 3,      /* rows for the ground, the numbers of the dominoes, and the ruler */
     WIDTH_MOST = 200
 };
 
@@ -40,6 +42,26 @@ static enum ink ink_of(const struct drawn *k)
     return inks[k->part];
 }
 
+/* Returns the part of a domino, along its height or its thickness, in which all its visible points are.
+ * `from` and `to` are the ends of the height or of the thickness. The part is empty for a domino that is not
+ * visible. In a film that follows the fall, dominoes can be much larger than the picture. */
+struct part_seen {
+    double low, high;
+};
+static struct part_seen part_seen(const struct grid *g, struct point from, struct point to)
+{
+    const double x = to.x - from.x, y = to.y - from.y, length = x * x + y * y,
+                 right = g->left + g->canvas.width * g->unit, high = 2 * g->unit * g->ground;
+    struct part_seen seen = {HUGE_VAL, -HUGE_VAL};
+    for (int corner = 0; corner < 4; corner++) {
+        const double along =
+            ((corner % 2 ? right : g->left) - from.x) * x + ((corner / 2 ? high : 0) - from.y) * y;
+        seen.low = fmin(seen.low, along / length);
+        seen.high = fmax(seen.high, along / length);
+    }
+    return (struct part_seen){fmax(seen.low, 0), fmin(seen.high, 1)};
+}
+
 /* Fills a domino with a character, by sampling points that are closer together than characters. */
 static void domino_fill(struct grid *g, const struct stage *stage, const struct drawn *k)
 {
@@ -50,12 +72,17 @@ static void domino_fill(struct grid *g, const struct stage *stage, const struct 
     /* A domino that is taller than the picture is cut off. Only one domino can be too tall: the upright
      * domino in front of a train. */
     double seen = k->height > stage->top ? stage->top / k->height : 1;
-    int rows = (int)(3 * seen * k->height / g->unit) + 2, columns = (int)(3 * k->thickness / g->unit) + 2;
     const struct point *p = k->corner;
+    const struct part_seen tall = part_seen(g, p[0], p[1]), thick = part_seen(g, p[0], p[3]);
+    if (!(tall.low < tall.high && thick.low < thick.high))
+        return;
+    int rows = (int)(3 * seen * (tall.high - tall.low) * k->height / g->unit) + 2,
+        columns = (int)(3 * (thick.high - thick.low) * k->thickness / g->unit) + 2;
     for (int i = 0; i <= rows; i++)
         for (int j = 0; j <= columns; j++) {
             /* points on the edges would make the domino one character wider */
-            double up = seen * (0.02 + 0.96 * i / rows), back = (j + 0.5) / (columns + 1);
+            double up = seen * (0.02 + 0.96 * (tall.low + (tall.high - tall.low) * i / rows)),
+                   back = thick.low + (thick.high - thick.low) * (j + 0.5) / (columns + 1);
             double x = p[0].x + up * (p[1].x - p[0].x) + back * (p[3].x - p[0].x);
             double y = p[0].y + up * (p[1].y - p[0].y) + back * (p[3].y - p[0].y);
             int column = column_of(g, x), row = g->ground - 1 - (int)floor(y / (2 * g->unit));
@@ -90,10 +117,19 @@ static void domino_outline(struct grid *g, const struct drawn *k)
     }
 }
 
+static bool is_seen(const struct grid *g, const struct drawn *k)
+{
+    const struct part_seen tall = part_seen(g, k->corner[0], k->corner[1]),
+                           thick = part_seen(g, k->corner[0], k->corner[3]);
+    return tall.low < tall.high && thick.low < thick.high;
+}
+
 static void dominoes_draw(struct grid *g, const struct stage *stage)
 {
     for (size_t k = stage->count; k-- > 0;)
-        if (g->canvas.display.braille)
+        if (stage->tall > 0 && !is_seen(g, stage_front(stage, k)))
+            continue;
+        else if (g->canvas.display.braille)
             domino_outline(g, stage_front(stage, k));
         else
             domino_fill(g, stage, &stage->domino[k]);
@@ -151,9 +187,14 @@ static void numbers_draw(struct grid *g, const struct stage *stage)
     for (int pass = 0; pass < 2; pass++)
         for (size_t k = 0; k < stage->count; k++) {
             const struct drawn *d = &stage->domino[k];
-            char name[DRAWN_NAME];
-            if (drawn_marked(d) == (pass == 0) && drawn_name(d, name))
-                label_put(c, column_of(g, d->foot - d->thickness / 2), g->ground + 1, name);
+            char name[DRAWN_NAME + CELL_TEXT];
+            const int column = column_of(g, d->foot - d->thickness / 2);
+            const bool is_beyond = stage->tall > 0 && (column < LEFT || column >= c->width);
+            if (drawn_marked(d) != (pass == 0) || !drawn_name(d, name) || is_beyond)
+                continue;
+            if (stage->tall > 0 && d->number == NUMBER_TOWER)
+                text_add(name, sizeof name, " %s", measured((domq_real)d->height, "m", 4).text);
+            label_put(c, column, g->ground + 1, name);
         }
 }
 
@@ -171,7 +212,10 @@ static int caption_write(const char *text, int width, FILE *out)
 bool stage_text(const struct stage *stage, struct display display, int width, int height, FILE *out)
 {
     width = width < WIDTH_MOST ? width : WIDTH_MOST;
-    int rows = height - caption_write(stage->caption, width, out), top = 0;
+    int lines = caption_write(stage->caption, width, out), top = 0;
+    for (; stage->tall > 0 && lines < FILM_LINES; lines++) /* the frames of a film have the same height */
+        fputc('\n', out);
+    int rows = height - lines;
     struct grid g = {.ground = rows - BELOW};
     if (!canvas_make(&g.canvas, display, width, rows))
         return false;
@@ -180,8 +224,13 @@ bool stage_text(const struct stage *stage, struct display display, int width, in
            up = 1.02 * stage->top / (2 * g.ground);
     g.unit = across > up ? across : up;
     g.left = stage->left - (LEFT + 1) * g.unit;
+    if (stage->tall > 0) {
+        g.unit = stage->tall / (2 * g.ground);
+        g.left = stage->at - (LEFT + 0.45 * (width - LEFT)) * g.unit;
+    }
     dominoes_draw(&g, stage);
-    for (bool blank = true; blank && top < g.ground; top += blank) /* empty rows at the top are skipped */
+    for (bool blank = stage->tall <= 0; blank && top < g.ground;
+         top += blank) /* empty rows at the top are skipped */
         for (int column = 0; column < width && blank; column++)
             blank = canvas_blank(&g.canvas, column, top);
     ruler_draw(&g, stage, top);
