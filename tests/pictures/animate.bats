@@ -169,3 +169,49 @@ END
     same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif')" \
         "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif speed 1')"
 }
+
+# The film of a terminal is a stream of screens, each after "ESC [ H". Prints for each screen: the number of its lines,
+# the unit of its ruler, the highest number on its vertical scale, and the column where the last domino that was hit has
+# its number.
+screens_of() { # COLUMNS ROWS COMMANDS
+    NO_COLOR=1 TERM=xterm-256color LC_ALL=C.UTF-8 python3 "$root/tests/shell/terminal.py" "$1" "$2" "$DOMINO" -n -e "$3" >film.screens
+    awk 'BEGIN { RS = "\033\\[H" }
+        /space stops/ {
+            sub(/q ends\).*/, "") # the last screen is written again after the film
+            gsub(/\033\[[0-9;?]*[A-Za-z]/, ""); gsub(/\r/, "")
+            n = split($0, line, "\n"); unit = high = hit = column = "-"
+            for (i = 1; i <= n; i++) {
+                if (match(line[i], /(domino|cycle) [0-9]+ (falls|of)/)) { split(substr(line[i], RSTART), w, " "); hit = w[1] == "cycle" ? 0 : w[2] }
+                if (high == "-" && match(line[i], /^ *[0-9.]+ -/)) high = line[i] + 0
+                if (line[i] ~ /^domino/) {
+                    gsub(/domino/, "      ", line[i]); padded = " " line[i] " "
+                    column = index(padded, " " hit " ")
+                }
+                if (match(line[i], /^ *\[[a-z]+\]/)) { unit = substr(line[i], RSTART, RLENGTH); gsub(/ /, "", unit) }
+            }
+            print n, unit, high, column
+        }' film.screens
+}
+
+# bats test_tags=whole
+@test "animate at a terminal: the view follows the front, and grows with it" {
+    for size in '80 24' '100 30'; do
+        read -r columns rows <<<"$size"
+        screens_of "$columns" "$rows" 'count 112 m; animate tower speed 40' >screens
+        [ "$(wc -l <screens)" -ge 20 ] || same frames 'at least 20' "$(wc -l <screens)"
+        same "lines of $size" "$((rows))" "$(cut -d ' ' -f 1 screens | sort -u | paste -sd ' ')"
+        same "units of $size" '[cm] [m]' "$(cut -d ' ' -f 2 screens | uniq | paste -sd ' ')"
+        # the first screen shows some 15 cm, the last some 200 m, and the view never shrinks
+        awk -v columns="$columns" '{ high = $3 * ($2 == "[cm]" ? 0.01 : 1) }
+            NR == 1 && !(high >= 0.1 && high <= 0.2) { exit bad = 1 }
+            high < 0.6 * before { exit bad = 1 }
+            $4 > 0 && ($4 < 0.3 * columns || $4 > 0.6 * columns) { exit bad = 1 }
+            { before = high; found += $4 > 0 } END { exit bad || !(before >= 150 && before <= 300) || found < NR / 2 }' screens ||
+            same "$size" 'a view that grows' "$(cat screens)"
+        grep -q 'tower 112 m' film.screens
+    done
+    screens_of 80 24 'animate' >screens
+    same 'the train: lines' 24 "$(cut -d ' ' -f 1 screens | sort -u | paste -sd ' ')"
+    awk '$4 < 24 || $4 > 48 { exit bad = 1 } { last = $3 } NR == 1 { first = $3 }
+        END { exit bad || !(NR > 50 && last >= 2 * first) }' screens || same train 'a view that grows' "$(cat screens)"
+}
