@@ -8,6 +8,9 @@
  * of a cycle is a linear function of the energy of the cycle before it, with a slope below 1. */
 enum { START_DOMINOES = 64 };
 
+/* The number of dominoes that a search runs first. They often decide. */
+enum { FEW = 8 };
+
 /* The search for the largest growth runs rows of this many dominoes, or as many as decide. */
 enum { START_SEARCHED = 24 };
 
@@ -21,8 +24,7 @@ enum { START_DIGITS = 9 };
  * errors would otherwise decide whether the row falls. */
 #define START_SAME ((domq_real)1e-8)
 
-/* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
-static struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count)
+struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count)
 {
     struct scene scene = *query->scene;
     scene.train = *train;
@@ -83,6 +85,61 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
     return row_status(query, problem, status);
 }
 
+/* ---- The energy to spare ---- */
+
+struct least {
+    double spare; /* the smallest margin / barrier of a row */
+    bool pushed;  /* otherwise the first domino just tips over, with a margin of 0 */
+};
+
+static bool spare_visit(const struct domq_fall *fall, void *context)
+{
+    struct least *least = context;
+    if (fall->barrier > 0 && (fall->domino > 1 || least->pushed))
+        least->spare = fmin(least->spare, (double)(fall->margin / fall->barrier));
+    return true;
+}
+
+double start_row_spare(const struct query *query, const struct domq_train *train, domq_real dominoes,
+                       enum dom_status *status)
+{
+    struct scene_row made;
+    struct domq_verdict verdict;
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    const size_t count = dominoes < START_DOMINOES ? (size_t)dominoes : START_DOMINOES;
+    struct scene scene = start_scene(query, train, count);
+    enum dom_status ran;
+    struct least least;
+    if (!scene_row_make(&scene, &made, &ignored))
+        return (double)-INFINITY;
+    made.row.floor = false;
+    do {
+        least = (struct least){HUGE_VAL, !isnan(made.row.push)};
+        ran = domq_row_run(&made.row, &made.compute, false, spare_visit, &least, &verdict);
+    } while (row_shorten(&made.row, ran));
+    free(made.domino);
+    if (ran == DOM_NO_MEMORY || ran == DOM_INTERRUPTED)
+        *status = ran;
+    /* If sizes are out of range, only the first dominoes are run. They must be enough to decide. */
+    if (ran == DOM_OK && made.row.count < count && made.row.count < FEW)
+        return (double)-INFINITY;
+    if (ran != DOM_OK || (verdict.end != DOM_ROW_FALLS && verdict.end != DOM_ROW_STOPS))
+        return (double)-INFINITY;
+    if (verdict.end == DOM_ROW_STOPS)
+        return fmin(least.spare, 0) - (double)(count - verdict.domino);
+    return dominoes > START_DOMINOES ? fmin(least.spare, start_train_spare(query, train)) : least.spare;
+}
+
+double start_train_spare(const struct query *query, const struct domq_train *train)
+{
+    struct domq_barrier barrier;
+    const enum dom_status status = domq_barrier_find(train, query_compute(query), &barrier);
+    if (status != DOM_OK && status != DOM_STOPS)
+        return (double)-INFINITY;
+    const double share = (double)(barrier.margin / barrier.barrier);
+    return status == DOM_OK ? fmin(share, HUGE_VAL) : fmin(share, -0.0);
+}
+
 /* ---- The largest growth ---- */
 
 /* A search for the largest growth. Its rows are parts of trains. */
@@ -100,9 +157,6 @@ struct search {
     /* Smallest margin / barrier, below 0 if the row stops. NaN if the fall ends in another way. */
     double spare;
 };
-
-/* The number of dominoes that are run first. */
-enum { FEW = 8 };
 
 /*
  * Visits a domino. In a train, margin / kinetic energy changes less and less from domino to domino. To be on

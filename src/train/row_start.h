@@ -22,6 +22,20 @@ struct start {
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);
 
+/* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
+struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count);
+
+/* Runs a row as start_find does. Returns its smallest margin / barrier, which is positive if all dominoes
+ * fall. If the row stops, the result is not positive, and smaller by 1 for each domino that is left. Returns
+ * -INFINITY if the fall ends in another way. If memory runs out, or if the user interrupts the run, sets
+ * *status. */
+double start_row_spare(const struct query *query, const struct domq_train *train, domq_real dominoes,
+                       enum dom_status *status);
+
+/* Returns margin / barrier of a moving train, which is positive if it keeps falling. Returns -INFINITY if a
+ * domino misses the next one or if falling releases no energy. */
+double start_train_spare(const struct query *query, const struct domq_train *train);
+
 struct start_growths {
     domq_real r_max;       /* the largest growth at which a row starts, or NaN if no growth is small enough */
     domq_real uncertainty; /* r_max is wrong by at most this number */

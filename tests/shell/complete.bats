@@ -52,8 +52,8 @@ theta1 at|atan( atan2(
 rmax 0.9*rm|0.9*rmax
 rmax (rm|(rmax
 count |h $landmarks
-count 112 |r rmax pair m mm cm km in ft yd
-count 112 m |r rmax pair
+count 112 |fewest r rmax pair m mm cm km in ft yd
+count 112 m |fewest r rmax pair
 set h 48 |m mm cm km in ft yd
 set h 48m|48m 48mm
 set mass 10 |kg g t lb oz

@@ -93,6 +93,9 @@ struct command {
         const char *phrase;
         /* the shortest abbreviation that stands for this command even though other commands begin with it */
         const char *shortest;
+        /* The name of a command with the same first argument that replaces this command if its name follows
+         * that argument, as in "count 112 m fewest". */
+        const char *variant;
         bool is_hidden; /* help and completion do not mention the command, which remains for scripts */
     } typed;
     struct argument argument[ARGUMENTS_MAX];

@@ -246,9 +246,15 @@ static bool arguments_parse(struct reader *r, struct question *q)
             o->argument = q->count;
             o->parameter = q->parameter;
         }
+        if (q->count == 1 && c->typed.variant && reader_takes(r, c->typed.variant)) {
+            q->command = command_find(c->typed.variant);
+            r->problem->command = q->command->name;
+            break;
+        }
         if (check_wrong(r, c) || !argument_parse(r, q, q->count))
             return false;
     }
+    c = q->command;
     r->at = skip_blanks(r->at);
     reader_place(r, r->at);
     const struct argument *missing = q->count < ARGUMENTS_MAX ? &c->argument[q->count] : NULL;
@@ -365,6 +371,10 @@ bool question_parse_any(struct reader *r, struct question *q, bool is_number)
             return false;
     }
     bool good = question_parse(r, q);
+    if (good && c && q->command != c && q->key >= 0) { /* a variant of the command has other columns */
+        q->key = -1;
+        good = !is_number || question_needs_number(q, r->problem);
+    }
     q->name = question_name(r, begin, r->at);
     return good;
 }

@@ -142,10 +142,14 @@ size_t call_length(const struct tree *t)
     return (size_t)(end - t->at);
 }
 
-/* Returns the key of a column, for examples. The first column often just counts the rows. */
+/* Returns the key of a column of numbers, for examples. The first column often just counts the rows, and
+ * columns of words have a width. */
 static const char *example_key(const struct command *c)
 {
-    return c->columns[1].key ? c->columns[1].key : c->columns[0].key;
+    int k = 1;
+    while (c->columns[k].key && c->columns[k].width > 0)
+        k++;
+    return c->columns[k].key ? c->columns[k].key : c->columns->key;
 }
 
 /* Reports that a command whose answer is a table has no value, and shows how to make a number of a column. */

@@ -232,7 +232,9 @@ void complete_line(struct session *session, const char *line, bool files, void (
         c.name = unit;
         emit_units(&c);
     } else if (o->value.kind != ARGUMENT_NONE &&
-               (o->is_inside || o->lists == 0 || o->value.kind == ARGUMENT_PLACE) && !is_unasked(&c))
+               (o->is_inside || o->lists == 0 || o->value.kind == ARGUMENT_PLACE ||
+                (o->command && o->command->typed.variant)) &&
+               !is_unasked(&c))
         emit_values(&c);
     if (o->kinds & OFFER_UNIT && !unit)
         emit_units(&c);
