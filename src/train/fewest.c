@@ -8,7 +8,8 @@
 
 const struct column fewest_columns[] = {
     {"kind", "", "the kind of domino: a word for q", 7},
-    {"start", "", "whether the train is moving already, or the first domino tips over or is pushed", 9},
+    {"start", "",
+     "whether the train is moving already, or the first domino tips over, is pushed or is released", 9},
     {"dominoes", "", "the smallest number of dominoes", 0},
     {"r", "", "growth: the size of each domino relative to the one before", 0},
     {"s", "h", "the gap before each domino, divided by its height", 0},
@@ -225,7 +226,7 @@ static bool row_find(const struct query *query, domq_real q, bool moves, bool ha
         f->why = moves ? "no such train keeps falling, whatever its gaps and its growth"
                  : isnan(scene_push(query->scene, h))
                      ? "no such row starts by itself, whatever its gaps and its growth"
-                     : "no such row falls with this push, whatever its gaps and its growth";
+                     : "no such row falls from this start, whatever its gaps and its growth";
     f->train = s.train;
     f->count = s.count;
     return problem->kind == PROBLEM_NONE && (s.status == DOM_OK || query_status(query, problem, s.status));
@@ -257,14 +258,22 @@ static size_t rows_find(const struct query *query, bool has_engine, struct found
     return count;
 }
 
+/* Returns the word for how a row starts. */
+static const char *start_word(const struct query *query, bool moves)
+{
+    const domq_real push = scene_push(query->scene, query->scene->scale.h);
+    return moves                                              ? "moving"
+           : isnan(push)                                      ? "tips over"
+           : push == 0 && !isnan(scene_release(query->scene)) ? "released"
+                                                              : "pushed";
+}
+
 static void found_row(const struct query *query, struct answer *a, const struct found *f)
 {
     const domq_real h = query->scene->scale.h, r = f->train.r, s = f->train.s;
     const domq_real last = h * quad(pow)(r, f->count - 1);
     const struct cell none = {.kind = CELL_NONE}, kind = cell_word(f->name.text),
-                      start = cell_word(f->moves                             ? "moving"
-                                        : isnan(scene_push(query->scene, h)) ? "tips over"
-                                                                             : "pushed");
+                      start = cell_word(start_word(query, f->moves));
     if (f->why)
         answer_row(a, ROW(kind, start, none, none, none, none, none, none, none), f->why);
     else

@@ -333,7 +333,8 @@ const struct command limit_commands[] = {
      .summary = "gap and growth that need the fewest dominoes to topple one of height H",
      .help =
          "'count H fewest' is the same. For each kind of domino the answer has two lines: for a row whose "
-         "first domino just tips over, or gets the push of 'set push', and for an endless train that is "
+         "first domino just tips over, or starts as 'set push' and 'set release' say, and for an endless "
+         "train that is "
          "already moving. With n dominoes the growth must be (H/h)^(1/n). For n = 1, 2, 3 and so on, "
          "the program searches the gap at which a row with this growth has the most energy to spare, and "
          "stops at the first n with which all dominoes fall, the one of height H included. It rounds the "

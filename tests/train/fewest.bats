@@ -63,6 +63,8 @@ set d 0.3; set friction 0.2|3 m
 set edges 0.05|2 m
 set push 20 rad/s; set slope 3 deg|20 m
 set q 3.5; set slope -2 deg|20 m
+set release 20 deg|20 m
+set release touch|20 m
 set walls 1 mm|112 m
 set h 1 cm; set density 700 kg/m^3; set air 1.2|8 m
 END
@@ -113,7 +115,7 @@ END
 @test "where no such row exists, and what is wrong, is said in one line" {
     grep -q '"dominoes":null.*"reason":"no such train keeps falling, whatever its gaps and its growth"' <<<"$(json 'set d 1.5; count 112 m fewest')"
     [[ $("$DOMINO" -e 'set d 1.5; count 112 m fewest') == *'no such row starts by itself, whatever its gaps and its growth'* ]]
-    [[ $("$DOMINO" -e 'set push 1 rad/s; count 2 m fewest') == *'no such row falls with this push'* ]]
+    [[ $("$DOMINO" -e 'set push 1 rad/s; count 2 m fewest') == *'no such row falls from this start'* ]]
     same 'too low' 'No other domino is needed: the first is already 4.8 cm tall.' "$("$DOMINO" -e 'count 1 cm fewest')"
     all_wrong <<'END'
 20|count 112 m fewest 3|'3' is one argument too many; usage: fewest H
