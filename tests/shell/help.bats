@@ -182,7 +182,7 @@ END
     for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done
 }
 
-# bats test_tags=chance,pictures
+# bats test_tags=chance,pictures,sheet
 @test "help is one screen; a group has a line for each of its commands, and 'help all' for every command" {
     run -0 "$DOMINO" -e help
     [ "${#lines[@]}" -le 24 ] && [ "$(wc -L <<<"$output")" -le 80 ]
@@ -195,7 +195,7 @@ END
         same "$group, json" "$("$DOMINO" -e "set output json; help" | wc -l)" "$("$DOMINO" -e "set output json; help all" | wc -l)"
     done <<'END'
 cycles|thetac theta1 chain energy fuel launch omega barrier duration cycle step why
-pictures|draw animate plot
+pictures|draw animate plot sheet
 chances|placement pool budget slip
 END
 }

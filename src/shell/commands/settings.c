@@ -342,6 +342,7 @@ const struct command session_commands[] = {
      .access.changes = true,
      .run = run_set},
     {.name = "show",
+     .typed.shortest = "sh",
      .synonyms = "list settings values parameter",
      .argument = {{.name = "NAME",
                    .kind = ARGUMENT_PARAMETER,

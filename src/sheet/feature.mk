@@ -1,0 +1,2 @@
+# The page ends in what 'fit' reads.
+NEEDS_sheet := fit pictures

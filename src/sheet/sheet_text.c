@@ -1,0 +1,302 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the sheet says. */
+#include "language/quad.h"
+#include "language/text.h"
+#include "session/parameters.h"
+#include "sheet/sheet.h"
+#include <stdarg.h>
+#include <string.h>
+
+static void add(struct page *page, enum line_kind kind, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Adds a line, unless the page is full. */
+static void add(struct page *page, enum line_kind kind, const char *format, ...)
+{
+    va_list arguments;
+    if (page->lines == LINES)
+        return;
+    struct line *line = &page->line[page->lines++];
+    line->kind = kind;
+    va_start(arguments, format);
+    vsnprintf(line->text, sizeof line->text, format, arguments);
+    va_end(arguments);
+}
+
+/* A length or a time with its unit. */
+struct length {
+    char text[32];
+};
+
+/* Returns a length with at most four digits, in the unit of the sheet. */
+static struct length length_of(const struct class_row *class, double m)
+{
+    struct length length;
+    snprintf(length.text, sizeof length.text, "%.4g %s", m / class->size, class->unit);
+    return length;
+}
+
+/* A stopwatch shows hundredths of a second. */
+static struct length time_of(double seconds)
+{
+    struct length time;
+    snprintf(time.text, sizeof time.text, seconds < 100 ? "%.2f s" : "%.0f s", seconds);
+    return time;
+}
+
+static const struct domq_domino *domino_of(const struct class_row *class, size_t k)
+{
+    return &class->row.run.scene.domino[k];
+}
+
+static double degrees(domq_real angle)
+{
+    return (double)(angle * 180 / QUAD_PI);
+}
+
+/* "28 dominoes of 48 mm with gaps of 20 mm" */
+static struct words row_words(const struct class_row *class, const struct trial *trial)
+{
+    struct words words;
+    snprintf(words.text, sizeof words.text, "%zu dominoes of %s with gaps of %s", trial->dominoes,
+             length_of(class, (double)domino_of(class, 0)->height).text, length_of(class, trial->gap).text);
+    return words;
+}
+
+static bool has_push(const struct class_row *class)
+{
+    return !row_run_tipped(&class->row.run, 0);
+}
+
+/* ---- The page for pupils ---- */
+
+static bool has_leans(const struct class_row *class)
+{
+    bool leans = false;
+    for (size_t k = 0; k < class->trial[0].dominoes; k++)
+        leans = leans || domino_of(class, k)->lean != 0;
+    return leans;
+}
+
+/* Lists the dominoes if they differ, with the places of their front faces on a tape measure. */
+static void dominoes_list(const struct class_row *class, struct page *page)
+{
+    enum { LISTED = 20 };
+    const bool leans = has_leans(class);
+    double at = 0;
+    add(page, LINE_TEXT,
+        "Lay a tape measure along the row. Its 0 is at the back of domino 1. The front of a domino looks in "
+        "the direction in which the row falls.");
+    add(page, LINE_CELLS, "domino|height|thickness|gap before it|its front is at%s",
+        leans ? "|its top leans by" : "");
+    for (size_t k = 0; k < class->trial[0].dominoes && k < LISTED; k++) {
+        const struct domq_domino *d = domino_of(class, k);
+        at += (double)(d->thickness + (k > 0 ? d->gap : 0));
+        add(page, LINE_CELLS, "%zu|%s|%s|%s|%s%s%s", k + 1, length_of(class, (double)d->height).text,
+            length_of(class, (double)d->thickness).text, k > 0 ? length_of(class, (double)d->gap).text : "-",
+            length_of(class, at).text, leans ? "|" : "",
+            leans ? length_of(class, (double)lean_offset(d)).text : "");
+    }
+    if (class->trial[0].dominoes > LISTED)
+        add(page, LINE_TEXT, "The other dominoes are in the file of the row ('row > FILE.csv' writes it).");
+}
+
+static void setup_write(const struct class_row *class, struct page *page)
+{
+    const struct domq_domino *first = domino_of(class, 0);
+    const struct effect_state *slope = &class->query->scene->effect[DOM_EFFECT_slope];
+    add(page, LINE_HEADING, "Set up");
+    if (class->is_equal)
+        add(page, LINE_TEXT,
+            "%zu dominoes, each %s tall and %s thick, with gaps of %s. From the front of one domino to the "
+            "front of the next "
+            "it is %s.",
+            class->trial[0].dominoes, length_of(class, (double)first->height).text,
+            length_of(class, (double)first->thickness).text, length_of(class, class->trial[0].gap).text,
+            length_of(class, class->trial[0].gap + (double)first->thickness).text);
+    else
+        dominoes_list(class, page);
+    if (class->is_equal && has_leans(class))
+        add(page, LINE_TEXT, "The dominoes lean; 'row' in the program lists by how much.");
+    if (slope->on)
+        add(page, LINE_TEXT, "The floor slopes %s, by %.4g degrees.",
+            slope->value[0] > 0 ? "down in the direction of the fall" : "up in the direction of the fall",
+            fabs(degrees(slope->value[0])));
+    if (has_push(class))
+        add(page, LINE_TEXT,
+            "Push the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. Start the clock "
+            "with the push, and "
+            "stop it when the last domino lies on the table.",
+            100 * (double)(class->row.run.scene.row.push * first->height));
+    else
+        add(page, LINE_TEXT,
+            "Tilt domino 1 slowly, until it tips over by itself. Start the clock when it hits domino 2, and "
+            "stop it when the "
+            "last domino lies on the table.");
+}
+
+static void measure_write(const struct class_row *class, struct page *page)
+{
+    add(page, LINE_HEADING, "Measure");
+    add(page, LINE_TEXT, "Guess first. The row will take _______ s.");
+    add(page, LINE_TEXT, "Then let each row fall three times. Set it up anew each time.");
+    if (!class->is_equal)
+        add(page, LINE_CELLS, "dominoes|trial 1 (s)|trial 2 (s)|trial 3 (s)|mean (s)");
+    else
+        add(page, LINE_CELLS, "gap (%s)|dominoes|trial 1 (s)|trial 2 (s)|trial 3 (s)|mean (s)", class->unit);
+    for (int k = 0; k < class->trials; k++) {
+        char gap[32] = "";
+        if (class->is_equal)
+            snprintf(gap, sizeof gap, "%.4g|", class->trial[k].gap / class->size);
+        add(page, LINE_CELLS, "%s%zu||||", gap, class->trial[k].dominoes);
+    }
+}
+
+static void questions_write(const struct class_row *class, struct page *page)
+{
+    int n = 1;
+    add(page, LINE_HEADING, "Questions");
+    add(page, LINE_TEXT,
+        "%d. The row is %s long. How fast does it fall, length divided by time? _______ %s/s", n++,
+        length_of(class, class->length).text, class->unit);
+    if (class->is_equal && class->trials > 1) {
+        add(page, LINE_TEXT, "%d. Which gap gives the shortest time? _______", n++);
+        if (class->trial[class->trials - 1].dominoes > class->trial[0].dominoes)
+            add(page, LINE_TEXT,
+                "%d. Does a row of twice as many dominoes take twice as long? Why, or why not?", n++);
+    }
+    if (!class->is_equal)
+        add(page, LINE_TEXT,
+            "%d. Which domino would stop the row first, if it were a little taller or farther away? _______",
+            n++);
+    if (class->is_equal)
+        add(page, LINE_TEXT,
+            "%d. Would rougher dominoes make the row faster or slower? Try it with paper between them.", n++);
+    add(page, LINE_TEXT, "%d. How far are your three times apart? Where does that come from?", n++);
+}
+
+void sheet_questions(const struct class_row *class, struct page *page)
+{
+    setup_write(class, page);
+    measure_write(class, page);
+    questions_write(class, page);
+    add(page, LINE_HEADING, "With the program");
+    if (class->is_equal)
+        add(page, LINE_TEXT,
+            "Type the table into a file class.csv, with commas and without the means. Its first line is: gap "
+            "(%s), dominoes, "
+            "trial 1 (s), trial 2 (s), trial 3 (s). In the session of this row, 'fit friction class.csv' "
+            "finds the friction "
+            "between your dominoes.",
+            class->unit);
+    else
+        add(page, LINE_TEXT,
+            "Record the sound, and type the times of the clicks into a file class.csv, each on a line. Its "
+            "first line is: time "
+            "(s). In the session of this row, 'fit friction class.csv' finds the friction between your "
+            "dominoes.");
+}
+
+/* ---- The answers ---- */
+
+/* How fast the front of equal dominoes is at the end of the row. */
+static struct words front_words(const struct class_row *class)
+{
+    const struct row_run *run = &class->row.run;
+    const double pitch = class->trial[0].gap + (double)domino_of(class, 0)->thickness;
+    struct words words = {""};
+    if (run->hits > 2)
+        snprintf(words.text, sizeof words.text, " At the end the front is faster: %.3g %s/s.",
+                 pitch / (double)(run->fall[run->hits - 1].time - run->fall[run->hits - 2].time) /
+                     class->size,
+                 class->unit);
+    return words;
+}
+
+static void times_write(const struct class_row *class, struct page *page)
+{
+    const struct trial *first = class->trial, *last = &class->trial[class->trials - 1];
+    int fastest = 0, n = 1;
+    bool is_narrowest = true;
+    add(page, LINE_HEADING, "The times to expect");
+    for (int k = 0; k < class->trials && class->is_equal; k++) {
+        add(page, LINE_TEXT, "%s: %s", row_words(class, &class->trial[k]).text,
+            time_of(class->trial[k].seconds).text);
+        if (class->trial[k].dominoes == first->dominoes &&
+            class->trial[k].seconds < class->trial[fastest].seconds)
+            fastest = k;
+    }
+    for (int k = 0; k < class->trials; k++)
+        is_narrowest = is_narrowest && class->trial[fastest].gap <= class->trial[k].gap;
+    if (!class->is_equal)
+        add(page, LINE_TEXT, "The %zu dominoes: %s", first->dominoes, time_of(first->seconds).text);
+    add(page, LINE_TEXT, "The clock runs from %s until the last domino lies on the floor.",
+        has_push(class) ? "the push" : "the hit of domino 1 on domino 2");
+    add(page, LINE_HEADING, "Answers");
+    add(page, LINE_TEXT, "%d. %s / %s = %.3g %s/s.%s", n++, length_of(class, class->length).text,
+        measured((domq_real)first->seconds, "s", 3).text, class->length / first->seconds / class->size,
+        class->unit, class->is_equal ? front_words(class).text : "");
+    if (class->is_equal && class->trials > 1) {
+        add(page, LINE_TEXT, "%d. %s.%s", n++, length_of(class, class->trial[fastest].gap).text,
+            is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
+        if (last->dominoes > first->dominoes)
+            add(page, LINE_TEXT,
+                "%d. It takes %.2f times as long. The start is slow, and there is only one start; later the "
+                "front has a constant speed.",
+                n++, last->seconds / first->seconds);
+    }
+    if (!class->is_equal && class->row.run.verdict.weakest > 0)
+        add(page, LINE_TEXT, "%d. Domino %zu: it has the least energy to spare.", n++,
+            class->row.run.verdict.weakest);
+    else if (!class->is_equal)
+        add(page, LINE_TEXT, "%d. The program does not know the energies of this row.", n++);
+    if (class->is_equal && isfinite(class->rough.seconds))
+        add(page, LINE_TEXT, "%d. Slower: with a friction coefficient of %.2g the row would take %s.", n++,
+            class->friction, time_of(class->rough.seconds).text);
+    else if (class->is_equal)
+        add(page, LINE_TEXT,
+            "%d. Slower: with a friction coefficient of %.2g the row would not even fall to its end.", n++,
+            class->friction);
+    add(page, LINE_TEXT,
+        "%d. A hand with a stopwatch is wrong by about 0.1 s; and no row is set up twice in the same way.",
+        n++);
+}
+
+/* Lists the effects with which the program computed the times. */
+static void effects_write(const struct class_row *class, struct page *page)
+{
+    const struct scene *scene = class->query->scene;
+    char text[LINE_TEXT_MOST - 100] = "";
+    bool random = false;
+    for (int k = 0; k < EFFECT_COUNT; k++) {
+        if (!scene->effect[k].on || k == DOM_EFFECT_row)
+            continue;
+        random = random || effect_is_random(k);
+        const char *name = domq_effect(k)->name;
+        const int share = parameter_share(parameter_find(name));
+        text_add(text, sizeof text, "%s%s ", *text ? ", " : "", name);
+        if (k == DOM_EFFECT_slope)
+            text_add(text, sizeof text, "%.4g deg", degrees(scene->effect[k].value[0]));
+        else if (share >= 0 && share != SHARE_push && scene->length[share].m > 0)
+            text_add(text, sizeof text, "%s", length_of(class, (double)scene->length[share].m).text);
+        else
+            text_add(text, sizeof text, "%s", effect_setting(scene, k));
+    }
+    add(page, LINE_HEADING, "What the program assumes");
+    add(page, LINE_TEXT,
+        *text ? "The settings of the session: %s." : "No friction, no air, sharp edges, and a level floor%s.",
+        text);
+    if (!scene->effect[DOM_EFFECT_friction].on)
+        add(page, LINE_TEXT,
+            "Real dominoes rub against each other, and a real row is slower. 'fit' finds how much.");
+    if (random)
+        add(page, LINE_TEXT, "The times are those of the row without random errors.");
+    add(page, LINE_TEXT, "g = %.5g m/s^2", (double)class->row.run.scene.row.g);
+}
+
+void sheet_answers(const struct class_row *class, struct page *page)
+{
+    add(page, LINE_TITLE, "How fast do dominoes fall? The answers");
+    times_write(class, page);
+    effects_write(class, page);
+}

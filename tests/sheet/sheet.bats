@@ -1,0 +1,80 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sheet: a page for a class that times a row, and a page with the answers.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load ../shell/common
+
+block='set h 44 mm; set d 7 mm; set r 1; set s 20 mm; set push 5; '
+
+# How long a row of equal blocks without friction takes to fall, by plain sums of energies.
+seconds() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_TEST_DIRNAME/../fit/row.awk" | tail -n 1; }
+
+@test "the times to expect are those of plain sums of energies" {
+    "$DOMINO" -e "$block set row 28; sheet" >sheet
+    for row in '28 0.02' '28 0.012' '28 0.028' '56 0.02'; do
+        read -r n gap <<<"$row"
+        line="$n dominoes of 44 mm with gaps of $(awk "BEGIN { print 1000*$gap }") mm: $(seconds "$n" "$gap" | awk '{ printf "%.2f", $1 }') s"
+        grep -qxF "$line" sheet || same 'a time' "$line" "$(grep 'with gaps of' sheet)"
+        close "$row" "$(seconds "$n" "$gap")" "$(json "$block set row 28; sheet" | jq "select(.dominoes == $n and .gap > $gap - 1e-9 and .gap < $gap + 1e-9).seconds")" 1e-6
+    done
+    # The row is 28*7 mm + 27*20 mm long.
+    grep -qF "1. 736 mm / $(seconds 28 0.02 | awk '{ printf "%.3g s = %.3g", $1, 736/$1 }') mm/s." sheet || same 'the speed' '736 mm / ...' "$(grep '736 mm' sheet)"
+    for words in 'Name ____' 'From the' 'it is 27 mm' 'it begins to move at about 22 cm/s' "'fit friction class.csv'" 'gap (mm), dominoes, trial 1 (s)' 'push 5 rad/s'; do
+        grep -qF "$words" sheet || same 'the sheet' "$words" "$(cat sheet)"
+    done
+}
+
+@test "what a class types from its sheet is what 'fit' reads" {
+    # The first line is that of the sheet; the times are those of the sheet, so the push is that of the sheet.
+    "$DOMINO" -e "$block set row 28; sheet" | tr '\n' ' ' | grep -o 'gap (mm), dominoes, trial 1 (s), trial 2 (s), trial 3 (s)' >class.csv
+    json "$block set row 28; sheet" | jq -r 'select(.dominoes) | "\(1000*.gap), \(.dominoes), \(0.99*.seconds), \(1.01*.seconds), \(.seconds)"' >>class.csv
+    same 'lines' 5 "$(wc -l <class.csv)"
+    close push 5 "$(json "$block set push 4; fit push class.csv" | values push | head -n 1)" 1e-4
+}
+
+@test "the units of the session, and what the scene has" {
+    "$DOMINO" -e 'set h 2 in; set d 0.3 in; set r 1; set s 0.75 in; set friction 0.2; set slope 2 deg; set walls 0.05 in; set row 28; sheet' >sheet
+    for words in '28 dominoes, each 2 in tall and 0.3 in thick, with gaps of 0.75 in' 'The floor slopes down in the direction of the fall, by 2 degrees' \
+        'Tilt domino 1 slowly' 'gap (in)' 'in/s' 'from the hit of domino 1 on domino 2' 'friction 0.2, slope 2 deg, walls 0.05 in' 'coefficient of 0.4'; do
+        tr '\n' ' ' <sheet | grep -qF "$words" || same 'the sheet' "$words" "$(cat sheet)"
+    done
+    # A row from a file: the places of the front faces, by a sum of my own; no other gaps.
+    "$DOMINO" -e "set row $root/examples/measured/tape.csv; set push 4; sheet" >sheet
+    grep -qE "^ +8 \\| +27\\.94 cm \\| +3\\.81 cm \\| +10\\.16 cm \\| +$(awk 'BEGIN { printf "%.4g", (42.5 - 13 + 1)*2.54 }') cm \\|" sheet
+    grep -qF 'The 8 dominoes: 0.99 s' sheet
+    run ! grep -q 'Which gap' sheet
+    # Effects alone and together, in the model and in the engine: a time, or a reason.
+    for effects in 'set edges 0.02' 'set density 650 kg/m^3; set air 1.2' 'set floor 0.6' 'set edges 0.02; set friction 0.2; set density 650 kg/m^3; set air 1.2' 'set q 3' 'change 3 thickness 9 mm' 'set r 1.1'; do
+        "$DOMINO" -e "$block set row 10; $effects; sheet" >sheet
+        grep -qE '(gaps of 20 mm|The 10 dominoes): [0-9.]+ s$' sheet || same "$effects" 'a time' "$(cat sheet)"
+    done
+}
+
+@test "a scene without a row that falls gets one line" {
+    wrong "$block sheet" "a sheet is about a row; first enter, for example, 'set r 1; set s 20 mm; set push 3; set row 28'"
+    wrong "$block set row 1; sheet" 'a sheet is about a row of at least two dominoes'
+    wrong "$block set row 9; set push 1; sheet" 'the row does not fall to its end, so that nobody can time it: the fall ends at domino 1 of 9'
+    wrong "$block set row 9; sheet > class.png" "a sheet has two pages, which a picture such as 'class.png' cannot have; use .pdf, .gp or .txt"
+    wrong "$block set row 9; sheet > class.gif" "class.gif"
+    # Gaps at which the row would not fall are left out.
+    "$DOMINO" -e "$block set s 44 mm; set row 9; sheet" >sheet
+    run ! grep -q 'gaps of 62 mm' sheet
+    grep -q 'gaps of 44 mm: ' sheet
+}
+
+@test "a sheet for the printer has two pages, with all that the text says" {
+    command -v pdftotext >/dev/null || skip 'no pdftotext'
+    "$DOMINO" -e "$block set row 28; sheet > class.pdf; sheet > class.txt; sheet > class.gp"
+    pdftotext -layout class.pdf pages
+    same pages 2 "$(tr -cd '\f' <pages | wc -c)"
+    same 'pages of text' 1 "$(tr -cd '\f' <class.txt | wc -c)"
+    squeeze() { tr -s ' \n' '\n'; }
+    sed '1,/^\f*Set up/d; s/|//g; s/______*//g' class.txt | squeeze | sed 's/\f//; /^$/d' | sort -u >words
+    same 'words that the printer lacks' '(nothing)' "$(squeeze <pages | sed 's/\f//; s/______*//g' | sort -u | comm -23 words -)"
+    # A long row, and a row with a long list, which takes a third page.
+    "$DOMINO" -e "$block set row 3000; sheet > long.pdf; set row 19; set r 1.05; sheet > list.pdf"
+    for file in long list; do
+        pdftotext -layout $file.pdf - | grep -q 'The answers' || same "$file" 'answers' "$(pdftotext $file.pdf -)"
+    done
+}
