@@ -454,9 +454,10 @@ const struct command session_commands[] = {
          "A name in this list stands for the height, in 'count big_ben' and in every expression: "
          "'eiffel/h'. Blanks may stand for '_', so 'count big ben' works, too. A height "
          "holds for the year or the state in the list. If 'let' defines the same name, that value counts.",
-     .example = "landmarks; count big ben; print domtoren / 5 cm",
+     .example = "count big ben; print domtoren / 5 cm; landmarks details",
      .see = "count print let",
      .rows = true,
+     .brief = "name height what",
      ANSWER(landmarks)},
     {.name = "save",
      .synonyms = "script store export keep file",
