@@ -1,2 +1,2 @@
 # What this feature needs besides the shell and the train.
-NEEDS_sweeps :=
+NEEDS_sweeps := parallel

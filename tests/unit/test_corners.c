@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: parallel */
 /* Needs: chance */
 /* Rare situations: dips of the margin, methods that cannot answer, interrupts, and memory that runs out. */
 #include "parallel/workers.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: parallel */
 /* The shell's thread pool, as the library uses it: each task runs once, with any number of threads. */
 #include "parallel/workers.h"
 #include "support.h"

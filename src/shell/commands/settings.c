@@ -362,10 +362,8 @@ const struct command session_commands[] = {
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "set the parameter NAME, or the whole model, to the default",
      .help = "Without NAME, 'reset' also turns off all effects. It does not change the settings of the "
-             "session (threads, output, header, digits, angle, errors, timing, hints) or the variables, and "
-             "says which settings it leaves. "
-             "'reset x' "
-             "removes the variable x.",
+             "session, such as output and digits, or the variables, and says which settings it leaves. "
+             "'reset x' removes the variable x.",
      .example = "set s 0.3; reset s; print s",
      .see = "set show",
      .access.changes = true,

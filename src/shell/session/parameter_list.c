@@ -189,7 +189,7 @@ static const struct parameter every_parameter[] = {
      .feature = "chance", .synonyms = "random chance"},
     {ENTRY("threads", settings.threads, "", "number of threads for curves, sweeps and studies; 0 means one for each processor",
          .highest = 256, .whole = true),
-     .synonyms = "parallel cores processors cpu fast", .setting = true},
+     .feature = "parallel", .synonyms = "parallel cores processors cpu fast", .setting = true},
     {ENTRY("output", settings.style.output, "", "format in which answers are printed", .usual = 0),
      .synonyms = "format csv json spreadsheet",
      .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},

@@ -2,8 +2,8 @@
 /* The thread pool. It computes the points of an answer, such as a sweep, and runs tasks of the library. Each
  * worker takes a block of up to 16 consecutive points, computes it, and then takes another block. Blocks are
  * written in order, so the output does not depend on the number of workers. */
-#ifndef SHELL_WORKERS_H
-#define SHELL_WORKERS_H
+#ifndef PARALLEL_WORKERS_H
+#define PARALLEL_WORKERS_H
 
 #include "session/query.h"
 
