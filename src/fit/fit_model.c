@@ -21,6 +21,9 @@ static bool trial_make(struct fit *f, const double *value, size_t dominoes, doub
     problem_begin(&f->problem, "fit");
     if (fit_has_rows(&f->data))
         assigned[count++] = (struct assigned){.parameter = parameter_find("r"), .value = 1};
+    if (dominoes > 0 && !parameter_find("row"))
+        return problem_error(&f->problem,
+                             "times of rows need 'rows', which this build of the program leaves out");
     if (dominoes > 0)
         assigned[count++] =
             (struct assigned){.parameter = parameter_find("row"), .value = (domq_real)dominoes};

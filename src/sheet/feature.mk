@@ -1,2 +1,2 @@
-# The page ends in what 'fit' reads.
-NEEDS_sheet := fit pictures
+# A page about a row, which ends in what 'fit' reads.
+NEEDS_sheet := fit pictures rows

@@ -179,6 +179,7 @@ noisy_hits() { # SEED
 row_times() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_TEST_DIRNAME/row.awk"; }
 block='set h 44 mm; set d 7 mm; set r 1; '
 
+# bats test_tags=rows
 @test "the total times of rows of n dominoes, in the units and with the columns that people have" {
     for gap in 10 14 18 26; do
         for n in 15 28; do
@@ -205,6 +206,7 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     wrong "$block fit friction both.csv" 'both.csv:1:10: both gap and pitch are given; leave one of these columns out'
 }
 
+# bats test_tags=rows
 @test "errors in per cent, trials in columns of their own, and averages" {
     printf 'gap (mm),speed (m/s),error (m/s)\n9,1.3,0.026\n15,1.1,0.022\n21,1.05,0.021\n' >plain.csv
     printf 'gap (cm);Average speed (cm/s);error (%%)\n0,9;130;2\n1,5;110;2 %%\n2,1;105;2\n' >share.csv
@@ -243,6 +245,7 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     wrong 'set row share.csv' 'share.csv:3:5: thickness: this is a percentage; write a length'
 }
 
+# bats test_tags=rows
 @test "hits by sound are numbered, although some are missing" {
     local numbers
     # The times in ms on the clock of the recorder, with errors of up to 5 % of an interval, without dominoes 5, 9, 10, 17.
