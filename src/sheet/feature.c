@@ -73,10 +73,10 @@ static void unit_choose(struct class_row *class)
     const struct scene *scene = class->query->scene;
     const char *typed =
         *scene->length[SHARE_s].unit ? scene->length[SHARE_s].unit : scene->length[SHARE_d].unit;
-    class->unit = *typed && !scene->listed.domino ? typed
-                  : class->row.stage.top < 0.2    ? "mm"
-                  : class->row.stage.top < 2      ? "cm"
-                                                  : "m";
+    const double tallest = class->row.stage.top;
+    const bool suits =
+        *typed && !scene->listed.domino && tallest < 2000 * (double)expression_unit(typed).value;
+    class->unit = suits ? typed : tallest < 0.2 ? "mm" : tallest < 2 ? "cm" : "m";
     class->size = (double)expression_unit(class->unit).value;
 }
 

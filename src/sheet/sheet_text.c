@@ -32,7 +32,8 @@ struct length {
 static struct length length_of(const struct class_row *class, double m)
 {
     struct length length;
-    snprintf(length.text, sizeof length.text, "%.4g %s", m / class->size, class->unit);
+    snprintf(length.text, sizeof length.text, m < 1e4 * class->size ? "%.4g %s" : "%.0f %s", m / class->size,
+             class->unit);
     return length;
 }
 
@@ -42,6 +43,14 @@ static struct length time_of(double seconds)
     struct length time;
     snprintf(time.text, sizeof time.text, seconds < 100 ? "%.2f s" : "%.0f s", seconds);
     return time;
+}
+
+static struct length speed_of(const struct class_row *class, double speed)
+{
+    struct length text;
+    snprintf(text.text, sizeof text.text, speed < 100 * class->size ? "%.3g %s/s" : "%.0f %s/s",
+             speed / class->size, class->unit);
+    return text;
 }
 
 static const struct domq_domino *domino_of(const struct class_row *class, size_t k)
@@ -84,6 +93,10 @@ static void dominoes_list(const struct class_row *class, struct page *page)
     enum { LISTED = 20 };
     const bool leans = has_leans(class);
     double at = 0;
+    if (!class->query->scene->listed.domino && class->query->scene->train.r != 1)
+        add(page, LINE_TEXT,
+            "Each domino is %.4g times as large as the one before it ('set r 1' makes all equal).",
+            (double)class->query->scene->train.r);
     add(page, LINE_TEXT,
         "Lay a tape measure along the row. Its 0 is at the back of domino 1. The front of a domino looks in "
         "the direction in which the row falls.");
@@ -206,10 +219,10 @@ static struct words front_words(const struct class_row *class)
     const double pitch = class->trial[0].gap + (double)domino_of(class, 0)->thickness;
     struct words words = {""};
     if (run->hits > 2)
-        snprintf(words.text, sizeof words.text, " At the end the front is faster: %.3g %s/s.",
-                 pitch / (double)(run->fall[run->hits - 1].time - run->fall[run->hits - 2].time) /
-                     class->size,
-                 class->unit);
+        snprintf(
+            words.text, sizeof words.text, " At the end the front is faster: %s.",
+            speed_of(class, pitch / (double)(run->fall[run->hits - 1].time - run->fall[run->hits - 2].time))
+                .text);
     return words;
 }
 
@@ -233,9 +246,9 @@ static void times_write(const struct class_row *class, struct page *page)
     add(page, LINE_TEXT, "The clock runs from %s until the last domino lies on the floor.",
         has_push(class) ? "the push" : "the hit of domino 1 on domino 2");
     add(page, LINE_HEADING, "Answers");
-    add(page, LINE_TEXT, "%d. %s / %s = %.3g %s/s.%s", n++, length_of(class, class->length).text,
-        measured((domq_real)first->seconds, "s", 3).text, class->length / first->seconds / class->size,
-        class->unit, class->is_equal ? front_words(class).text : "");
+    add(page, LINE_TEXT, "%d. %s / %s = %s.%s", n++, length_of(class, class->length).text,
+        measured((domq_real)first->seconds, "s", 3).text,
+        speed_of(class, class->length / first->seconds).text, class->is_equal ? front_words(class).text : "");
     if (class->is_equal && class->trials > 1) {
         add(page, LINE_TEXT, "%d. %s.%s", n++, length_of(class, class->trial[fastest].gap).text,
             is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
