@@ -142,7 +142,7 @@ static void hunt_prepare(struct hunt *h)
                                                                    : ask_only,
                                      .context = h,
                                      .noise = fmax(4 * (double)compute->tol, 1e-15),
-                                     .least = i == 0 && h->optimum->axes == 2 ? 1e-7 : 1e-10,
+                                     .least = i == 0 && h->optimum->axes == 2 ? 2e-6 : 1e-10,
                                      .interrupt = compute->interrupt};
     }
 }
@@ -150,7 +150,7 @@ static void hunt_prepare(struct hunt *h)
 /* A dom_task, which computes the answer at point k. Each task has its own copy of the search. */
 static void point_task(size_t k, void *context)
 {
-    struct hunt *all = context, mine = *all;
+    struct hunt *all = context, mine = {.optimum = all->optimum, .probe = all->probe};
     hunt_prepare(&mine);
     all->value[k] = mine.slope[0].at(peak_point(&mine.slope[0], all->count, k), &mine);
     all->is_wrong[k] = mine.fault.kind != PROBLEM_NONE;
@@ -286,8 +286,8 @@ const struct column optimum_columns[] = {
     {"parameter", "", "the parameter that is varied", 9},
     {"value", "", "its best value, in the unit of 'show'", 0},
     {"within", "", "by how much this value may be off; 0 at an end of the range", 0},
-    {"low", "", "the lowest and", 0},
-    {"high", "", "the highest value with the same answer, if it stays the same for a while", 0},
+    {"low", "", "the lowest value with the same answer, if there is a range of such values", 0},
+    {"high", "", "the highest value with the same answer", 0},
     {"end", "",
      "'from' or 'to' if the value is at this end of the range, 'hole' if there are no answers beyond it", 6},
     {"answer", "", "the best answer", 0},

@@ -182,7 +182,7 @@ static bool is_best(const struct search *s, double x)
 /* Returns how far the plateau reaches on one side. */
 static double plateau_end(const struct search *s, int side)
 {
-    enum { HALVINGS = 24 };
+    const double least = s->slope->whole ? 0 : s->slope->least * (s->slope->to - s->slope->from);
     double good = s->best.x, bad = side < 0 ? s->slope->from : s->slope->to;
     for (size_t i = 0; i < s->count; i++) {
         const size_t k = side < 0 ? s->count - 1 - i : i;
@@ -194,7 +194,7 @@ static double plateau_end(const struct search *s, int side)
             break;
         good = x;
     }
-    for (int i = 0; i < HALVINGS && good != bad && !dom_raised(s->slope->interrupt); i++) {
+    while (fabs(good - bad) > least && !dom_raised(s->slope->interrupt)) {
         double middle = (good + bad) / 2;
         middle = s->slope->whole ? (side < 0 ? ceil(middle) : floor(middle)) : middle;
         if (middle == good || middle == bad)

@@ -257,8 +257,11 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
         w->styled = w->styled || p->of_precision || p->moves;
     }
     bool done = sweeper_columns(w, problem) && rows_write(w, a, problem);
-    if (done && w->tally.with_reason > 0)
+    if (done && w->tally.with_reason > 0) {
         tally_say(w, a);
+        snprintf(a->made, sizeof a->made, "%zu of %zu points have a missing value", w->tally.with_reason,
+                 shard_range(&query->run_context->shard, w->grid->points).count);
+    }
     a->layout.sample = NULL;
     free(w);
     return done;

@@ -233,6 +233,17 @@ static void names_all(names_list *list, char all[NAMES_ALL])
         text_add(all, NAMES_ALL, "%s%s", n ? ", " : "", name);
 }
 
+/* Returns true if the word is a command with an answer that one of the choices shows. A build may lack this
+ * choice. */
+static bool is_shown(const struct argument *a, const char *word)
+{
+    const struct command *c = command_find(word);
+    char first[32] = "";
+    if (a->for_answers)
+        snprintf(first, sizeof first, "%.*s", (int)strcspn(a->for_answers, " "), a->for_answers);
+    return *first && c && c->principal && !c->sweep.refusal && names_exact(a->choices, NULL, first) >= 0;
+}
+
 bool item_parse_choice(struct reader *r, const struct argument *a, struct item *item)
 {
     char message[NAMES_MESSAGE], all[NAMES_ALL];
@@ -247,6 +258,9 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
         return true;
     if (k == NAMES_CLOSE)
         return problem_error(r->problem, "%s", message);
+    if (is_shown(a, word))
+        return problem_error(r->problem, "unknown %s '%s'; '%s %s %s' shows this answer", a->noun, word,
+                             r->problem->command, a->for_answers, word);
     names_all(a->choices, all);
     return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->noun, names_shown(word), all);
 }
