@@ -116,9 +116,9 @@ const char *value_names(const void *context, int k)
     int count = state ? (int)state->variables.count : 0;
     if (state && k-- == 0)
         return "sum";
-    for (int n = 0; state && landmark_names(NULL, n); n++)
-        if (k-- == 0)
-            return landmark_names(NULL, n);
+    if (state && k < LANDMARKS)
+        return landmark_names(NULL, k);
+    k -= state ? LANDMARKS : 0;
     return k == 0                ? "ans"
            : state && k <= count ? state->variables.list[k - 1].name
                                  : topic_names(NULL, k - 1 - count);

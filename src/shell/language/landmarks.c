@@ -5,7 +5,7 @@
 #include <ctype.h>
 #include <stddef.h>
 
-const struct landmark landmarks[] = {
+const struct landmark landmarks[LANDMARKS + 1] = {
     {"domtoren", "dom_tower", "112", "Utrecht, 1382; the tower of the paper", "Dutch Science Quiz 2012"},
     {"eiffel", "eiffel_tower", "330", "Paris, with the antenna of 2022", "toureiffel.paris"},
     {"big_ben", "elizabeth_tower", "96", "London, 1859", "parliament.uk"},

@@ -13,7 +13,8 @@ struct landmark {
 };
 
 /* The last name is NULL. */
-extern const struct landmark landmarks[];
+enum { LANDMARKS = 20 };
+extern const struct landmark landmarks[LANDMARKS + 1];
 
 /* Returns the landmark whose name begins the text, and stores the end of the name in *end. The longest name
  * counts. Letters may be small or large, and blanks may stand for '_', as in "Big Ben". Returns NULL if the
