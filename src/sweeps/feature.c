@@ -135,7 +135,7 @@ static const struct command sweep_commands[] = {
          "not fall, or if no row meets the wishes. A script then ends at once with exit status 1; a "
          "session on standard input goes on. COMMAND is a command with a verdict, such as barrier, or a "
          "condition, as in 'assert rmax(0.4) < 1.7'.",
-     .example = "set row 5; assert verdict",
+     .example = "set r 1.6; assert barrier",
      .see = "verdict design barrier count",
      .sweep.refusal = "it is about one scene",
      .access.runs = true,

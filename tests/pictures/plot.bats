@@ -88,7 +88,7 @@ END
         awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 540) }'
 }
 
-# bats test_tags=rows,chance
+# bats test_tags=rows,chance,sweeps
 @test "plot: every point is drawn, up to the ends of the axes, even if all values are nearly equal" {
     circles() { grep -c "href='#gpPt5' transform" a.svg; }
     "$DOMINO" -e 'effect row 8; plot placement 40 > a.svg'
@@ -234,7 +234,7 @@ END
     "$DOMINO" -e 'plot sweep d 0.001 1 7 log : rmax' | grep -q '^ *0.001 .*0.01 .*0.1 .*1$'
 }
 
-# bats test_tags=rows,explain,engine,chance
+# bats test_tags=rows,explain,engine,chance,sweeps
 @test "what cannot be plotted: an error in one line that says what to do, and no file" {
     wrong 'plot energy rmax' "'plot energy' takes no arguments"
     wrong 'plot growth pair' "unknown word after 'plot growth' 'pair'; use one of: paper"
@@ -346,7 +346,7 @@ plot fall 3|takes no arguments
 END
 }
 
-# bats test_tags=rows
+# bats test_tags=rows,sweeps
 @test "plot: ranges, scales and the legend of a chart, in characters and in gnuplot's script" {
     cd "$BATS_TEST_TMPDIR"
     "$DOMINO" -e 'plot growth xrange 0.2 0.5 yrange 1 2 > a.gp; plot growth xscale log yscale log > b.gp; effect row 9

@@ -83,6 +83,7 @@ root=$BATS_TEST_DIRNAME/../..
     same results 8 "$(json "$grid" | values result | grep -c barrier)"
 }
 
+# bats test_tags=sweeps
 @test "a run reproduces the atlas of proved growths, and an independent check confirms its rows" {
     cd "$BATS_TEST_TMPDIR" || false
     table=$(realpath "$root")/examples/atlas.csv

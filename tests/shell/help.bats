@@ -153,7 +153,7 @@ lines_run() {
     same lines 11 "$(wc -l <lines)"
 }
 
-# bats test_tags=chance,pictures,engine
+# bats test_tags=chance,pictures,engine,sweeps
 @test "apropos finds everyday words, and lists the best match first" {
     while read -r word wanted; do
         same "apropos $word" "$wanted" "$("$DOMINO" -e "apropos $word" | grep -oxE "$wanted( .*)?" | cut -c "-${#wanted}")"

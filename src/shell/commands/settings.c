@@ -104,7 +104,8 @@ static void missing_say(const struct query *query, struct answer *a, const struc
     free(row.domino);
     if (missing.kind != PROBLEM_NONE)
         answer_say(a, "This is set, but there is no answer yet: %s.", missing.text);
-    else if (!has_row && p->effect && p->effect->needs >> DOM_EFFECT_row & 1 && scene->effect[p->which].on)
+    else if (!has_row && effect_exists(DOM_EFFECT_row) && p->effect &&
+             p->effect->needs >> DOM_EFFECT_row & 1 && scene->effect[p->which].on)
         answer_say(a, "This is set, and counts once there is a row: enter 'set row N' or 'set row FILE'.");
 }
 
@@ -441,7 +442,7 @@ const struct command session_commands[] = {
          "1 to 4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and "
          "'reset x' removes x. 'let' lists all variables and functions, and 'save' writes them into its "
          "file.",
-     .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",
+     .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; f(0.6)",
      .see = "print set show",
      .access.changes = true,
      .run = run_let},

@@ -46,9 +46,7 @@ static const char precision_help[] =
     "The equations are solved in float, double or quad arithmetic. Parameters are kept with all their "
     "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If the parameter "
     "tol has its default, tol changes with the precision. 'set digits 33' shows all digits that quad gives. "
-    "Commands that search for a row or run many rows, such as 'tolerance' and 'placement', compute in "
-    "double, "
-    "and say so.";
+    "Commands that search for a row or run many rows compute in double, and say so.";
 static const char errors_help[] =
     "Each answer is computed a second time, with 30 digits (quad precision, tol 1e-30). A number is then "
     "followed "
@@ -133,9 +131,9 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define MORE_air .example = "set density 650; set air on; rmax 0.4; set air off", RANGE(0, 5),
 #define MORE_drag .example = "set density 650; set air on; set drag 2; rmax 0.4; set drag off; set air off", RANGE(0.5, 3),
 #define MORE_row .feature = "rows",
-#define MORE_push .example = "set row 5; set push 3; fall; set push off; set row off", RANGE(0, 30),
-#define MORE_release .example = "set row 5; set release 20 deg; fall; set release off; set row off", RANGE(0, 1.5),
-#define MORE_floor .example = "set row 5; set floor 0.4; fall; set floor off; set row off", RANGE(0, 3),
+#define MORE_push .example = "set push 3; rmax 0.4; set push off", RANGE(0, 30),
+#define MORE_release .example = "set release 20 deg; rmax 0.4; set release off", RANGE(0, 1.5),
+#define MORE_floor .feature = "rows", .example = "set row 5; set floor 0.4; fall; set floor off; set row off", RANGE(0, 3),
 #define MORE_placement .feature = "chance", RANGE(0, 0.1), \
     .example = "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
