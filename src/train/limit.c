@@ -331,16 +331,15 @@ const struct command limit_commands[] = {
      .synonyms = "minimum least smallest",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT}},
      .summary = "gap and growth that need the fewest dominoes to topple one of height H",
-     .help =
-         "'count H fewest' is the same. For each kind of domino the answer has two lines: for a row whose "
-         "first domino just tips over, or starts as 'set push' and 'set release' say, and for an endless "
-         "train that is "
-         "already moving. With n dominoes the growth must be (H/h)^(1/n). For n = 1, 2, 3 and so on, "
-         "the program searches the gap at which a row with this growth has the most energy to spare, and "
-         "stops at the first n with which all dominoes fall, the one of height H included. It rounds the "
-         "gap, and the growth upwards, and runs the row once more with exactly the numbers that it prints. "
-         "Friction, slope and the other effects of the model apply. If the scene has random errors, "
-         "dominoes are added until 95 % of 1000 rows fall.",
+     .help = "'count H fewest' is the same. For each kind of domino the answer has two lines: for a row "
+             "whose first domino just tips over, or starts as 'set push' and 'set release' say, and for an "
+             "endless train that is already moving. With n dominoes the growth must be (H/h)^(1/n). For n = "
+             "1, 2, 3 and so on, the program searches the gap at which a row with this growth has the most "
+             "energy to spare, and stops at the first n with which all dominoes fall, the one of height H "
+             "included; beyond 32 dominoes it bisects. It rounds the gap, and the growth upwards, and runs "
+             "the row once more with exactly the numbers that it prints. Friction, slope and the other "
+             "effects of the model apply. If the scene has random errors, dominoes are added until 95 % of "
+             "1000 rows fall.",
      .example = "count 112 m fewest; count 112 m 2.04 with s 0.35 q hollow",
      .see = "count best landmarks",
      .rows = true,

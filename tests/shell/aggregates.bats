@@ -112,4 +112,5 @@ print su|sum(
 print 2*sum(ch|2*sum(chain(
 print max(chain(0).w|max(chain(0).weight
 END
+    same 'help sum' "$("$DOMINO" -e 'help print')" "$("$DOMINO" -e 'help sum')"
 }

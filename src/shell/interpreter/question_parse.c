@@ -86,8 +86,8 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
 /* Returns true for a topic of 'help' that is about expressions, such as sin, cm or units. */
 static bool is_expression_topic(const char *word)
 {
-    static const char *const topics[] = {"ans",         "unit",     "units",    "expression",
-                                         "expressions", "function", "functions"};
+    static const char *const topics[] = {"ans",        "sum",         "unit",     "units",
+                                         "expression", "expressions", "function", "functions"};
     for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
         if (strcmp(topics[i], word) == 0)
             return true;
