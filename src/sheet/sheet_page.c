@@ -61,7 +61,7 @@ enum {
     LEFT = 24,
     STEP = 19,
     BELOW = 30,
-    LETTERS = 104,
+    LETTERS = 98,
     HEIGHT_LEAST = 190
 };
 

@@ -135,7 +135,13 @@ static void setup_write(const struct class_row *class, struct page *page)
         add(page, LINE_TEXT, "The floor slopes %s, by %.4g degrees.",
             slope->value[0] > 0 ? "down in the direction of the fall" : "up in the direction of the fall",
             fabs(degrees(slope->value[0])));
-    if (has_push(class))
+    if (class->row.run.scene.row.release > 0)
+        add(page, LINE_TEXT,
+            "Hold domino 1 at a tilt of %.3g degrees. Start the clock when you let it go, and stop it when "
+            "the last "
+            "domino lies on the table.",
+            degrees(class->row.run.scene.row.release));
+    else if (has_push(class))
         add(page, LINE_TEXT,
             "Push the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. Start the clock "
             "with the push, and "
@@ -244,7 +250,9 @@ static void times_write(const struct class_row *class, struct page *page)
     if (!class->is_equal)
         add(page, LINE_TEXT, "The %zu dominoes: %s", first->dominoes, time_of(first->seconds).text);
     add(page, LINE_TEXT, "The clock runs from %s until the last domino lies on the floor.",
-        has_push(class) ? "the push" : "the hit of domino 1 on domino 2");
+        class->row.run.scene.row.release > 0 ? "the release"
+        : has_push(class)                    ? "the push"
+                                             : "the hit of domino 1 on domino 2");
     add(page, LINE_HEADING, "Answers");
     add(page, LINE_TEXT, "%d. %s / %s = %s.%s", n++, length_of(class, class->length).text,
         measured((domq_real)first->seconds, "s", 3).text,
@@ -288,7 +296,7 @@ static void effects_write(const struct class_row *class, struct page *page)
         const char *name = domq_effect(k)->name;
         const int share = parameter_share(parameter_find(name));
         text_add(text, sizeof text, "%s%s ", *text ? ", " : "", name);
-        if (k == DOM_EFFECT_slope)
+        if (strcmp(domq_effect(k)->argument[0].unit, "rad") == 0)
             text_add(text, sizeof text, "%.4g deg", degrees(scene->effect[k].value[0]));
         else if (share >= 0 && share != SHARE_push && scene->length[share].m > 0)
             text_add(text, sizeof text, "%s", length_of(class, (double)scene->length[share].m).text);

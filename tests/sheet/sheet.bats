@@ -39,6 +39,10 @@ seconds() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_
         'Tilt domino 1 slowly' 'gap (in)' 'in/s' 'from the hit of domino 1 on domino 2' 'friction 0.2, slope 2 deg, walls 0.05 in' 'coefficient of 0.4'; do
         tr '\n' ' ' <sheet | grep -qF "$words" || same 'the sheet' "$words" "$(cat sheet)"
     done
+    "$DOMINO" -e "set h 44 mm; set d 7 mm; set r 1; set s 20 mm; set release 20 deg; set row 9; sheet" >sheet
+    for words in 'Hold domino 1 at a tilt of 20 degrees. Start the clock when you let it go' 'The clock runs from the release'; do
+        tr '\n' ' ' <sheet | grep -qF "$words" || same 'the sheet' "$words" "$(cat sheet)"
+    done
     # A row from a file: the places of the front faces, by a sum of my own; no other gaps.
     "$DOMINO" -e "set row $root/examples/measured/tape.csv; set push 4; sheet" >sheet
     grep -qE "^ +8 \\| +27\\.94 cm \\| +3\\.81 cm \\| +10\\.16 cm \\| +$(awk 'BEGIN { printf "%.4g", (42.5 - 13 + 1)*2.54 }') cm \\|" sheet
