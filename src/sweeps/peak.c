@@ -247,7 +247,7 @@ static void around(const struct search *s, struct peak *p)
 /* Returns where the best place, or its plateau, lies. */
 static enum peak_end end_of(const struct search *s, double x)
 {
-    const double h = s->slope->whole ? 1 : 1e-9 * (s->slope->to - s->slope->from);
+    const double h = s->slope->whole ? 1 : fmax(1e-9, 2 * s->slope->least) * (s->slope->to - s->slope->from);
     return x - s->slope->from < h / 2  ? PEAK_AT_FROM
            : s->slope->to - x < h / 2  ? PEAK_AT_TO
            : isnan(value_at(s, x + h)) ? PEAK_BEFORE_HOLE
