@@ -69,17 +69,11 @@ BUILT    += $(foreach f,$(JOINT),$(if $(filter-out $(BUILT),$(NEEDS_$f)),,$f))
 PART     := $(filter-out $(BUILT),$(EVERY))
 FOLDERS  := $(subst _,/,$(BUILT))
 
-# src/train/model/precision includes the sources of the kernels. The kernel in double is compiled within compare/gsl.c,
-# which includes precision/double.c. TYPED is compiled twice: once with the types of <domino.h>, and once with the types
-# of <domino_quad.h>, which the kernels in float and quad use. What searches and studies use exists in double only.
+# src/train/model/precision compiles the model of trains and rows once for each precision. The one in double is compiled
+# within compare/gsl.c, which includes precision/double.c. All other sources of the library are in double.
 TRAIN   := src/train/model
-MODELS  := $(wildcard $(patsubst %,src/%/model/*.c,$(filter-out train,$(BUILT))))
-TYPED   := $(addprefix $(TRAIN)/,model.c many.c dynamics/train.c dispatch/dispatch.c) \
-           $(filter-out %/choose.c,$(wildcard $(TRAIN)/effects/*.c))
-DOUBLE  := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c dispatch/bridge.c) \
-           $(wildcard $(TRAIN)/compare/*.c $(TRAIN)/search/*.c) $(MODELS)
-QUAD    := $(addprefix $(TRAIN)/precision/,float.c quad.c)
-MODEL   := $(DOUBLE) $(TYPED) $(QUAD)
+MODEL   := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c precision/float.c precision/quad.c) \
+           $(wildcard $(TRAIN)/compare/*.c $(TRAIN)/search/*.c $(patsubst %,src/%/model/*.c,$(filter-out train,$(BUILT))))
 ENGINE_C := $(filter-out %/feature.c %/row_engine.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
 # The sources of a feature are in its folder, and in folders within it that are neither a model nor a feature.
 SHELL_C := src/main.c $(wildcard src/shell/*/*.c) $(filter-out $(ENGINE_C) \
@@ -123,14 +117,14 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
-HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/domq_names_end.h $(B)/library.h $(B)/members.h $(B)/kernel_names.h $(B)/tutorial.h $(P)/feature_list.h \
+HEADERS := $(B)/include/domino_float.h $(B)/include/domino_quad.h $(B)/domf_names.h $(B)/domq_names.h $(B)/library.h $(B)/members.h $(B)/tutorial.h $(P)/feature_list.h \
            $(B)/system_features.h # generated from other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
-$(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(QUAD)): | $(HEADERS)
+$(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)): | $(HEADERS)
 
 # Finds which functions beyond POSIX this system has. 'make PORTABLE=1' uses none of them, except funopen of libbsd on
 # Linux.
@@ -149,13 +143,6 @@ $(P)/feature_list.h: FORCE
 	@cmp -s $@.new $@ || mv $@.new $@
 FORCE:
 
-# Renames each function of the kernels after its precision, as in chain_sum_double, for debuggers.
-KERNEL_C := $(filter-out $(MODEL),$(wildcard $(TRAIN)/*/*.c $(TRAIN)/*/*.h))
-$(B)/kernel_names.h: $(KERNEL_C)
-	@mkdir -p $(@D)
-	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z][A-Za-z_0-9]*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@.new
-	@cmp -s $@.new $@ || cp $@.new $@
-
 # The names that the files of the library share. All files are compiled again if a name is added, but not after other
 # changes.
 SHARED_AWK := $(TRAIN)/precision/shared.awk
@@ -170,39 +157,37 @@ $(B)/tutorial.h: examples/tutorial.dom
 	@mkdir -p $(@D)
 	@od -An -v -td1 $< | sed 's/  */,/g; s/^,//; s/$$/,/' > $@
 
-# <domino_quad.h>, which is generated from these headers, and a list of its names for the sources.
-QUAD_AWK := $(TRAIN)/precision/quad.awk
-QUAD_OF  := include/domino_common.h include/domino.h include/domino_row.h
-$(B)/include/domino_quad.h: $(QUAD_OF) $(QUAD_AWK)
+# <domino_float.h> and <domino_quad.h>, which are generated from these headers, and lists of their names and of the
+# members of their structures, for the sources.
+HEADER_AWK := $(TRAIN)/precision/header.awk
+HEADER_OF  := include/domino_common.h include/domino.h include/domino_row.h
+$(B)/include/domino_float.h $(B)/domf_names.h: LETTER := f
+$(B)/include/domino_quad.h $(B)/domq_names.h: LETTER := q
+$(B)/include/domino_float.h $(B)/include/domino_quad.h: $(HEADER_OF) $(HEADER_AWK)
 	@mkdir -p $(@D)
-	@awk -f $(QUAD_AWK) $(QUAD_OF) write=1 $(QUAD_OF) > $@
-$(B)/domq_names.h: $(QUAD_OF) $(QUAD_AWK)
+	@awk -v letter=$(LETTER) -f $(HEADER_AWK) $(HEADER_OF) write=1 $(HEADER_OF) > $@
+$(B)/domf_names.h $(B)/domq_names.h: $(HEADER_OF) $(HEADER_AWK)
 	@mkdir -p $(@D)
-	@awk -v names=1 -f $(QUAD_AWK) $(QUAD_OF) write=1 $(QUAD_OF) > $@
-$(B)/domq_names_end.h: $(B)/domq_names.h
-	@sed -n 's/^#define \([^ ]*\).*/#undef \1/p' $< > $@
+	@awk -v letter=$(LETTER) -v names=1 -f $(HEADER_AWK) $(HEADER_OF) write=1 $(HEADER_OF) > $@
+$(B)/members.h: $(HEADER_OF) src/shell/precision/lists.awk
+	@mkdir -p $(@D)
+	@awk -f src/shell/precision/lists.awk $(HEADER_OF) > $@
 
-$(B)/members.h: $(QUAD_OF) $(TRAIN)/dispatch/members.awk
-	@mkdir -p $(@D)
-	@awk -f $(TRAIN)/dispatch/members.awk $(QUAD_OF) > $@
-
-LIB_OBJ    := $(call OBJ,$(DOUBLE) $(TYPED)) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(QUAD))
+LIB_OBJ    := $(call OBJ,$(MODEL))
 # With -flto the archive also has machine code, for programs that are linked without -flto.
 LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)
 $(LIB_OBJ): C_FLAGS += $(LIB_FLAGS)
-# With -O1, compiling takes at most two thirds of the time. Code that waits for the kernels in float and double is as
-# fast with -O1. The kernel in quad is as fast, too, because it waits for library functions that multiply and add. The
-# kernels in float and double need the same options, because 'cost' compares their times.
-QUICK := $(call OBJ,$(SHELL_C) $(TYPED) $(TRAIN)/dispatch/bridge.c) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(TRAIN)/precision/quad.c)
+$(call OBJ,$(TRAIN)/precision/float.c): C_FLAGS += -DDOMF
+$(call OBJ,$(TRAIN)/precision/quad.c): C_FLAGS += -DDOMQ
+# With -O1, compiling takes at most two thirds of the time. Code that waits for the models in float and double is as
+# fast with -O1. The model in quad is as fast, too, because it waits for library functions that multiply and add. The
+# models in float and double need the same options, because 'cost' compares their times.
+QUICK := $(call OBJ,$(SHELL_C) $(TRAIN)/precision/quad.c $(filter src/%/model/%.c,$(filter-out $(TRAIN)/%,$(MODEL))))
 $(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 # With -Og, compiling takes even less time. Code that runs once per command executes as many instructions as with -O1.
 # With -Og everywhere, a line would take 16 % more instructions, and quad with friction 10 % more.
-ONCE  := $(filter-out src/shell/% $(TRAIN)/%,$(SHELL_C) $(TYPED)) $(filter src/shell/commands/% src/shell/prompt/% $(TRAIN)/effects/%,$(SHELL_C) $(TYPED))
-$(call OBJ,$(ONCE)) $(patsubst %.c,$(B)/objq/%.o,$(ONCE)): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-Og)
-$(B)/objq/%.o: %.c | $(FIRST)
-	@mkdir -p $(@D)
-	$(call SAY,CC,$< (quad))
-	$(Q)$(CC) $(C_FLAGS) -DDOMQ -MMD -MP -c $< -o $@
+ONCE  := $(filter-out src/shell/% $(TRAIN)/%,$(SHELL_C) $(MODEL)) $(filter src/shell/commands/% src/shell/prompt/%,$(SHELL_C))
+$(call OBJ,$(ONCE)): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-Og)
 
 $(LIB_OBJ): $(B)/library.h
 # Objects from different folders may have the same name, so 'ar q' appends them. 'ar r' would replace one with the other.
@@ -216,10 +201,10 @@ MAJOR  := $(firstword $(subst ., ,$(VERSION)))
 SONAME := libdomino.so.$(MAJOR)
 # The library exports the functions that begin with dom_ or domq_.
 ifeq ($(DARWIN),)
-EXPORTS  = 'DOMINO_$(MAJOR) { global: dom_*; domq_*; local: *; };'
+EXPORTS  = 'DOMINO_$(MAJOR) { global: dom_*; domf_*; domq_*; local: *; };'
 SHARED   = -shared -Wl,-soname,$(SONAME) -Wl,--version-script=$(B)/libdomino.map
 else
-EXPORTS  = '_dom_*' '_domq_*'
+EXPORTS  = '_dom_*' '_domf_*' '_domq_*'
 SHARED   = -dynamiclib -Wl,-install_name,$(LIBDIR)/$(SONAME) -Wl,-exported_symbols_list,$(B)/libdomino.map
 endif
 $(B)/$(SONAME): $(LIB_OBJ)
@@ -292,7 +277,7 @@ EXAMPLES  := $(wildcard examples/*.* examples/*/*)
 COMPLETIONS := $(addprefix $(B)/completion/,domino _domino domino.fish)
 IN         = $(foreach file,$(1),'$(file)' "$(2)")
 INSTALLED  = $(call IN,$(P)/domino,$(BINDIR)) $(call IN,$(P)/libdomino.a $(B)/$(SONAME) $(B)/libdomino.so,$(LIBDIR)) \
-  $(call IN,$(wildcard include/*.h) $(B)/include/domino_quad.h,$(INCLUDEDIR)) \
+  $(call IN,$(wildcard include/*.h) $(B)/include/domino_float.h $(B)/include/domino_quad.h,$(INCLUDEDIR)) \
   $(call IN,$(B)/domino.pc,$(LIBDIR)/pkgconfig) \
   $(foreach page,$(PAGES),$(call IN,$(page),$(MANDIR)/man$(subst .,,$(suffix $(page))))) \
   $(call IN,$(B)/completion/domino,$(DATADIR)/bash-completion/completions) \

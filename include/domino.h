@@ -31,13 +31,14 @@
  * range. With any status other than DOM_OK, the result is not written, unless the comment of the function
  * says otherwise.
  *
- * Errors: to learn how accurate a number is, compute it again with DOM_QUAD and the tolerance 1e-30, by a
- * function of <domino_quad.h>. The two numbers differ by the error of the first one.
+ * Precision: the functions in this header compute in double. <domino_float.h> and <domino_quad.h> declare
+ * its functions, structures and macros again, for float and for the widest floating-point type of the
+ * machine. Their names begin with domf_ and domq_ instead of dom_. The widest type is __float128 if the
+ * machine has it, otherwise long double. If that is no wider than double, the functions return
+ * DOM_NO_PRECISION.
  *
- * Precision: the parameters and results in this header are of type double. <domino_quad.h> includes this
- * header and declares its functions, structures and macros again for the widest floating-point type of the
- * machine. Their names there begin with domq_ instead of dom_. The functions of both headers can compute in
- * every precision (compute.precision).
+ * Errors: to learn how accurate a number is, compute it again with a function of <domino_quad.h> and the
+ * tolerance 1e-30. The two numbers differ by the error of the first one.
  *
  * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
  *
@@ -61,7 +62,7 @@ extern "C" {
 /* Returns the version of the library. A shared library may be newer than this header. */
 const char *dom_version(void);
 
-/* ==== From here on everything is also in <domino_quad.h>, with domq_ instead of dom_ ==== */
+/* ==== From here on everything is also in <domino_float.h> and <domino_quad.h> ==== */
 
 /* The type of parameters and results. */
 typedef double dom_real;
@@ -150,8 +151,7 @@ struct dom_scale dom_scale_default(void);
 /* How to compute. Start from dom_compute_default() and change members as needed. Pass NULL to a function to
  * use the defaults. */
 struct dom_compute {
-    dom_real tol;                 /* relative tolerance of the results */
-    enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to this precision */
+    dom_real tol; /* relative tolerance of the results */
     /* Default DOM_METHOD_OURS. The other methods answer few questions. If a method cannot answer a question,
      * the status is DOM_NO_METHOD. */
     enum dom_method method;
@@ -163,7 +163,7 @@ struct dom_compute {
 /* Returns the defaults. */
 struct dom_compute dom_compute_default(void);
 
-/* The properties of a precision. */
+/* The properties of the floating-point type dom_real. */
 struct dom_arithmetic {
     const char *name;                /* "float", "double" or "quad" */
     const char *type;                /* the C type that is used */
@@ -173,13 +173,12 @@ struct dom_arithmetic {
     int digits;                      /* significant digits worth printing at tol_default */
 };
 
-/* Returns the properties of a precision, or NULL if there is no such precision. */
-const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
+const struct dom_arithmetic *dom_arithmetic(void);
 
 /*
  * Checks a train. Returns DOM_OK if
  * - every parameter is in its range,
- * - tol is at least the tol_floor of the precision,
+ * - tol is at least dom_arithmetic()->tol_floor,
  * - the head reaches the next domino: r <= dom_train_reach.
  *
  * Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. For an
@@ -637,11 +636,9 @@ struct dom_count {
  * the last place, and their relative difference is at most a millionth of ln r.
  *
  * The status is DOM_BAD_HEIGHT if a height is not a finite number > 0, or if n or height / first is too large
- * or too small for the precision. It is DOM_BAD_R if r is not a finite number >= 1. Only compute->precision
- * is used.
+ * or too small for the precision. It is DOM_BAD_R if r is not a finite number >= 1.
  */
-enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
-                               struct dom_count *count);
+enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count);
 
 #ifdef __cplusplus
 }

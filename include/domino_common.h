@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The parts of <domino.h> that do not depend on the floating-point type: statuses, choices of the caller,
- * names of effects and events, and counters of work. <domino_quad.h> shares them. <domino.h>, which has the
+ * names of effects and events, and counters of work. All precisions share them. <domino.h>, which has the
  * introduction, includes this header.
  */
 #ifndef DOMINO_COMMON_H
@@ -32,7 +32,6 @@ extern "C" {
     X(BAD_DRAG, "the drag coefficient is outside its range")                                                 \
     X(BAD_FUEL, "the fuel is not a value of enum dom_fuel")                                                  \
     X(BAD_TOL, "the tolerance tol is outside its range, or below the smallest that the precision can reach") \
-    X(BAD_PRECISION, "the precision is not a value of enum dom_precision")                                   \
     X(BAD_METHOD, "the method is not a value of enum dom_method")                                            \
     X(BAD_TILT, "the tilt is outside [0, theta_c]")                                                          \
     X(BAD_TIME, "the time is negative, or later than the next hit")                                          \
@@ -69,7 +68,7 @@ extern "C" {
     X(OPEN, "at a smaller growth than this r_max the margin is 0 within rounding errors, so r_max is open")  \
     X(TOO_LONG, "the answer depends on more dominoes than can be computed")                                  \
     X(UNDERFLOW, "r^(2q+1) is too large for this precision; use a smaller r or q")                           \
-    X(NO_PRECISION, "this machine does not support the requested precision")                                 \
+    X(NO_PRECISION, "this machine has no floating-point type that is wider than double")                     \
     X(NO_METHOD, "the requested method cannot compute this answer")                                          \
     X(NOT_FINITE, "an intermediate value is not finite")                                                     \
     X(NOT_CONVERGED, "the iteration did not reach the tolerance")                                            \
@@ -87,17 +86,13 @@ const char *dom_status_text(enum dom_status status);
 
 /* ---- Choices ---- */
 
-/* The floating-point type of the computation. DOM_QUAD is __float128 if the machine has it, otherwise long
- * double if that is wider than double. */
-enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
-
 /* The formula for the fuel P in (24; c6): see struct dom_fuels. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
-/* The algorithm. DOM_METHOD_OURS is the default. The other two methods are for comparison, and compute in
- * double precision only. DOM_METHOD_GSL computes energies as DOM_METHOD_OURS does, but with GSL's solvers for
- * maxima, roots and integrals. DOM_METHOD_PAPER follows the recipe of the paper, which raises theta and r in
- * steps. */
+/* The algorithm. DOM_METHOD_OURS is the default. The other two methods are for comparison, and exist
+ * in double precision only. DOM_METHOD_GSL computes energies as DOM_METHOD_OURS does, but with GSL's solvers
+ * for maxima, roots and integrals. DOM_METHOD_PAPER follows the recipe of the paper, which raises theta and r
+ * in steps. */
 enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /*

@@ -33,7 +33,9 @@ enum dom_row_end {
 /* Returns the meaning of an end. The word "it" in a meaning stands for the domino at which the fall ends. */
 const char *dom_row_end_text(enum dom_row_end end);
 
-/* ==== From here on everything is also in <domino_quad.h>, with domq_ instead of dom_ ==== */
+struct dom_engine; /* below */
+
+/* ==== From here on everything is also in <domino_float.h> and <domino_quad.h> ==== */
 
 /* ---- A finite row of any dominoes ---- */
 
@@ -69,7 +71,6 @@ void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real r
 
 /* Dominoes 1, 2, ... of any sizes, in the order in which they fall. The head is the foremost falling domino.
  * The dominoes behind the head lean on each other and on the head until it hits the next domino. */
-struct dom_engine;
 struct dom_row {
     const struct dom_domino *domino; /* array of `count` dominoes; domino[0] is number 1 */
     size_t count;                    /* at least 1 */
@@ -88,7 +89,8 @@ struct dom_row {
     /* An engine adds this number to the floor's friction coefficient. The model ignores the number. */
     dom_real feet;
     bool floor; /* true to find the friction that the floor needs */
-    /* The engine that simulates the row instead of this library. May be NULL. */
+    /* The engine that simulates the row instead of this library, in double. May be NULL. With an engine,
+     * domf_row_run and domq_row_run return DOM_NO_METHOD. */
     const struct dom_engine *engine;
     /* The height, in m, above which dominoes have walls. 0 if all have walls. */
     dom_real boxes_above;
@@ -155,22 +157,6 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
  * without touching any. This is the largest row->release. The statuses are those of dom_row_run. */
 enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt);
 
-/*
- * An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` takes the
- * parameters of dom_row_run and returns the same results. It finds its private data in row->engine->context.
- *
- * If a row has an engine, all functions that run the row call `run`. There are two exceptions: dom_row_watch
- * returns DOM_NO_METHOD, and the search of dom_row_improve runs the model. Studies may call `run` from many
- * threads at once.
- */
-typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
-                                       bool times, dom_fall_visit *visit, void *context,
-                                       struct dom_verdict *verdict);
-struct dom_engine {
-    dom_row_runner *run;
-    void *context;
-};
-
 /* The state of a row at one moment. */
 struct dom_moment {
     dom_real time; /* the time in s, measured as in struct dom_fall */
@@ -203,8 +189,21 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
 
 /* ==== From here on everything exists only in double, with dom_ ==== */
 
-/* These functions search for a row, or run many rows. They compute in double, whatever compute->precision is.
- * If it is DOM_QUAD and compute->tol is too small for double, they use the default tolerance of double. */
+/*
+ * An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` takes the
+ * parameters of dom_row_run and returns the same results. It finds its private data in row->engine->context.
+ *
+ * If a row has an engine, all functions that run the row call `run`. There are two exceptions: dom_row_watch
+ * returns DOM_NO_METHOD, and the search of dom_row_improve runs the model. Studies may call `run` from many
+ * threads at once.
+ */
+typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
+                                       bool times, dom_fall_visit *visit, void *context,
+                                       struct dom_verdict *verdict);
+struct dom_engine {
+    dom_row_runner *run;
+    void *context;
+};
 
 /* A callback that reports the progress of a long computation. `of` is the number of its parts, and `done` is
  * the number of parts that are complete. */

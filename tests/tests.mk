@@ -27,10 +27,15 @@ WITHOUT := $(if $(GONE),$(subst $(eval) ,$(,),!whole $(GONE:%=!%)))
 export WITHOUT
 UNIT    := $(filter-out $(call LACK,$(wildcard tests/unit/test_*.c)),$(wildcard tests/unit/test_*.c))
 
+# Tests of the library ask it in each precision, as the shell does.
+ANY       := src/shell/precision/any.c
 UNIT_MORE := $(filter-out tests/unit/test_%,$(wildcard tests/unit/*.c))
-$(P)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(P)/libdomino.a
+$(P)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE) $(ANY)) $(P)/libdomino.a
 	$(call LINK,$(GSL) -lcmocka)
 
+# These tests include the sources of the model in double, beside those in the library.
+$(addprefix $(P)/unit/test_,chain numerics study): LDFLAGS += -Wl,-z,muldefs
+$(addprefix $(B)/obj/tests/unit/test_,chain.o numerics.o study.o): C_FLAGS += -include $(B)/library.h
 # This test can make allocations and threads fail.
 $(P)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # This test counts the checks for an interrupt.
@@ -58,7 +63,7 @@ $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversio
 # test_*.c.
 HARD     := $(wildcard tests/hard/*.c)
 HARD_BIN := $(patsubst tests/hard/%.c,$(P)/hard/%,$(filter-out $(call LACK,$(HARD)),$(wildcard tests/hard/test_*.c)))
-$(P)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out tests/hard/test_%,$(HARD))) $(P)/libdomino.a
+$(P)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(ANY) $(filter-out tests/hard/test_%,$(HARD))) $(P)/libdomino.a
 	$(call LINK,$(GSL) -lmpfr -lgmp -lcmocka)
 
 # Each suite is a target that always runs the suite and writes its counts: suites run in parallel, the
@@ -105,7 +110,7 @@ without-%: all
 
 # Compares rows with Chipmunk, a rigid-body engine. Fails if they differ.
 VERIFY := $(wildcard tests/verify/*.c)
-$(B)/verify_rows: $(call OBJ,$(VERIFY) $(ENGINE_C) tests/hard/workers.c) $(P)/libdomino.a
+$(B)/verify_rows: $(call OBJ,$(VERIFY) $(ENGINE_C) $(ANY) tests/hard/workers.c) $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
 verify: $(B)/verify_rows
@@ -190,10 +195,10 @@ bench: all $(B)/bench $(B)/answers python
 	@$(PYTHON3) tests/bench/numpy_loop.py $(B)
 
 $(B)/obj/tests/bench/bench.o: C_FLAGS += -DBENCH_FLAGS='"$(OPTIM)"'
-$(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(call OBJ,$(ENGINE_C)) $(P)/libdomino.a
+$(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(call OBJ,$(ENGINE_C) $(ANY)) $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
-$(B)/answers: $(B)/obj/tests/bench/answers.o $(P)/libdomino.a
+$(B)/answers: $(B)/obj/tests/bench/answers.o $(call OBJ,$(ANY)) $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
 # Compares the numbers of instructions of answers with tests/bench/instructions.csv. 'make guard KEEP=1' writes that
@@ -222,16 +227,19 @@ LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 STRICT_B   := $(B)$(if $(WERROR),,/strict)
 CLANG_READ := clang -fsyntax-only $(STD) $(WARN) -Werror -Wno-double-promotion $(INCLUDES)
 MUSL_READ  := musl-gcc -fsyntax-only $(STD) $(WARN) -Wno-conversion -Werror $(INCLUDES) -idirafter /usr/include
+DOUBLE     := $(filter-out %/float.c %/quad.c,$(MODEL))
 SHALLOW    := $(addprefix --extra-arg=,-Xclang -analyzer-config -Xclang mode=shallow)
-CHECKED    := $(DOUBLE) $(TYPED) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c)
+CHECKED    := $(DOUBLE) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c)
 lint: $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(STRICT_B) WERROR=1 all $(patsubst $(B)/%,$(STRICT_B)/%,$(LINT_BIN))
-	printf '%s\n' $(DOUBLE) $(TYPED) $(ENGINE_C) $(SHELL_C) | xargs -P $$(nproc) -n 8 $(CLANG_READ)
-	printf '%s\n' $(TYPED) $(QUAD) | xargs -P $$(nproc) -n 4 $(CLANG_READ) -DDOMQ
+	printf '%s\n' $(DOUBLE) $(ENGINE_C) $(SHELL_C) | xargs -P $$(nproc) -n 8 $(CLANG_READ)
+	$(CLANG_READ) -DDOMF $(TRAIN)/precision/float.c
+	$(CLANG_READ) -DDOMQ $(TRAIN)/precision/quad.c
 	@# The library with the C library musl.
 	printf '%s\n' $(DOUBLE) | xargs -P $$(nproc) -n 4 $(MUSL_READ)
-	printf '%s\n' $(TYPED) $(QUAD) | xargs -P $$(nproc) -n 4 $(MUSL_READ) -DDOMQ
+	$(MUSL_READ) -DDOMF $(TRAIN)/precision/float.c
+	$(MUSL_READ) -DDOMQ $(TRAIN)/precision/quad.c
 	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion -DBENCH_FLAGS='""'
 	@# clang-tidy reads the source of the kernels once, as the kernel in double. The shallow mode of the analyzer takes a
 	@# quarter of the time of the deep one, which is most of the time of 'make lint'.

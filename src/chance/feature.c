@@ -13,7 +13,7 @@ static const struct command_group groups[] = {
 
 /* Runs one row with random errors. */
 static bool row_answer(const struct scene *scene, const struct domq_row *row,
-                       const struct domq_compute *compute, enum dom_status *status)
+                       const struct any_compute *compute, enum dom_status *status)
 {
     struct dom_placement placement = {.seed = 1, .rows = 1};
     struct dom_study study;

@@ -54,7 +54,7 @@ static uint32_t row_checksum(const struct double_row *made)
                           isnan(row->push) ? -1 : row->push,
                           row->release,
                           DOM_DYNAMICS(VALUE) made->compute.tol,
-                          DOM_DOUBLE};
+                          IN_DOUBLE};
 #undef VALUE
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         checksum_add(&sum, all[i]);

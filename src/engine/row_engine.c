@@ -3,7 +3,7 @@
  * that the library and the commands ask for. */
 #include "engine/row_engine.h"
 #include "engine/engine.h"
-#include "session/double_row.h"
+#include "precision/any.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -185,76 +185,16 @@ static enum dom_status run_row(const struct dom_row *row, const struct dom_compu
     return status;
 }
 
-/* ---- Rows in quad ---- */
-
-/* Converts a row with its engine to double. */
-static bool quad_row_make(const struct domq_row *row, const struct domq_compute *compute,
-                          struct double_row *made)
-{
-    const struct scene_engine *of_scene = row->engine->context;
-    const bool done = double_row_make(row, compute, made);
-    made->row.engine = &of_scene->in_double;
-    return done;
-}
-
-struct visitor {
-    domq_fall_visit *visit;
-    void *context;
-};
-
-static bool visit_in_quad(const struct dom_fall *f, void *context)
-{
-    const struct visitor *v = context;
-    const domq_real none = DOMQ_NAN;
-    const struct domq_fall fall = {.domino = f->domino,
-                                   .time = (domq_real)f->time,
-                                   .duration = (domq_real)f->duration,
-                                   .omega = (domq_real)f->omega,
-                                   .kinetic = (domq_real)f->kinetic,
-                                   .barrier = none,
-                                   .margin = none,
-                                   .lost = none,
-                                   .friction_work = none,
-                                   .theta_m = none,
-                                   .theta = none,
-                                   .moving = f->moving,
-                                   .floor_motion = none,
-                                   .floor_hit = none};
-    return v->visit(&fall, v->context);
-}
-
-/* Does the same as run_row. The library calls this function through struct domq_engine. */
-static enum dom_status run_row_in_quad(const struct domq_row *row, const struct domq_compute *compute,
-                                       bool times, domq_fall_visit *visit, void *context,
-                                       struct domq_verdict *verdict)
-{
-    struct visitor visitor = {visit, context};
-    struct double_row made;
-    struct dom_verdict found;
-    if (!quad_row_make(row, compute, &made))
-        return DOM_NO_MEMORY;
-    const enum dom_status status =
-        run_row(&made.row, &made.compute, times, visit ? visit_in_quad : NULL, &visitor, &found);
-    if (status == DOM_OK)
-        *verdict = (struct domq_verdict){.end = found.end,
-                                         .domino = found.domino,
-                                         .short_by = (domq_real)found.short_by,
-                                         .seconds = (domq_real)found.seconds,
-                                         .spare = DOMQ_NAN};
-    free(made.domino);
-    return status;
-}
-
 /* ---- Runs for commands ---- */
 
-static enum dom_status run_once(const struct domq_row *row, const struct domq_compute *compute,
+static enum dom_status run_once(const struct domq_row *row, const struct any_compute *compute,
                                 const struct engine_grain *grain, engine_visit *visit, void *context)
 {
     struct engine_fall fall;
     struct engine_row engine;
     struct engine_box *box;
     struct double_row made;
-    if (!quad_row_make(row, compute, &made))
+    if (!double_row_make(row, compute, &made))
         return DOM_NO_MEMORY;
     enum dom_status status = row_convert(&made.row, &engine, &box);
     if (status == DOM_OK)
@@ -264,7 +204,7 @@ static enum dom_status run_once(const struct domq_row *row, const struct domq_co
     return status;
 }
 
-static enum dom_status row_rough(const struct domq_row *row, const struct domq_compute *compute)
+static enum dom_status row_rough(const struct domq_row *row, const struct any_compute *compute)
 {
     return run_once(row, compute, &engine_coarsest, NULL, NULL);
 }
@@ -314,7 +254,7 @@ static bool watch_step(const struct engine_moment *m, void *context)
     return w->more && w->left > 0;
 }
 
-static enum dom_status row_watch(const struct domq_row *row, const struct domq_compute *compute,
+static enum dom_status row_watch(const struct domq_row *row, const struct any_compute *compute,
                                  const domq_real *times, size_t count, domq_moment_visit *visit,
                                  void *context, double *feet)
 {
@@ -382,8 +322,7 @@ static bool row_make(const struct scene *scene, size_t count, struct scene_engin
             "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian, run 'apt-get "
             "install libchipmunk7'",
             why);
-    *engine = (struct scene_engine){.engine = {.run = run_row_in_quad, .context = engine},
-                                    .in_double = {.run = run_row, .context = engine},
+    *engine = (struct scene_engine){.engine = {.run = run_row, .context = engine},
                                     .feet = feet->on ? (double)feet->value[0] : HUGE_VAL,
                                     .bounce = bounce->on ? (double)bounce->value[0] : 0};
     return true;

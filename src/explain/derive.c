@@ -129,10 +129,10 @@ static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
     const struct scene *scene = &d->state->scene;
     struct chain *const chain[] = {&d->at, &d->launch};
     struct domq_angles angles = {.theta_f = DOMQ_NAN};
-    enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &angles);
+    enum dom_status status = any_angles_find(&scene->train, &scene->compute, &angles);
     for (int k = 0; k < 2 && status == DOM_OK; k++) {
         chain[k]->count = 0;
-        status = domq_chain_walk(&scene->train, &scene->compute, k == 0 ? tilt : 0, chain_add, chain[k]);
+        status = any_chain_walk(&scene->train, &scene->compute, k == 0 ? tilt : 0, chain_add, chain[k]);
     }
     const struct domq_link rest = {.theta = angles.theta_f, .slope = 0};
     const size_t count = (d->launch.count > d->at.count + 2 ? d->launch.count : d->at.count + 2) + 2;
@@ -301,7 +301,7 @@ static bool train_set(struct derivation *d, const struct explained *e, domq_real
     if (!e->value || strcmp(e->value, "s") != 0)
         return true;
     train->s = isnan(value) ? train->s : value;
-    enum dom_status status = domq_limit_rmax(train, &d->state->scene.compute, &limit);
+    enum dom_status status = any_limit_rmax(train, &d->state->scene.compute, &limit);
     if (status != DOM_OK)
         return problem_limit(d->problem, &d->state->scene, status, &limit);
     if (limit.ends == DOM_END_NONE)
@@ -317,7 +317,7 @@ static bool conditions_find(struct derivation *d, bool reach)
     const struct scene *scene = &d->state->scene;
     if (d->fall)
         return true; /* the equations for a row have no conditions */
-    enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &angles);
+    enum dom_status status = any_angles_find(&scene->train, &scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(d->problem, scene, status);
     d->has = conditions(&scene->train, angles.detaches, reach) |

@@ -139,7 +139,7 @@ static char *text_of(const struct derivation *d, const struct step *s, bool numb
 {
     char *text = NULL;
     size_t size;
-    const int digits = d->query.scene->compute.precision == DOM_QUAD ? WIDE_DIGITS : 17;
+    const int digits = d->query.scene->compute.precision == IN_QUAD ? WIDE_DIGITS : 17;
     struct formula f = {.out = open_memstream(&text, &size)};
     if (!f.out)
         return NULL;
@@ -240,9 +240,9 @@ static bool label_holds(const struct query *query, const struct explained_label 
     if (train->fuel == DOM_FUEL_PAPER)
         return problem_no_answer(problem, "equation (%s) needs the exact fuel; first enter 'set fuel exact'",
                                  label);
-    enum dom_status status = domq_angles_find(train, &query->scene->compute, &angles);
+    enum dom_status status = any_angles_find(train, &query->scene->compute, &angles);
     if (status == DOM_OK)
-        status = domq_contact_find(train, &query->scene->compute, l->needs == LEANING ? tilt : 0, &contact);
+        status = any_contact_find(train, &query->scene->compute, l->needs == LEANING ? tilt : 0, &contact);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     if (l->needs == PAIR && angles.theta_u >= angles.theta_c)
@@ -266,7 +266,7 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     /* An equation is about the tilt in the middle of the cycle if no tilt is given. */
     struct domq_angles angles;
     if (query->given->number[0] >= LABELS && e->value && !bound &&
-        domq_angles_find(&query->scene->train, &query->scene->compute, &angles) == DOM_OK) {
+        any_angles_find(&query->scene->train, &query->scene->compute, &angles) == DOM_OK) {
         none.value = angles.theta_c / 2;
         bound = &none;
     }

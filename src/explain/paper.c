@@ -20,7 +20,7 @@ const struct column paper_columns[] = {
 struct table {
     struct answer *answer;
     struct domq_train train;
-    struct domq_compute compute;
+    struct any_compute compute;
     enum dom_status status;
 };
 
@@ -47,7 +47,7 @@ static struct domq_limit limit_at(struct table *t, domq_real s, enum dom_fuel fu
     t->train.s = s;
     t->train.fuel = fuel;
     if (t->status == DOM_OK)
-        t->status = domq_limit_rmax(&t->train, &t->compute, &limit);
+        t->status = any_limit_rmax(&t->train, &t->compute, &limit);
     return limit;
 }
 
@@ -77,7 +77,7 @@ static void growth_rows(struct table *t)
     }
     for (int fuel = 0; fuel < 2 && t->status == DOM_OK; fuel++) {
         t->train.fuel = fuel == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
-        t->status = domq_limit_best(&t->train, &t->compute, &best[fuel]);
+        t->status = any_limit_best(&t->train, &t->compute, &best[fuel]);
     }
     paper_row(t, "Fig. growth", "maximum of the curve: growth", DOMQ_NAN, best[0].r_max, best[1].r_max,
               weights);
@@ -93,7 +93,7 @@ static void pair_rows(struct table *t)
         struct domq_limit pair = {.r_max = DOMQ_NAN};
         t->train.s = (domq_real)k / 10;
         if (t->status == DOM_OK)
-            t->status = domq_limit_pair(&t->train, &t->compute, &pair);
+            t->status = any_limit_pair(&t->train, &t->compute, &pair);
         paper_row(t, "Fig. marginal",
                   pair.ends == DOM_END_REACH ? "two dominoes: the reach 1/s" : "two dominoes: largest growth",
                   t->train.s, pair.r_max, pair.r_max, "");
@@ -109,9 +109,9 @@ static void cycle_rows(struct table *t)
     t->train.r = (domq_real)3 / 2;
     t->train.fuel = DOM_FUEL_EXACT;
     if (t->status == DOM_OK)
-        t->status = domq_fuel_find(&t->train, &t->compute, &fuels);
+        t->status = any_fuel_find(&t->train, &t->compute, &fuels);
     if (t->status == DOM_OK)
-        t->status = domq_launch_find(&t->train, &t->compute, &launch);
+        t->status = any_launch_find(&t->train, &t->compute, &launch);
     paper_row(t, "(25; c7)", "the fuel P for r = 1.5", t->train.s, fuels.paper, fuels.exact, weights);
     paper_row(t, "(50; d8)", "J(0) for r = 1.5, as printed", t->train.s,
               1 + quad(pow)(t->train.r, -(t->train.q + 1)), launch.J0,
@@ -125,15 +125,15 @@ static void quiz_rows(struct table *t)
     struct domq_count count = {.dominoes = DOMQ_NAN};
     struct domq_count most[2] = {{.dominoes = DOMQ_NAN}, {.dominoes = DOMQ_NAN}};
     if (t->status == DOM_OK)
-        t->status = domq_count_find(scale.h, 112, (domq_real)3 / 2, &t->compute, &count);
+        t->status = any_count_find(scale.h, 112, (domq_real)3 / 2, &t->compute, &count);
     paper_row(t, "Introduction", "112 m tower: dominoes, r = 1.5", DOMQ_NAN, count.dominoes, count.dominoes,
               "");
     for (int fuel = 0; fuel < 2 && t->status == DOM_OK; fuel++) {
         struct domq_best best;
         t->train.fuel = fuel == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
-        t->status = domq_limit_best(&t->train, &t->compute, &best);
+        t->status = any_limit_best(&t->train, &t->compute, &best);
         if (t->status == DOM_OK)
-            t->status = domq_count_find(scale.h, 112, best.r_max, &t->compute, &most[fuel]);
+            t->status = any_count_find(scale.h, 112, best.r_max, &t->compute, &most[fuel]);
     }
     paper_row(t, "Introduction", "112 m tower: dominoes, largest r", DOMQ_NAN, most[0].dominoes,
               most[1].dominoes, weights);

@@ -33,33 +33,33 @@ struct results {
 /* Finds the hardest moment of a cycle: the tilt theta_m, at which the potential energy is largest. The
  * barrier B is the energy that the train needs to get there. If the train has the kinetic energy K after the
  * collision, it arrives with tau^2 omega^2 = (K - B) / J(theta_m). */
-static enum dom_status highest_find(const struct domq_train *train, const struct domq_compute *compute,
-                                    const struct domq_compute *ours, struct results *f)
+static enum dom_status highest_find(const struct domq_train *train, const struct any_compute *compute,
+                                    const struct any_compute *ours, struct results *f)
 {
     struct domq_barrier b;
     struct domq_energy e;
-    enum dom_status status = domq_barrier_find(train, compute, &b);
+    enum dom_status status = any_barrier_find(train, compute, &b);
     if (status == DOM_NO_FUEL)
         return DOM_OK;
     if (status != DOM_OK && status != DOM_STOPS)
         return status;
     f->theta_m = b.theta_m;
     f->barrier = b.barrier;
-    status = domq_energy_find(train, ours, b.theta_m, &e);
+    status = any_energy_find(train, ours, b.theta_m, &e);
     if (status == DOM_OK)
         f->wm = b.margin / e.J;
     return status;
 }
 
 /* Carries out the steps of the recipe for one train. */
-static enum dom_status results_find(struct domq_train train, const struct domq_compute *compute,
-                                    const struct domq_compute *ours, struct results *f)
+static enum dom_status results_find(struct domq_train train, const struct any_compute *compute,
+                                    const struct any_compute *ours, struct results *f)
 {
     struct domq_launch launch;
     struct domq_best best;
     *f = (struct results){DOMQ_NAN, DOMQ_NAN, DOMQ_NAN, DOMQ_NAN, DOMQ_NAN,
                           DOMQ_NAN, DOMQ_NAN, DOMQ_NAN, DOMQ_NAN, {.r_max = DOMQ_NAN}};
-    enum dom_status status = domq_launch_find(&train, compute, &launch);
+    enum dom_status status = any_launch_find(&train, compute, &launch);
     if (status == DOM_OK) {
         f->J0 = launch.J0;
         f->P = launch.fuel;
@@ -68,12 +68,12 @@ static enum dom_status results_find(struct domq_train train, const struct domq_c
     }
     if (status != DOM_OK && status != DOM_NO_FUEL)
         return status;
-    status = domq_limit_rmax(&train, compute, &f->limit);
+    status = any_limit_rmax(&train, compute, &f->limit);
     if (status == DOM_OK && f->limit.ends != DOM_END_NONE)
         f->r_max = f->limit.r_max;
     /* The recipe does not say how to choose s, so the program's search is used. */
     if (status == DOM_OK || status == DOM_NOT_CONVERGED)
-        status = domq_limit_best(&train, ours, &best);
+        status = any_limit_best(&train, ours, &best);
     if (status == DOM_OK) {
         f->best_s = best.s;
         f->best_r = best.r_max;
@@ -131,17 +131,17 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
 bool run_recipe(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_train train = query->scene->train;
-    const struct domq_compute *compute = &query->scene->compute;
-    struct domq_compute steps = *compute;
+    const struct any_compute *compute = &query->scene->compute;
+    struct any_compute steps = *compute;
     struct domq_angles angles;
     struct results paper, ours = {.limit.r_max = DOMQ_NAN};
     if (domq_first_effect(&train))
         return problem_no_answer(problem, "the paper's recipe does not include %s; first enter 'set %s off'",
                                  domq_first_effect(&train)->name, domq_first_effect(&train)->name);
     steps.method = DOM_METHOD_PAPER;
-    steps.precision = DOM_DOUBLE;
+    steps.precision = IN_DOUBLE;
     steps.tol = RECIPE_TOL;
-    enum dom_status status = domq_angles_find(&train, compute, &angles);
+    enum dom_status status = any_angles_find(&train, compute, &angles);
     train.fuel = DOM_FUEL_EXACT;
     if (status == DOM_OK)
         status = results_find(train, compute, compute, &ours);

@@ -130,9 +130,9 @@ static bool is_rounding(const struct writer *w, const struct step *s)
     for (int k = 0; k < s->count; k++)
         if (isfinite(s->needs[k]->value))
             largest = quad_larger(largest, quad(fabs)(s->needs[k]->value));
-    const enum dom_precision precision = w->derivation->query.scene->compute.precision;
+    const enum precision precision = w->derivation->query.scene->compute.precision;
     return s->value != 0 &&
-           quad(fabs)(s->value) <= ROUNDINGS * (domq_real)domq_arithmetic(precision)->epsilon * largest;
+           quad(fabs)(s->value) <= ROUNDINGS * (domq_real)any_arithmetic(precision).epsilon * largest;
 }
 
 /* Writes a value with its unit, which TeX sets in upright letters. */

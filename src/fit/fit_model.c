@@ -54,7 +54,7 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
     for (size_t k = 0; k < f->data.points; k++) {
         domq_real duration;
         train.s = (domq_real)f->data.point[k].gap / t.query.scene->scale.h;
-        enum dom_status status = domq_cycle_duration(&train, &t.query.scene->compute, &duration);
+        enum dom_status status = any_cycle_duration(&train, &t.query.scene->compute, &duration);
         if (status != DOM_OK)
             return problem_status(&f->problem, t.query.scene, status);
         computed[k] = (double)domq_scale_speed(&t.query.scene->scale, &train, duration);
@@ -192,9 +192,9 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
         domq_real *time = malloc((w->count - w->done) * sizeof *time);
         for (size_t k = w->done; k < w->count && time; k++)
             time[k - w->done] = (domq_real)(w->point[k].time - w->clock);
-        status =
-            time ? domq_row_watch(&row.row, &row.compute, time, w->count - w->done, tilt_keep, w, &verdict)
-                 : DOM_NO_MEMORY;
+        status = time
+                     ? any_row_watch(&row.row, &row.compute, time, w->count - w->done, tilt_keep, w, &verdict)
+                     : DOM_NO_MEMORY;
         free(time);
     }
     free(row.domino);

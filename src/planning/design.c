@@ -20,7 +20,7 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     train.r = 1;
     for (int k = 1; k <= 100; k++) {
         train.s = (domq_real)k / 100;
-        enum dom_status status = domq_barrier_find(&train, &query->scene->compute, &b);
+        enum dom_status status = any_barrier_find(&train, &query->scene->compute, &b);
         if ((status == DOM_OK || status == DOM_STOPS) && b.kinetic / b.barrier > most)
             most = b.kinetic / b.barrier;
     }
@@ -211,7 +211,7 @@ static bool design_find(const struct query *query, struct dom_wish *wish, const 
     if (scene_has_engine(&with_row)) {
         if (!row_engine->make(&with_row, 1, engine, problem))
             return false;
-        wish->engine = &engine->in_double;
+        wish->engine = &engine->engine;
     }
     const struct dom_train train = train_in_double(&query->scene->train);
     const struct dom_compute compute = compute_in_double(&query->scene->compute);

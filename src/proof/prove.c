@@ -29,9 +29,8 @@ static const struct column prove_columns[] = {
 
 static struct dom_compute proof_compute(const struct query *query)
 {
-    const struct domq_compute *compute = &query->scene->compute;
-    return (struct dom_compute){
-        .tol = (double)compute->tol, .precision = DOM_DOUBLE, .interrupt = compute->interrupt};
+    const struct any_compute *compute = &query->scene->compute;
+    return (struct dom_compute){.tol = (double)compute->tol, .interrupt = compute->interrupt};
 }
 
 /* Enough digits for an exact round trip, because a rounded bound might be false. */

@@ -228,7 +228,7 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
     for (size_t k = 0; k < scene->row.count && listed; k++)
         answer_announce(a, "height", scene->domino[k].height);
     enum dom_status status =
-        domq_row_run(&scene->row, &scene->compute, true, listed ? fall_row : fall_note, &f, &f.run.verdict);
+        any_row_run(&scene->row, &scene->compute, true, listed ? fall_row : fall_note, &f, &f.run.verdict);
     bool known = status == DOM_OK && v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS;
     answer_set_verdict(a, known && v->end == DOM_ROW_FALLS);
     if (known && !listed)

@@ -113,7 +113,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
 {
     struct domq_floor f;
     const struct effect_state *floor = &query->scene->effect[DOM_EFFECT_floor];
-    const enum dom_status status = domq_cycle_floor(&query->scene->train, &query->scene->compute, &f);
+    const enum dom_status status = any_cycle_floor(&query->scene->train, &query->scene->compute, &f);
     if (status == DOM_NO_AIR && query->scene->effect[DOM_EFFECT_row].on)
         return problem_no_answer(problem, "%s; about the row: 'set floor 0.4; fall'",
                                  dom_status_text(status));

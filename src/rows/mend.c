@@ -113,7 +113,7 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     scene.row.floor = false;
     enum dom_status status = scene_row_in_double(&scene, &made);
     if (status == DOM_OK)
-        status = domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
+        status = any_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
     if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
         status = push_say(a, &made, &v, &push);
     if (status == DOM_OK && v.end != DOM_ROW_FALLS)

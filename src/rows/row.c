@@ -142,7 +142,7 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
     free(made.domino);
     free(scene.domino);
     if (status == DOM_OK)
-        status = domq_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
+        status = any_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
     if (status == DOM_OPEN)
         return problem_limit(problem, query->scene, status, &limit);
     const bool has_train = status != DOM_NO_AIR;

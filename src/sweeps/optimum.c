@@ -131,7 +131,7 @@ static double ask_first(double x, void *context)
 
 static void hunt_prepare(struct hunt *h)
 {
-    const struct domq_compute *compute = &h->probe.query->scene->compute;
+    const struct any_compute *compute = &h->probe.query->scene->compute;
     for (int i = 0; i < h->optimum->axes; i++) {
         const struct ranged *range = &h->optimum->range[i];
         h->slope[i] = (struct slope){.from = (double)range->from,

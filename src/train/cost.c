@@ -31,7 +31,7 @@ const char *cost_names(const void *context, int k)
 }
 
 static enum dom_status compute_answer(int which, const struct domq_train *train,
-                                      const struct domq_compute *compute, domq_real *value)
+                                      const struct any_compute *compute, domq_real *value)
 {
     struct domq_fuels fuels;
     struct domq_launch launch;
@@ -40,21 +40,21 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
     enum dom_status status;
     switch (which) {
     case COST_FUEL:
-        status = domq_fuel_find(train, compute, &fuels);
+        status = any_fuel_find(train, compute, &fuels);
         *value = train->fuel == DOM_FUEL_PAPER ? fuels.paper : fuels.exact;
         return status;
     case COST_LAUNCH:
-        status = domq_launch_find(train, compute, &launch);
+        status = any_launch_find(train, compute, &launch);
         *value = launch.omegasq;
         return status;
     case COST_BARRIER:
-        status = domq_barrier_find(train, compute, &barrier);
+        status = any_barrier_find(train, compute, &barrier);
         *value = barrier.margin;
         return status == DOM_STOPS ? DOM_OK : status;
     case COST_DURATION:
-        return domq_cycle_duration(train, compute, value);
+        return any_cycle_duration(train, compute, value);
     default:
-        status = (which == COST_RMAX ? domq_limit_rmax : domq_limit_pair)(train, compute, &limit);
+        status = (which == COST_RMAX ? any_limit_rmax : any_limit_pair)(train, compute, &limit);
         *value = limit.r_max;
         return status == DOM_OK && limit.ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
     }
@@ -65,7 +65,7 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
 struct timed {
     int which;
     const struct domq_train *train;
-    const struct domq_compute *compute;
+    const struct any_compute *compute;
 };
 
 static bool timed_answer(void *context)
@@ -78,7 +78,7 @@ static bool timed_answer(void *context)
 static void row_measure(int which, const struct query *query, domq_real reference, struct cost_row *row)
 {
     const struct domq_train *train = &query->scene->train;
-    struct domq_compute compute = query->scene->compute;
+    struct any_compute compute = query->scene->compute;
     domq_real value = 0;
     compute.method = row->method;
     compute.precision = row->precision;
@@ -88,7 +88,7 @@ static void row_measure(int which, const struct query *query, domq_real referenc
     if (row->status != DOM_OK)
         return;
     const domq_real size = reference == 0 ? 1 : quad(fabs)(reference),
-                    rounding = (domq_real)domq_arithmetic(DOM_QUAD)->epsilon * size;
+                    rounding = (domq_real)any_arithmetic(IN_QUAD).epsilon * size;
     row->error = quad_larger(quad(fabs)(value - reference), rounding) / size;
     compute.work = NULL;
     row->seconds = seconds_of(timed_answer, &(struct timed){which, train, &compute});
@@ -96,12 +96,11 @@ static void row_measure(int which, const struct query *query, domq_real referenc
 
 static const struct {
     enum dom_method method;
-    enum dom_precision precision;
+    enum precision precision;
     double share; /* roughly the fraction of the time that this contender takes, for the progress display */
 } contenders[] = {
-    {DOM_METHOD_PAPER, DOM_DOUBLE, 0.1}, {DOM_METHOD_GSL, DOM_DOUBLE, 0.05},
-    {DOM_METHOD_OURS, DOM_FLOAT, 0.02},  {DOM_METHOD_OURS, DOM_DOUBLE, 0.03},
-    {DOM_METHOD_OURS, DOM_QUAD, 0.8},
+    {DOM_METHOD_PAPER, IN_DOUBLE, 0.1}, {DOM_METHOD_GSL, IN_DOUBLE, 0.05}, {DOM_METHOD_OURS, IN_FLOAT, 0.02},
+    {DOM_METHOD_OURS, IN_DOUBLE, 0.03}, {DOM_METHOD_OURS, IN_QUAD, 0.8},
 };
 enum { CONTENDERS = sizeof contenders / sizeof *contenders };
 
@@ -116,8 +115,8 @@ static enum dom_status contender_measure(int which, const struct query *query, d
                                          int contender, double done, struct cost *cost)
 {
     const double longest = 2; /* in s; a measurement that would probably take longer is not made */
-    const struct domq_arithmetic *arithmetic = domq_arithmetic(contenders[contender].precision);
-    for (int t = 0; t < TOLERANCES && tolerances[t] >= (double)arithmetic->tol_floor; t++) {
+    const struct domq_arithmetic arithmetic = any_arithmetic(contenders[contender].precision);
+    for (int t = 0; t < TOLERANCES && tolerances[t] >= (double)arithmetic.tol_floor; t++) {
         struct cost_row *row = &cost->row[cost->rows];
         *row = (struct cost_row){.method = contenders[contender].method,
                                  .precision = contenders[contender].precision,
@@ -139,12 +138,12 @@ static enum dom_status contender_measure(int which, const struct query *query, d
 
 bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem)
 {
-    struct domq_compute finest = query->scene->compute;
+    struct any_compute finest = query->scene->compute;
     domq_real reference = 0;
     double done = 0;
     finest.method = DOM_METHOD_OURS;
-    finest.precision = domq_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
-    finest.tol = domq_arithmetic(finest.precision)->tol_floor;
+    finest.precision = any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE;
+    finest.tol = any_arithmetic(finest.precision).tol_floor;
     *cost = (struct cost){.cheapest = HUGE_VAL};
     enum dom_status status = compute_answer(which, &query->scene->train, &finest, &reference);
     for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
@@ -177,7 +176,7 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
     static const char *const methods[] = {
         [DOM_METHOD_OURS] = "ours", [DOM_METHOD_PAPER] = "paper", [DOM_METHOD_GSL] = "GSL"};
     struct cell cells[] = {cell_word(methods[row->method]),
-                           cell_word(domq_arithmetic(row->precision)->name),
+                           cell_word(any_arithmetic(row->precision).name),
                            cell_brief(row->tol),
                            cell_brief((double)row->error),
                            cell_count((domq_real)row->work.longest),
@@ -190,7 +189,7 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 }
 
 /* Returns the shortest time in s in which a method reached this relative error, or NaN if it never did. */
-static double seconds_for(const struct cost *cost, enum dom_method method, enum dom_precision precision,
+static double seconds_for(const struct cost *cost, enum dom_method method, enum precision precision,
                           double error)
 {
     double least = (double)NAN;
@@ -213,16 +212,16 @@ static void times_say(struct answer *a, const char *what, double seconds, double
  * digits are correct. */
 static void cost_say(struct answer *a, const struct cost *cost, int which, const struct cost_more *more)
 {
-    double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
-    double six = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
-    double twelve = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
-    double quad = seconds_for(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12) / twelve;
+    double few = seconds_for(cost, DOM_METHOD_OURS, IN_DOUBLE, 1e-3);
+    double six = seconds_for(cost, DOM_METHOD_OURS, IN_DOUBLE, 1e-6);
+    double twelve = seconds_for(cost, DOM_METHOD_OURS, IN_DOUBLE, 1e-12);
+    double quad = seconds_for(cost, DOM_METHOD_OURS, IN_QUAD, 1e-12) / twelve;
     answer_say(a, "%s, the time for one answer:", measured_answers[which].meaning);
     answer_say(a, "ours    %.3g us for 3 digits, %.3g us for 6, %.3g us for 12", 1e6 * few, 1e6 * six,
                1e6 * twelve);
     times_say(a, "quad", quad * twelve, twelve, "ours, for 12 digits");
-    times_say(a, "GSL", seconds_for(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6), six, "ours, for 6 digits");
-    times_say(a, "paper", seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "ours, for 6 digits");
+    times_say(a, "GSL", seconds_for(cost, DOM_METHOD_GSL, IN_DOUBLE, 1e-6), six, "ours, for 6 digits");
+    times_say(a, "paper", seconds_for(cost, DOM_METHOD_PAPER, IN_DOUBLE, 1e-6), six, "ours, for 6 digits");
     if (more->method)
         times_say(a, more->method, more->twelve, twelve, "ours, for 12 digits");
     if (isnan(twelve))

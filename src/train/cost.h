@@ -22,7 +22,7 @@ struct cost_more {
 
 struct cost_row {
     enum dom_method method;
-    enum dom_precision precision;
+    enum precision precision;
     double tol;
     enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
     domq_real error;        /* the relative error of the result, or that of the reference if it is larger */

@@ -24,11 +24,11 @@ const struct column count_columns[] = {
 
 /* Sets *why to the reason why the train stops, or to NULL if it keeps falling. Returns DOM_OK in both
  * cases. */
-static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
+static enum dom_status count_feasible(const struct domq_train *train, const struct any_compute *compute,
                                       const char **why)
 {
     struct domq_barrier barrier;
-    enum dom_status status = domq_barrier_find(train, compute, &barrier);
+    enum dom_status status = any_barrier_find(train, compute, &barrier);
     *why = status == DOM_OUT_OF_REACH ? "each domino falls past the next one without touching it (r s > 1)"
            : status == DOM_STOPS      ? "the train has too little energy to keep falling"
            : status == DOM_NO_FUEL    ? "falling releases no energy"
@@ -52,10 +52,10 @@ struct tower {
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
-    const struct domq_compute *compute = &query->scene->compute;
+    const struct any_compute *compute = &query->scene->compute;
     enum dom_status status = count_feasible(train, compute, &t->stops);
     if (status == DOM_OK)
-        status = domq_limit_rmax(train, compute, &t->limit);
+        status = any_limit_rmax(train, compute, &t->limit);
     if (status != DOM_OK)
         return problem_limit(problem, query->scene, status, &t->limit);
     t->growths = (struct start_growths){.r_max = DOMQ_NAN};
@@ -89,7 +89,7 @@ static size_t kinds_find(const struct query *query, const struct domq_train *tra
         if (w->value == train->q || (w[1].name && w[1].value == w->value))
             continue;
         other.q = w->value;
-        if (domq_train_check(&other, query_compute(query)) == DOM_NO_AIR) /* not self-similar */
+        if (any_train_check(&other, query_compute(query)) == DOM_NO_AIR) /* not self-similar */
             continue;
         kind[count].q = other.q;
         kind[count].is_session = false;
@@ -103,7 +103,7 @@ static size_t kinds_find(const struct query *query, const struct domq_train *tra
 static domq_real enough(const struct query *query, domq_real height, domq_real r)
 {
     struct domq_count count;
-    return domq_count_find(query->scene->scale.h, height, r, &query->scene->compute, &count) == DOM_OK
+    return any_count_find(query->scene->scale.h, height, r, &query->scene->compute, &count) == DOM_OK
                ? count.dominoes
                : DOMQ_NAN;
 }
@@ -261,11 +261,11 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
     struct kind kind[KINDS_MOST];
     char reason[START_TEXT];
     train.r = query->given->count > 1 ? query->given->number[1] : train.r;
-    if (domq_count_find(first, height, train.r, query_compute(query), &count) != DOM_OK)
+    if (any_count_find(first, height, train.r, query_compute(query), &count) != DOM_OK)
         return problem_no_answer(
             problem, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
             quad_text(height, 10), quad_text(first, 10), quad_text(train.r, 10),
-            domq_arithmetic(query->scene->compute.precision)->name);
+            any_arithmetic(query->scene->compute.precision).name);
     if (!tower_find(query, &train, count.dominoes, &t, problem))
         return false;
     const bool people = answer_for_people(a), is_enough = isfinite(count.dominoes);

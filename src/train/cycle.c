@@ -12,7 +12,7 @@ static const char *no_fuel(const struct query *query)
     if (domq_law(&query->scene->train)->dissipates)
         return "no domino effect: losses and the larger dominoes take up all the energy that a cycle "
                "releases; 'rmax' shows how large r may be";
-    if (domq_fuel_find(&query->scene->train, &query->scene->compute, &fuels) == DOM_OK && fuels.paper > 0)
+    if (any_fuel_find(&query->scene->train, &query->scene->compute, &fuels) == DOM_OK && fuels.paper > 0)
         return "no domino effect: at this growth r the fuel P is not positive, because the smaller dominoes "
                "release less energy than the head takes up; 'rmax' shows how large r may be";
     return "no domino effect: the fuel P is not positive, because a fallen domino has as much potential "
@@ -32,7 +32,7 @@ static const struct column thetac_columns[] = {
 static bool run_thetac(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_angles angles;
-    if (!query_status(query, problem, domq_angles_find(&query->scene->train, query_compute(query), &angles)))
+    if (!query_status(query, problem, any_angles_find(&query->scene->train, query_compute(query), &angles)))
         return false;
     if (query->scene->train.rho != 0) {
         answer_describe(a, "theta_c", NULL,
@@ -63,7 +63,7 @@ static bool run_theta1(const struct query *query, struct answer *a, struct probl
     domq_real theta = query->given->number[0];
     struct domq_contact c;
     if (!query_status(query, problem,
-                      domq_contact_find(&query->scene->train, query_compute(query), theta, &c)))
+                      any_contact_find(&query->scene->train, query_compute(query), theta, &c)))
         return false;
     const char *why =
         isnan(c.arm_a) ? "the lever arms have no value because the follower has detached; its tilt is theta_f"
@@ -94,7 +94,7 @@ static bool chain_row(const struct domq_link *k, void *context)
 static bool run_chain(const struct query *query, struct answer *a, struct problem *problem)
 {
     domq_real theta = query->given->number[0];
-    enum dom_status status = domq_chain_walk(&query->scene->train, query_compute(query), theta, chain_row, a);
+    enum dom_status status = any_chain_walk(&query->scene->train, query_compute(query), theta, chain_row, a);
     return query_status(query, problem, status);
 }
 
@@ -110,8 +110,7 @@ static bool run_energy(const struct query *query, struct answer *a, struct probl
 {
     domq_real theta = query->given->number[0];
     struct domq_energy e;
-    if (!query_status(query, problem,
-                      domq_energy_find(&query->scene->train, query_compute(query), theta, &e)))
+    if (!query_status(query, problem, any_energy_find(&query->scene->train, query_compute(query), theta, &e)))
         return false;
     return answer_cells(a, cell_real(theta), cell_computed(e.dH), cell_computed(e.J), cell_computed(e.J0));
 }
@@ -126,7 +125,7 @@ static const struct column fuel_columns[] = {
 static bool run_fuel(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_fuels f;
-    enum dom_status status = domq_fuel_find(&query->scene->train, query_compute(query), &f);
+    enum dom_status status = any_fuel_find(&query->scene->train, query_compute(query), &f);
     if (status != DOM_OK)
         return query_status(query, problem, status);
     const bool has_paper = query->scene->train.rho == 0 && query->scene->train.alpha == 0;
@@ -135,7 +134,7 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     struct cell used = query->scene->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct domq_launch launch;
     if (domq_law(&query->scene->train)->dissipates) {
-        status = domq_launch_find(&query->scene->train, &query->scene->compute, &launch);
+        status = any_launch_find(&query->scene->train, &query->scene->compute, &launch);
         if (status != DOM_OK && status != DOM_NO_FUEL)
             return query_status(query, problem, status);
         used = cell_computed(launch.fuel);
@@ -152,7 +151,7 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
     char place[64] = "";
     struct answer_style style = state_style(query->state);
     int digits = (int)fmin((double)style.digits, style_tol_digits(&style));
-    if (domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK && isfinite(stop))
+    if (any_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK && isfinite(stop))
         snprintf(place, sizeof place, " at theta = %s %s,", quad_text(style_angle(&style, stop), digits),
                  style_angle_unit(&style));
     snprintf(reason, ANSWER_REASON,
@@ -195,7 +194,7 @@ static bool run_launch(const struct query *query, struct answer *a, struct probl
                             .kinetic = DOMQ_NAN};
     char reason[ANSWER_REASON];
     const char *why;
-    enum dom_status status = domq_launch_find(&query->scene->train, query_compute(query), &l);
+    enum dom_status status = any_launch_find(&query->scene->train, query_compute(query), &l);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
@@ -218,7 +217,7 @@ static bool run_omega(const struct query *query, struct answer *a, struct proble
     domq_real omegasq;
     char reason[ANSWER_REASON];
     const char *why;
-    enum dom_status status = domq_cycle_omegasq(&query->scene->train, query_compute(query), theta, &omegasq);
+    enum dom_status status = any_cycle_omegasq(&query->scene->train, query_compute(query), theta, &omegasq);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
@@ -240,7 +239,7 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
         .theta_m = DOMQ_NAN, .barrier = DOMQ_NAN, .kinetic = DOMQ_NAN, .margin = DOMQ_NAN};
     char reason[ANSWER_REASON];
     const char *why;
-    enum dom_status status = domq_barrier_find(&query->scene->train, query_compute(query), &b);
+    enum dom_status status = any_barrier_find(&query->scene->train, query_compute(query), &b);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
     answer_set_verdict(a, status == DOM_OK);
@@ -268,7 +267,7 @@ static bool run_duration(const struct query *query, struct answer *a, struct pro
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     char reason[ANSWER_REASON];
     const char *why;
-    enum dom_status status = domq_cycle_duration(&query->scene->train, query_compute(query), &duration);
+    enum dom_status status = any_cycle_duration(&query->scene->train, query_compute(query), &duration);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real speed = why ? DOMQ_NAN : domq_scale_speed(&query->scene->scale, &query->scene->train, duration);

@@ -31,7 +31,7 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     struct domq_floor floor;
     struct domq_barrier barrier;
     struct domq_verdict verdict;
-    struct domq_compute compute = scene->compute;
+    struct any_compute compute = scene->compute;
     compute.work = work;
     if (scene->effect[DOM_EFFECT_row].on && row->row.engine)
         return row_engine->rough(&row->row, &compute); /* a single run, with coarse steps */
@@ -41,11 +41,11 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
         for (int i = 0; (f = feature_at(i)) != NULL; i++)
             if (f->row_answer && f->row_answer(scene, &row->row, &compute, &status))
                 return status;
-        return domq_row_run(&row->row, &compute, false, NULL, NULL, &verdict);
+        return any_row_run(&row->row, &compute, false, NULL, NULL, &verdict);
     }
-    enum dom_status status = domq_barrier_find(&scene->train, &compute, &barrier);
+    enum dom_status status = any_barrier_find(&scene->train, &compute, &barrier);
     if (status == DOM_OK && scene->effect[DOM_EFFECT_floor].on)
-        status = domq_cycle_floor(&scene->train, &compute, &floor);
+        status = any_cycle_floor(&scene->train, &compute, &floor);
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
@@ -279,7 +279,7 @@ static bool scene_write(const struct query *query, struct answer *parts, struct 
     if (!is_engine)
         answer_detail(a, "The verdict takes %zu passes along the %s at tol = %g in %s precision.",
                       work.passes, is_row ? "row" : "train", (double)query->scene->compute.tol,
-                      domq_arithmetic(query->scene->compute.precision)->name);
+                      any_arithmetic(query->scene->compute.precision).name);
     return true;
 }
 

@@ -36,7 +36,7 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
     run->scene.row.floor = false;
     run->fall = calloc(run->scene.row.count, sizeof *run->fall);
     enum dom_status status =
-        run->fall ? domq_row_run(&run->scene.row, &run->scene.compute, timed, fall_keep, run, &run->verdict)
+        run->fall ? any_row_run(&run->scene.row, &run->scene.compute, timed, fall_keep, run, &run->verdict)
                   : DOM_NO_MEMORY;
     run->timeless = timed && status == DOM_NO_MARGIN; /* the verdict is known, but some times are not */
     if (status == DOM_OK || run->timeless)
@@ -146,7 +146,7 @@ void weakest_say(struct answer *a, const struct domq_verdict *v, bool as_detail)
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status)
 {
     const bool engine = scene_has_engine(query->scene);
-    enum dom_precision precision = query->scene->compute.precision;
+    enum precision precision = query->scene->compute.precision;
     if (status == DOM_NOT_CONVERGED && engine)
         return problem_no_answer(
             problem, "the rigid-body engine cannot decide this row, because the row does not come to rest or "
@@ -175,7 +175,7 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
         problem,
         "the dominoes of this row become larger or smaller than %s precision can represent; "
         "use fewer dominoes or a smaller r%s",
-        domq_arithmetic(precision)->name, precision == DOM_QUAD ? "" : ", or 'set precision quad'");
+        any_arithmetic(precision).name, precision == IN_QUAD ? "" : ", or 'set precision quad'");
 }
 
 bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_status status,

@@ -111,7 +111,7 @@ static bool is_enough(struct search *s, domq_real r, domq_real separation)
     struct domq_count count;
     s->train.r = r;
     s->train.s = separation;
-    return domq_count_find(1, s->ratio, r, query_compute(s->query), &count) == DOM_OK &&
+    return any_count_find(1, s->ratio, r, query_compute(s->query), &count) == DOM_OK &&
            count.dominoes <= s->count && spare(s) > 0;
 }
 
@@ -245,7 +245,7 @@ static size_t rows_find(const struct query *query, bool has_engine, struct found
     for (domq_real q = own; count + 2 <= 2 * KINDS_MOST; q = w++->value) {
         struct domq_train train = query->scene->train;
         train.q = q;
-        if (domq_train_check(&train, query_compute(query)) != DOM_NO_AIR) /* it is self-similar */
+        if (any_train_check(&train, query_compute(query)) != DOM_NO_AIR) /* it is self-similar */
             for (int moves = 0; moves < 2; moves++)
                 if (!row_find(query, q, moves != 0, has_engine, &found[count++], problem))
                     return 0;
@@ -326,7 +326,7 @@ bool run_fewest(const struct query *query, struct answer *a, struct problem *pro
     }
     /* A row of two shows whether the effects can be combined, and whether the dominoes stand. */
     const struct scene row = start_scene(query, &query->scene->train, 2);
-    const enum dom_status status = domq_train_check(&query->scene->train, query_compute(query));
+    const enum dom_status status = any_train_check(&query->scene->train, query_compute(query));
     if (status != DOM_OK)
         return query_status(query, problem, status);
     if (!scene_row_make(&row, &made, problem))

@@ -27,19 +27,19 @@ static const char *no_growth(struct domq_limit limit)
 }
 
 /* Finds the largest growth with each of the two formulas for the fuel. */
-static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
+static enum dom_status limits_find(struct domq_train train, const struct any_compute *compute,
                                    struct domq_limit *exact, struct domq_limit *paper)
 {
     const struct domq_limit none = {.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .open = DOMQ_NAN};
     *exact = *paper = none;
     train.fuel = DOM_FUEL_EXACT;
-    const enum dom_status status = domq_limit_rmax(&train, compute, exact);
+    const enum dom_status status = any_limit_rmax(&train, compute, exact);
     paper->why = exact->why;
     /* The paper's formula does not cover friction, slopes or rounded edges. */
     if ((status != DOM_OK && status != DOM_OPEN) || domq_first_effect(&train))
         return status;
     train.fuel = DOM_FUEL_PAPER;
-    const enum dom_status of_paper = domq_limit_rmax(&train, compute, paper);
+    const enum dom_status of_paper = any_limit_rmax(&train, compute, paper);
     return of_paper == DOM_OK ? status : of_paper;
 }
 
@@ -161,7 +161,7 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
     struct domq_train train = query->scene->train;
     struct domq_limit limit;
     train.s = argument_or(query->given, 0, train.s);
-    const enum dom_status status = domq_limit_pair(&train, query_compute(query), &limit);
+    const enum dom_status status = any_limit_pair(&train, query_compute(query), &limit);
     if (status != DOM_OK)
         return problem_limit(problem, query->scene, status, &limit);
     if (limit.ends != DOM_END_NONE)
@@ -192,7 +192,7 @@ static const struct column best_columns[] = {
 static bool run_best(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_best best = {.s = DOMQ_NAN, .r_max = DOMQ_NAN};
-    enum dom_status status = domq_limit_best(&query->scene->train, query_compute(query), &best);
+    enum dom_status status = any_limit_best(&query->scene->train, query_compute(query), &best);
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return query_status(query, problem, status);
     if (status == DOM_OK)
@@ -232,7 +232,7 @@ static bool run_growths(const struct query *query, struct answer *a, struct prob
     enum dom_status status = limits_find(*train, query_compute(query), &exact, &paper);
     bool is_open = status == DOM_OPEN;
     if (status == DOM_OK || is_open)
-        status = domq_limit_pair(train, query_compute(query), &pair);
+        status = any_limit_pair(train, query_compute(query), &pair);
     is_open = is_open || status == DOM_OPEN;
     if (status != DOM_OK && status != DOM_OPEN)
         return query_status(query, problem, status);

@@ -66,7 +66,7 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
         return false;
     made.row.floor = false;
     do
-        status = domq_row_run(&made.row, &made.compute, false, NULL, NULL, &verdict);
+        status = any_row_run(&made.row, &made.compute, false, NULL, NULL, &verdict);
     while (row_shorten(&made.row, status));
     *start = (struct start){.count = made.row.count,
                             .push = DOMQ_NAN,
@@ -115,7 +115,7 @@ double start_row_spare(const struct query *query, const struct domq_train *train
     made.row.floor = false;
     do {
         least = (struct least){HUGE_VAL, !isnan(made.row.push)};
-        ran = domq_row_run(&made.row, &made.compute, false, spare_visit, &least, &verdict);
+        ran = any_row_run(&made.row, &made.compute, false, spare_visit, &least, &verdict);
     } while (row_shorten(&made.row, ran));
     free(made.domino);
     if (ran == DOM_NO_MEMORY || ran == DOM_INTERRUPTED)
@@ -133,7 +133,7 @@ double start_row_spare(const struct query *query, const struct domq_train *train
 double start_train_spare(const struct query *query, const struct domq_train *train)
 {
     struct domq_barrier barrier;
-    const enum dom_status status = domq_barrier_find(train, query_compute(query), &barrier);
+    const enum dom_status status = any_barrier_find(train, query_compute(query), &barrier);
     if (status != DOM_OK && status != DOM_STOPS)
         return (double)-INFINITY;
     const double share = (double)(barrier.margin / barrier.barrier);
@@ -196,7 +196,7 @@ static bool search_falls(struct search *s, domq_real r)
         s->spare = HUGE_VAL;
         for (int k = 0; k < 3; k++)
             s->share[k] = (double)NAN;
-        s->status = domq_row_run(row, &s->made.compute, false, search_visit, s, &verdict);
+        s->status = any_row_run(row, &s->made.compute, false, search_visit, s, &verdict);
         if (row_shorten(row, s->status)) {
             count = most = row->count;
             s->status = DOM_OK;

@@ -18,7 +18,7 @@ static const struct column cycle_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* A callback of domq_chain_walk, which stores the tilts of the head and of its first two followers. */
+/* A callback of any_chain_walk, which stores the tilts of the head and of its first two followers. */
 static bool follower_add(const struct domq_link *k, void *context)
 {
     domq_real *theta = context;
@@ -47,10 +47,10 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     struct cycle_table *table = context;
     const struct query *query = table->query;
     struct walk_units u = walk_units(query, 1);
-    /* domq_chain_walk does not visit detached dominoes, which rest at theta_f. */
+    /* any_chain_walk does not visit detached dominoes, which rest at theta_f. */
     domq_real theta[] = {s->theta, table->angles.theta_f, table->angles.theta_f};
     table->status =
-        domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, theta);
+        any_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, theta);
     if (table->status != DOM_OK)
         return false;
     answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
@@ -74,9 +74,9 @@ static bool run_cycle(const struct query *query, struct answer *a, struct proble
     size_t rows = query->given->count > 0 ? (size_t)query->given->number[0] : 12;
     enum dom_spacing by = query->given->count > 1 ? (enum dom_spacing)query->given->number[1] : DOM_BY_TIME;
     walk_columns_in(query, a);
-    enum dom_status verdict = domq_angles_find(&query->scene->train, &query->scene->compute, &table.angles);
+    enum dom_status verdict = any_angles_find(&query->scene->train, &query->scene->compute, &table.angles);
     if (verdict == DOM_OK)
-        verdict = domq_cycle_walk(&query->scene->train, query_compute(query), rows, by, cycle_row, &table);
+        verdict = any_cycle_walk(&query->scene->train, query_compute(query), rows, by, cycle_row, &table);
     if (verdict == DOM_NO_FUEL)
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){cell_word("")}, walk_no_start);
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
@@ -87,7 +87,7 @@ static bool run_cycle(const struct query *query, struct answer *a, struct proble
                       walk_units(query, 1).energy_unit);
     struct domq_least_force contact;
     if (answer_for_people(a) &&
-        domq_cycle_least_force(&query->scene->train, &query->scene->compute, &contact) == DOM_OK &&
+        any_cycle_least_force(&query->scene->train, &query->scene->compute, &contact) == DOM_OK &&
         isfinite(contact.force))
         (contact.force > 0 ? answer_detail : answer_say)(
             a, "The smallest contact force is %s times the weight of the domino that it pushes%s.",
@@ -129,7 +129,7 @@ static bool walk_again(const struct query *query, struct walk *w)
     const bool is_event = w->count > 0 && w->theta == w->events[w->event].theta;
     again.compute = query->scene->compute;
     again.tol = again.compute.tol;
-    again.verdict = domq_cycle_events(&again.train, &again.compute, again.events, &again.count);
+    again.verdict = any_cycle_events(&again.train, &again.compute, again.events, &again.count);
     again.theta = is_event ? again.events[w->event].theta : w->theta;
     const bool is_same = again.verdict == w->verdict && again.count == w->count;
     *w = again;
@@ -152,8 +152,8 @@ static bool walk_ready(const struct query *query, struct answer *answer, struct 
                        .cycle = 1};
     /* The sentences print six digits, which have to be right whatever the session's tolerance. */
     w->compute.tol = quad_smaller(
-        w->compute.tol, quad_larger(domq_arithmetic(w->compute.precision)->tol_floor, (domq_real)1e-9));
-    w->verdict = domq_cycle_events(&w->train, &w->compute, w->events, &w->count);
+        w->compute.tol, quad_larger(any_arithmetic(w->compute.precision).tol_floor, (domq_real)1e-9));
+    w->verdict = any_cycle_events(&w->train, &w->compute, w->events, &w->count);
     *begun = true;
     return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
            query_status(query, problem, w->verdict);
@@ -167,7 +167,7 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
         answer_leave_out(a, "rubbed");
     if (w->verdict == DOM_NO_FUEL)
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}}, walk_no_start);
-    if (!query_status(query, problem, domq_cycle_state(&w->train, &w->compute, w->theta, &s)))
+    if (!query_status(query, problem, any_cycle_state(&w->train, &w->compute, w->theta, &s)))
         return false;
     struct walk_units u = walk_units(query, w->cycle);
     walk_say(query, w, &s, a);

@@ -36,7 +36,7 @@ bool walk_is_of(const struct walk *walk, const struct scene *scene)
                    a->fuel == b->fuel;
 }
 
-static bool same_compute(const struct walk *walk, const struct domq_compute *compute)
+static bool same_compute(const struct walk *walk, const struct any_compute *compute)
 {
     return walk->tol == compute->tol && walk->compute.precision == compute->precision &&
            walk->compute.method == compute->method;
@@ -135,9 +135,9 @@ static void say_launch(const struct place *p)
     struct domq_launch l;
     struct domq_barrier b;
     struct impulses impulses = {.units = &p->units, .bounded = true};
-    enum dom_status found = domq_barrier_find(&w->train, &w->compute, &b);
-    if (domq_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
-        domq_cycle_forces(&w->train, &w->compute, 0, impulse_add, &impulses) != DOM_OK)
+    enum dom_status found = any_barrier_find(&w->train, &w->compute, &b);
+    if (any_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
+        any_cycle_forces(&w->train, &w->compute, 0, impulse_add, &impulses) != DOM_OK)
         return;
     domq_real omega = quad(sqrt)(l.omegasq);
     const char *inertia = p->has_losses ? "A(0)" : "J(0)";
@@ -222,7 +222,7 @@ static void say_fall(const struct place *p)
     const struct walk *w = p->walk;
     struct domq_angles angles;
     size_t domino = w->events[w->event].domino;
-    if (domq_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
+    if (any_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
         return;
     const domq_real weight = quad(pow)(w->train.r, -w->train.q * (domq_real)domino);
     answer_detail(
@@ -240,7 +240,7 @@ static void say_fall(const struct place *p)
 static void say_stop(const struct place *p)
 {
     struct domq_barrier b;
-    if (domq_barrier_find(&p->walk->train, &p->walk->compute, &b) != DOM_STOPS)
+    if (any_barrier_find(&p->walk->train, &p->walk->compute, &b) != DOM_STOPS)
         return;
     answer_detail(
         p->answer,
@@ -374,14 +374,13 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
 bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta)
 {
     domq_real omegasq, stop = DOMQ_NAN;
-    enum dom_status status =
-        domq_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
+    enum dom_status status = any_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
         return problem_error(problem,
                              "no domino effect: the fuel P is not positive, so nothing moves; 'fuel' "
                              "explains why, and 'rmax' shows how large r may be");
     if (status == DOM_STOPS)
-        status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
+        status = any_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
     if (status != DOM_OK)
         return query_status(query, problem, status);
     /* A tilt copied from a table has 6 digits, so it may be slightly too large. A picture does not show the
@@ -393,10 +392,10 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
     return true;
 }
 
-bool cycle_events(const struct query *query, const struct domq_compute *compute,
+bool cycle_events(const struct query *query, const struct any_compute *compute,
                   struct domq_event event[DOM_EVENTS_MAX], int *count, bool *stops, struct problem *problem)
 {
-    enum dom_status status = domq_cycle_events(&query->scene->train, compute, event, count);
+    enum dom_status status = any_cycle_events(&query->scene->train, compute, event, count);
     *stops = status == DOM_STOPS;
     if (status == DOM_NO_FUEL)
         return train_comes_to(query, problem, 0);

@@ -42,7 +42,7 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
 
 /* Finds the events of a cycle, for a picture. *stops tells whether the train stops. Fails if there is no
  * cycle to show. */
-bool cycle_events(const struct query *query, const struct domq_compute *compute,
+bool cycle_events(const struct query *query, const struct any_compute *compute,
                   struct domq_event event[DOM_EVENTS_MAX], int *count, bool *stops, struct problem *problem);
 
 /* Formats an angle in the session's unit for a sentence, for example as "28.65 deg" or "0.5 rad". */

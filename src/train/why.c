@@ -51,7 +51,7 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
                    limit_words(limit->r_max, 6).text,
                    limit->ends == DOM_END_REACH ? "with more growth, each domino falls past the next one"
                                                 : "a larger domino is too heavy for the dominoes before it");
-    } else if (domq_limit_best(t, &query->scene->compute, &best) != DOM_OK) {
+    } else if (any_limit_best(t, &query->scene->compute, &best) != DOM_OK) {
         answer_say(a, "Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.");
     } else {
         const char *way = best.s < t->s ? "closer together" : "farther apart";
@@ -128,18 +128,18 @@ static void contact_say(const struct query *query, struct answer *a, const struc
 
 bool run_why(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute *compute = query_compute(query);
+    const struct any_compute *compute = query_compute(query);
     const struct domq_train *train = &query->scene->train;
     struct walk_units u = walk_units(query, 1);
     struct domq_launch l;
     struct domq_barrier b;
     struct domq_limit limit;
     struct domq_least_force contact;
-    enum dom_status verdict = domq_barrier_find(train, compute, &b), status = verdict;
+    enum dom_status verdict = any_barrier_find(train, compute, &b), status = verdict;
     if (verdict == DOM_OK || verdict == DOM_STOPS || verdict == DOM_NO_FUEL)
-        status = domq_launch_find(train, compute, &l);
+        status = any_launch_find(train, compute, &l);
     if (status == DOM_OK || status == DOM_NO_FUEL)
-        status = domq_limit_rmax(train, compute, &limit);
+        status = any_limit_rmax(train, compute, &limit);
     if (status != DOM_OK)
         return problem_limit(problem, query->scene, status, &limit);
     bool people = answer_for_people(a);
@@ -153,7 +153,7 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
                  cell_computed(b.margin * u.energy), cell_limit(cell_computed(limit.r_max)));
     answer_detail(a, "%s", "");
     symbols_detail(query, a, verdict, &b, &limit);
-    if (people && domq_cycle_least_force(train, &query->scene->compute, &contact) == DOM_OK)
+    if (people && any_cycle_least_force(train, &query->scene->compute, &contact) == DOM_OK)
         contact_say(query, a, &contact);
     return true;
 }

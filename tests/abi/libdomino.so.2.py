@@ -22,51 +22,44 @@ class dom_status(IntEnum):
     DOM_BAD_DRAG = 11
     DOM_BAD_FUEL = 12
     DOM_BAD_TOL = 13
-    DOM_BAD_PRECISION = 14
-    DOM_BAD_METHOD = 15
-    DOM_BAD_TILT = 16
-    DOM_BAD_TIME = 17
-    DOM_BAD_G = 18
-    DOM_BAD_PUSH = 19
-    DOM_BAD_RELEASE = 20
-    DOM_BAD_COUNT = 21
-    DOM_BAD_HEIGHT = 22
-    DOM_BAD_THICKNESS = 23
-    DOM_BAD_GAP = 24
-    DOM_BAD_MASS = 25
-    DOM_BAD_RADIUS = 26
-    DOM_BAD_LEAN = 27
-    DOM_BAD_ERROR = 28
-    DOM_BAD_ROWS = 29
-    DOM_BAD_PROBABILITY = 30
-    DOM_BAD_SAFETY = 31
-    DOM_BAD_HALL = 32
-    DOM_OUT_OF_REACH = 33
-    DOM_NO_FUEL = 34
-    DOM_STOPS = 35
-    DOM_LOCKS = 36
-    DOM_NO_STAND = 37
-    DOM_NO_ROOM = 38
-    DOM_NO_ROUND = 39
-    DOM_NO_LEAN = 40
-    DOM_NO_AIR = 41
-    DOM_NO_MARGIN = 42
-    DOM_NO_GROWTH = 43
-    DOM_OPEN = 44
-    DOM_TOO_LONG = 45
-    DOM_UNDERFLOW = 46
-    DOM_NO_PRECISION = 47
-    DOM_NO_METHOD = 48
-    DOM_NOT_FINITE = 49
-    DOM_NOT_CONVERGED = 50
-    DOM_NO_MEMORY = 51
-    DOM_INTERRUPTED = 52
-
-
-class dom_precision(IntEnum):
-    DOM_FLOAT = 0
-    DOM_DOUBLE = 1
-    DOM_QUAD = 2
+    DOM_BAD_METHOD = 14
+    DOM_BAD_TILT = 15
+    DOM_BAD_TIME = 16
+    DOM_BAD_G = 17
+    DOM_BAD_PUSH = 18
+    DOM_BAD_RELEASE = 19
+    DOM_BAD_COUNT = 20
+    DOM_BAD_HEIGHT = 21
+    DOM_BAD_THICKNESS = 22
+    DOM_BAD_GAP = 23
+    DOM_BAD_MASS = 24
+    DOM_BAD_RADIUS = 25
+    DOM_BAD_LEAN = 26
+    DOM_BAD_ERROR = 27
+    DOM_BAD_ROWS = 28
+    DOM_BAD_PROBABILITY = 29
+    DOM_BAD_SAFETY = 30
+    DOM_BAD_HALL = 31
+    DOM_OUT_OF_REACH = 32
+    DOM_NO_FUEL = 33
+    DOM_STOPS = 34
+    DOM_LOCKS = 35
+    DOM_NO_STAND = 36
+    DOM_NO_ROOM = 37
+    DOM_NO_ROUND = 38
+    DOM_NO_LEAN = 39
+    DOM_NO_AIR = 40
+    DOM_NO_MARGIN = 41
+    DOM_NO_GROWTH = 42
+    DOM_OPEN = 43
+    DOM_TOO_LONG = 44
+    DOM_UNDERFLOW = 45
+    DOM_NO_PRECISION = 46
+    DOM_NO_METHOD = 47
+    DOM_NOT_FINITE = 48
+    DOM_NOT_CONVERGED = 49
+    DOM_NO_MEMORY = 50
+    DOM_INTERRUPTED = 51
 
 
 class dom_fuel(IntEnum):
@@ -315,11 +308,11 @@ class dom_verdict(Structure):
     pass
 
 
-class dom_engine(Structure):
+class dom_moment(Structure):
     pass
 
 
-class dom_moment(Structure):
+class dom_engine(Structure):
     pass
 
 
@@ -405,7 +398,6 @@ dom_scale._fields_ = [
 ]
 dom_compute._fields_ = [
     ("tol", c_double),
-    ("precision", c_int),
     ("method", c_int),
     ("work", POINTER(dom_work)),
     ("interrupt", POINTER(c_int)),
@@ -603,11 +595,6 @@ dom_verdict._fields_ = [
     ("spare", c_double),
 ]
 dom_fall_visit = CFUNCTYPE(c_bool, POINTER(dom_fall), c_void_p)
-dom_row_runner = CFUNCTYPE(c_int, POINTER(dom_row), POINTER(dom_compute), c_bool, dom_fall_visit, c_void_p, POINTER(dom_verdict))
-dom_engine._fields_ = [
-    ("run", dom_row_runner),
-    ("context", c_void_p),
-]
 dom_moment._fields_ = [
     ("time", c_double),
     ("head", c_size_t),
@@ -616,6 +603,11 @@ dom_moment._fields_ = [
     ("omega", POINTER(c_double)),
 ]
 dom_moment_visit = CFUNCTYPE(c_bool, POINTER(dom_moment), c_void_p)
+dom_row_runner = CFUNCTYPE(c_int, POINTER(dom_row), POINTER(dom_compute), c_bool, dom_fall_visit, c_void_p, POINTER(dom_verdict))
+dom_engine._fields_ = [
+    ("run", dom_row_runner),
+    ("context", c_void_p),
+]
 dom_progress = CFUNCTYPE(None, c_size_t, c_size_t, c_void_p)
 dom_row_make = CFUNCTYPE(None, c_double, POINTER(dom_domino), c_size_t, c_void_p)
 dom_row_growth._fields_ = [
@@ -737,7 +729,7 @@ FUNCTIONS = {
     "dom_train_default": (dom_train, []),
     "dom_scale_default": (dom_scale, []),
     "dom_compute_default": (dom_compute, []),
-    "dom_arithmetic": (POINTER(dom_arithmetic), [c_int]),
+    "dom_arithmetic": (POINTER(dom_arithmetic), []),
     "dom_train_check": (c_int, [POINTER(dom_train), POINTER(dom_compute)]),
     "dom_train_reach": (c_double, [POINTER(dom_train)]),
     "dom_angles_find": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_angles)]),
@@ -767,7 +759,7 @@ FUNCTIONS = {
     "dom_box_find": (c_int, [c_double, c_double, c_double, c_double, POINTER(dom_box)]),
     "dom_scale_tau": (c_double, [POINTER(dom_scale), POINTER(dom_train)]),
     "dom_scale_speed": (c_double, [POINTER(dom_scale), POINTER(dom_train), c_double]),
-    "dom_count_find": (c_int, [c_double, c_double, c_double, POINTER(dom_compute), POINTER(dom_count)]),
+    "dom_count_find": (c_int, [c_double, c_double, c_double, POINTER(dom_count)]),
     "dom_row_end_text": (c_char_p, [c_int]),
     "dom_lean_limits": (None, [POINTER(dom_domino), c_double, c_double, POINTER(c_double)]),
     "dom_row_default": (dom_row, []),

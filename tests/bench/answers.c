@@ -7,7 +7,8 @@
  *        answers NAME            computes one answer, and prints its passes and dominoes
  *        answers NAME SECONDS    also prints its time in us, the shortest within so many seconds
  */
-#include "domino_row.h"
+#include "domino_float.h"
+#include "shell/precision/any.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +21,6 @@ struct counted {
     const char *name;
     enum dom_status (*ask)(const struct dom_train *train, const struct dom_compute *compute);
     double s, r, q, mu, rho;
-    bool quad, single;
     bool apart; /* computed only if the program is called with the name of this answer */
 };
 
@@ -28,6 +28,23 @@ static enum dom_status ask_rmax(const struct dom_train *train, const struct dom_
 {
     struct dom_limit limit;
     return dom_limit_rmax(train, compute, &limit);
+}
+
+/* These two compute r_max of the default train in another precision. */
+static enum dom_status ask_float(const struct dom_train *train, const struct dom_compute *compute)
+{
+    const struct domf_train in_float = domf_train_default();
+    struct domf_limit limit;
+    (void)train, (void)compute;
+    return domf_limit_rmax(&in_float, NULL, &limit);
+}
+
+static enum dom_status ask_quad(const struct dom_train *train, const struct dom_compute *compute)
+{
+    const struct domq_train in_quad = domq_train_default();
+    struct domq_limit limit;
+    (void)train, (void)compute;
+    return any_limit_rmax(&in_quad, NULL, &limit);
 }
 
 /* Computes r_max for s from 0.02 to 0.9, with both values of q, as the benchmark does. */
@@ -93,8 +110,9 @@ static enum dom_status ask_chain(const struct dom_train *train, const struct dom
 
 static enum dom_status ask_count(const struct dom_train *train, const struct dom_compute *compute)
 {
+    (void)compute;
     struct dom_count count;
-    return dom_count_find(0.048, 112, train->r, compute, &count);
+    return dom_count_find(0.048, 112, train->r, &count);
 }
 
 static struct dom_row row_of(const struct dom_train *train, struct dom_domino *domino)
@@ -164,8 +182,8 @@ static const struct counted table[] = {
     {.name = "rmax 0.05 massive", .ask = ask_rmax, .s = 0.05},
     {.name = "rmax 0.2 massive", .ask = ask_rmax, .s = 0.2},
     {.name = "rmax 0.5 massive", .ask = ask_rmax, .s = 0.5},
-    {.name = "rmax float", .ask = ask_rmax, .single = true},
-    {.name = "rmax quad", .ask = ask_rmax, .quad = true},
+    {.name = "rmax float", .ask = ask_float},
+    {.name = "rmax quad", .ask = ask_quad},
     {.name = "rmax with edges", .ask = ask_rmax, .rho = 0.01},
     {.name = "rmax with friction", .ask = ask_rmax, .mu = 0.2},
     {.name = "curve", .ask = ask_curve},
@@ -220,7 +238,7 @@ static double seconds_of(const struct counted *counted, const struct dom_train *
     double end = seconds_now() + patience, least = patience;
     for (double begun; (begun = seconds_now()) < end;) {
         for (int i = 0; i < BATCH; i++)
-            (void)counted->ask(train, &(struct dom_compute){.tol = (dom_real)1e-12, .precision = DOM_DOUBLE});
+            (void)counted->ask(train, &(struct dom_compute){.tol = (dom_real)1e-12});
         double seconds = (seconds_now() - begun) / BATCH;
         least = seconds < least ? seconds : least;
     }
@@ -239,8 +257,6 @@ int main(int argc, char **argv)
         train.s = counted->s > 0 ? counted->s : train.s;
         train.r = counted->r > 0 ? counted->r : train.r;
         train.q = counted->q > 0 ? counted->q : train.q;
-        compute.precision = counted->quad ? DOM_QUAD : counted->single ? DOM_FLOAT : DOM_DOUBLE;
-        compute.tol = dom_arithmetic(compute.precision)->tol_default;
         train.mu = counted->mu;
         train.rho = counted->rho;
         compute.work = argc > 1 ? &work : NULL;

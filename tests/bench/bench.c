@@ -93,7 +93,7 @@ static void truth_print(void)
         question.train.q = q;
         question.train.d = d;
         question.train.fuel = strcmp(fuel, "paper") == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
-        worst = fmax(worst, fabs((double)(ask_ours(&question, 1e-18, DOM_QUAD, NULL) / r_max - 1)));
+        worst = fmax(worst, fabs((double)(ask_ours(&question, 1e-18, IN_QUAD, NULL) / r_max - 1)));
         rows++;
     }
     if (table)
@@ -211,7 +211,7 @@ static double passes_near(double s, double q)
         struct question question = {.task = RMAX, .train = setup_default()};
         question.train.s = s + 1e-4 * k;
         question.train.q = q;
-        ask_ours(&question, 1e-12, DOM_DOUBLE, &work);
+        ask_ours(&question, 1e-12, IN_DOUBLE, &work);
         most = work.passes > most ? work.passes : most;
     }
     return (double)most;
@@ -319,8 +319,8 @@ int main(int argc, char **argv)
     double in_double = contender_seconds(OURS, &usual, 1e-12);
     double with_edges = contender_seconds(OURS, &rounded, 1e-12);
     floor_print_edges(&usual, in_double, &rounded, with_edges);
-    usual.train.precision = DOM_QUAD;
-    double in_quad = contender_seconds(OURS, &usual, (double)domq_arithmetic(DOM_QUAD)->tol_default);
+    usual.train.precision = IN_QUAD;
+    double in_quad = contender_seconds(OURS, &usual, (double)any_arithmetic(IN_QUAD).tol_default);
     contenders_end();
 
     static const char of_rmax[] =

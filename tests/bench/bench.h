@@ -81,7 +81,7 @@ void compare(const char *title, const struct question *question, size_t n, doubl
              double scale, struct result result[CONTENDERS]);
 
 /* Returns an answer of our own library, or NaN if there is none. */
-domq_real ask_ours(const struct question *question, double tol, enum dom_precision precision,
+domq_real ask_ours(const struct question *question, double tol, enum precision precision,
                    struct dom_work *work);
 
 /* Returns the shortest time in which a contender answers one question with this tolerance, or NaN if it has

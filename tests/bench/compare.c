@@ -18,8 +18,7 @@ static struct coprocess scipy; /* its pid is 0 if SciPy is not installed */
 
 /* ---- One answer ---- */
 
-static double ask_row(const struct question *q, double tol, enum dom_precision precision,
-                      struct dom_work *work)
+static double ask_row(const struct question *q, double tol, enum precision precision, struct dom_work *work)
 {
     struct domq_domino domino[DOMINOES_MAX];
     struct domq_scale scale = domq_scale_default();
@@ -69,7 +68,7 @@ static domq_real ask_train(const struct question *q, const struct setup *train)
     return ask_limit_rmax(train, &limit) == DOM_OK ? limit.r_max : DOMQ_NAN;
 }
 
-domq_real ask_ours(const struct question *q, double tol, enum dom_precision precision, struct dom_work *work)
+domq_real ask_ours(const struct question *q, double tol, enum precision precision, struct dom_work *work)
 {
     struct setup train = q->train;
     if (q->task == ROW)
@@ -109,7 +108,7 @@ static double sweep(enum contender contender, const struct question *q, size_t n
         } else if (contender == NEWTON) {
             value[i] = ask_newton(&q[i]);
         } else if (q[i].task == ROW) {
-            value[i] = ask_row(&q[i], tol, DOM_DOUBLE, NULL);
+            value[i] = ask_row(&q[i], tol, IN_DOUBLE, NULL);
         } else {
             struct setup train = q[i].train;
             train.tol = tol;
@@ -148,7 +147,7 @@ static void calibrate(enum contender contender, const struct question *q, size_t
                       const double *truth, struct result *result)
 {
     double value[QUESTIONS_MAX];
-    double finest = (double)domq_arithmetic(DOM_DOUBLE)->tol_floor;
+    double finest = (double)any_arithmetic(IN_DOUBLE).tol_floor;
     double loosest = fmin((q->task == RMAX ? 1e2 : 1e6) * target, 1e-2);
     if (contender == NEWTON) /* the tolerance of this contender cannot be set */
         loosest = 1e-13;
@@ -188,9 +187,9 @@ void compare(const char *title, const struct question *question, size_t n, doubl
              double scale, struct result result[CONTENDERS])
 {
     double truth[QUESTIONS_MAX], value[QUESTIONS_MAX];
-    enum dom_precision finest = domq_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
+    enum precision finest = any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE;
     for (size_t i = 0; i < n; i++)
-        truth[i] = (double)ask_ours(&question[i], finest == DOM_QUAD ? 1e-18 : 1e-15, finest, NULL);
+        truth[i] = (double)ask_ours(&question[i], finest == IN_QUAD ? 1e-18 : 1e-15, finest, NULL);
     for (enum contender w = OURS; w < CONTENDERS; w++) {
         result[w] = (struct result){.compared = false};
         if ((contender & 1U << w) && (w != SCIPY || scipy.pid > 0))

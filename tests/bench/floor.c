@@ -109,7 +109,7 @@ static double dominoes_at_answer(const struct question *question, size_t n)
     struct domq_fuels fuels;
     for (size_t i = 0; i < n; i++) {
         struct setup train = question[i].train;
-        train.r = ask_ours(&question[i], 1e-12, DOM_DOUBLE, NULL);
+        train.r = ask_ours(&question[i], 1e-12, IN_DOUBLE, NULL);
         train.work = &work;
         ask_fuel_find(&train, &fuels);
     }
@@ -127,7 +127,7 @@ void floor_print(const char *title, const struct question *question, size_t n, d
     struct dom_work work = {.passes = 0};
     struct recurrence bare = recurrence_measure();
     for (size_t i = 0; i < n; i++)
-        ask_ours(&question[i], 1e-12, DOM_DOUBLE, &work);
+        ask_ours(&question[i], 1e-12, IN_DOUBLE, &work);
     double passes = (double)work.passes / (double)n, dominoes = (double)work.dominoes / (double)n;
     double at_answer = dominoes_at_answer(question, n), us = 1e6 * seconds;
     double of_passes = 1e-3 * dominoes * bare.one;
@@ -158,8 +158,8 @@ void floor_print_edges(const struct question *sharp, double sharp_seconds, const
                        double rounded_seconds)
 {
     struct dom_work few = {.passes = 0}, many = few;
-    ask_ours(sharp, 1e-12, DOM_DOUBLE, &few);
-    ask_ours(rounded, 1e-12, DOM_DOUBLE, &many);
+    ask_ours(sharp, 1e-12, IN_DOUBLE, &few);
+    ask_ours(rounded, 1e-12, IN_DOUBLE, &many);
     const double of_sharp = 1e9 * sharp_seconds / (double)few.dominoes,
                  of_rounded = 1e9 * rounded_seconds / (double)many.dominoes;
     printf("\nThe cost of rounded edges in r_max, massive, s = %.1f\n", (double)sharp->train.s);

@@ -12,8 +12,8 @@ enum { REPEATS = 5 };
 
 /* Returns the shortest time per answer, measured in batches that are long enough for the clock. Returns
  * NaN if there is no answer. */
-static double time_of(const struct question *q, enum dom_method method, enum dom_precision precision,
-                      double tol, int repeats)
+static double time_of(const struct question *q, enum dom_method method, enum precision precision, double tol,
+                      int repeats)
 {
     struct question asked = *q;
     double least = INFINITY;
@@ -77,9 +77,9 @@ static void with_dominoes(FILE *data)
             q.train.s = s;
             if (thin) {
                 q.train.d = 0.005;
-                ask_ours(&q, 1e-12, DOM_DOUBLE, &of_thin);
+                ask_ours(&q, 1e-12, IN_DOUBLE, &of_thin);
             }
-            us[thin] = 1e6 * time_of(&q, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12, s < 1e-3 ? 1 : REPEATS);
+            us[thin] = 1e6 * time_of(&q, DOM_METHOD_OURS, IN_DOUBLE, 1e-12, s < 1e-3 ? 1 : REPEATS);
         }
         printf("  %-8.3g %10zu %12.2f %10.2f", s, work.longest, 1e6 * seconds,
                1e9 * seconds / (double)work.longest);
@@ -108,13 +108,13 @@ static void with_digits(FILE *data)
     for (size_t i = 0; i < sizeof tolerances / sizeof *tolerances; i++) {
         static const struct {
             enum dom_method method;
-            enum dom_precision precision;
+            enum precision precision;
             double finest;
-        } column[] = {{DOM_METHOD_OURS, DOM_FLOAT, 0},
-                      {DOM_METHOD_OURS, DOM_DOUBLE, 0},
-                      {DOM_METHOD_OURS, DOM_QUAD, 0},
-                      {DOM_METHOD_GSL, DOM_DOUBLE, 0},
-                      {DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6}};
+        } column[] = {{DOM_METHOD_OURS, IN_FLOAT, 0},
+                      {DOM_METHOD_OURS, IN_DOUBLE, 0},
+                      {DOM_METHOD_OURS, IN_QUAD, 0},
+                      {DOM_METHOD_GSL, IN_DOUBLE, 0},
+                      {DOM_METHOD_PAPER, IN_DOUBLE, 1e-6}};
         printf("  %-8.0e", tolerances[i]);
         fprintf(data, "%g", tolerances[i]);
         for (size_t k = 0; k < sizeof column / sizeof *column; k++) {

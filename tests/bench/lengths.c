@@ -35,7 +35,7 @@ static struct row_setup line_setup(const struct line *line)
                               .g = scale.g,
                               .push = PUSH,
                               .tol = setup_default().tol,
-                              .precision = DOM_DOUBLE};
+                              .precision = IN_DOUBLE};
 }
 
 static bool ours_falls(const struct line *line, bool times)

@@ -20,7 +20,7 @@ static double rows_a_second(double growth, double mu, unsigned threads)
                             .push = 6,
                             .mu = mu,
                             .tol = train.tol,
-                            .precision = DOM_DOUBLE};
+                            .precision = IN_DOUBLE};
     struct dom_placement placement = {.error[DOM_ERROR_gap].size = 1e-4,
                                       .seed = 1,
                                       .rows = ROWS,

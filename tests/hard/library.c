@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-struct setup library_train(const struct ref_input *input, enum dom_precision precision)
+struct setup library_train(const struct ref_input *input, enum precision precision)
 {
     struct setup train = setup_default();
     train.s = input->s;
@@ -12,18 +12,18 @@ struct setup library_train(const struct ref_input *input, enum dom_precision pre
     train.q = input->q;
     train.fuel = input->paper ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
     train.precision = precision;
-    train.tol = domq_arithmetic(precision)->tol_floor;
+    train.tol = any_arithmetic(precision).tol_floor;
     return train;
 }
 
-double library_unit(enum dom_precision precision)
+double library_unit(enum precision precision)
 {
-    return domq_arithmetic(precision)->epsilon / 2;
+    return any_arithmetic(precision).epsilon / 2;
 }
 
-double library_floor(enum dom_precision precision)
+double library_floor(enum precision precision)
 {
-    return (double)domq_arithmetic(precision)->tol_floor;
+    return (double)any_arithmetic(precision).tol_floor;
 }
 
 void library_nothing(struct answers *answers)
@@ -56,9 +56,9 @@ static bool look_at_link(const struct domq_link *link, void *context)
 static void link_find(const struct setup *setup, domq_real tilt, size_t wanted, struct answers *answers)
 {
     const struct domq_train train = setup_train(setup);
-    const struct domq_compute compute = setup_compute(setup);
+    const struct any_compute compute = setup_compute(setup);
     struct look look = {.wanted = wanted};
-    enum dom_status status = domq_chain_walk(&train, &compute, tilt, look_at_link, &look);
+    enum dom_status status = any_chain_walk(&train, &compute, tilt, look_at_link, &look);
     struct domq_link link = look.link;
     if (status != DOM_OK)
         return;
@@ -84,28 +84,28 @@ union found {
     struct domq_best best;
 };
 
-static void ask_cycle(const struct domq_train *train, const struct domq_compute *compute, domq_real tilt,
+static void ask_cycle(const struct domq_train *train, const struct any_compute *compute, domq_real tilt,
                       enum ref_quantity quantity, union found *f, struct answers *answers)
 {
-    enum dom_status status = quantity == REF_OMEGASQ ? domq_cycle_omegasq(train, compute, tilt, &f->value)
-                             : quantity == REF_STOP  ? domq_cycle_stop(train, compute, &f->value)
-                                                     : domq_cycle_duration(train, compute, &f->value);
+    enum dom_status status = quantity == REF_OMEGASQ ? any_cycle_omegasq(train, compute, tilt, &f->value)
+                             : quantity == REF_STOP  ? any_cycle_stop(train, compute, &f->value)
+                                                     : any_cycle_duration(train, compute, &f->value);
     note(answers, quantity, status, f->value);
 }
 
-static void ask_growth(const struct domq_train *train, const struct domq_compute *compute,
+static void ask_growth(const struct domq_train *train, const struct any_compute *compute,
                        enum ref_quantity quantity, union found *f, struct answers *answers)
 {
     enum dom_status status;
     if (quantity == REF_BEST_S || quantity == REF_BEST_R) {
-        status = domq_limit_best(train, compute, &f->best);
+        status = any_limit_best(train, compute, &f->best);
         NOTE(BEST_S, f->best, s);
         NOTE(BEST_R, f->best, r_max);
         answers->best_s_uncertainty = f->best.s_uncertainty;
         return;
     }
-    status = quantity == REF_PAIR ? domq_limit_pair(train, compute, &f->limit)
-                                  : domq_limit_rmax(train, compute, &f->limit);
+    status = quantity == REF_PAIR ? any_limit_pair(train, compute, &f->limit)
+                                  : any_limit_rmax(train, compute, &f->limit);
     if (status == DOM_OK) {
         answers->ends = f->limit.ends;
         answers->why = f->limit.why;
@@ -117,12 +117,12 @@ static void quantity_find(const struct setup *setup, domq_real tilt, enum ref_qu
                           struct answers *answers)
 {
     const struct domq_train train = setup_train(setup);
-    const struct domq_compute compute = setup_compute(setup);
+    const struct any_compute compute = setup_compute(setup);
     union found f;
     enum dom_status status;
     memset(&f, 0xff, sizeof f);
     if (quantity <= REF_THETA_LEAVE) {
-        status = domq_angles_find(&train, &compute, &f.angles);
+        status = any_angles_find(&train, &compute, &f.angles);
         answers->detaches = status == DOM_OK && f.angles.detaches;
         NOTE(THETA_C, f.angles, theta_c);
         NOTE(THETA_U, f.angles, theta_u);
@@ -130,7 +130,7 @@ static void quantity_find(const struct setup *setup, domq_real tilt, enum ref_qu
         NOTE(THETA_F, f.angles, theta_f);
         NOTE(THETA_LEAVE, f.angles, theta_leave);
     } else if (quantity <= REF_ARM_B) {
-        status = domq_contact_find(&train, &compute, tilt, &f.contact);
+        status = any_contact_find(&train, &compute, tilt, &f.contact);
         NOTE(THETA_1, f.contact, theta_1);
         NOTE(SLOPE, f.contact, slope);
         NOTE(ARM_A, f.contact, arm_a);
@@ -138,20 +138,20 @@ static void quantity_find(const struct setup *setup, domq_real tilt, enum ref_qu
     } else if (quantity <= REF_LINK_WEIGHT) {
         link_find(setup, tilt, 1, answers);
     } else if (quantity <= REF_J0) {
-        status = domq_energy_find(&train, &compute, tilt, &f.energy);
+        status = any_energy_find(&train, &compute, tilt, &f.energy);
         NOTE(DH, f.energy, dH);
         NOTE(J, f.energy, J);
         NOTE(J0, f.energy, J0);
     } else if (quantity <= REF_FUEL_PAPER) {
-        status = domq_fuel_find(&train, &compute, &f.fuels);
+        status = any_fuel_find(&train, &compute, &f.fuels);
         NOTE(FUEL_EXACT, f.fuels, exact);
         NOTE(FUEL_PAPER, f.fuels, paper);
     } else if (quantity <= REF_KINETIC) {
-        status = domq_launch_find(&train, &compute, &f.launch);
+        status = any_launch_find(&train, &compute, &f.launch);
         NOTE(LAUNCH_OMEGASQ, f.launch, omegasq);
         NOTE(KINETIC, f.launch, kinetic);
     } else if (quantity <= REF_MARGIN) {
-        status = domq_barrier_find(&train, &compute, &f.barrier);
+        status = any_barrier_find(&train, &compute, &f.barrier);
         NOTE(THETA_M, f.barrier, theta_m);
         NOTE(BARRIER, f.barrier, barrier);
         NOTE(KINETIC, f.barrier, kinetic);
@@ -168,17 +168,17 @@ static void quantity_find(const struct setup *setup, domq_real tilt, enum ref_qu
 /* The tolerance of a computation in quad precision with which a result is compared. */
 static domq_real exact_tol(const struct setup *setup)
 {
-    const struct domq_arithmetic *quad = domq_arithmetic(DOM_QUAD);
-    if (setup->precision != DOM_QUAD || setup->tol > 100 * quad->tol_default)
-        return quad->tol_default;
-    return setup->tol >= 100 * quad->tol_floor ? setup->tol / 100 : setup->tol * 100;
+    const struct domq_arithmetic quad = any_arithmetic(IN_QUAD);
+    if (setup->precision != IN_QUAD || setup->tol > 100 * quad.tol_default)
+        return quad.tol_default;
+    return setup->tol >= 100 * quad.tol_floor ? setup->tol / 100 : setup->tol * 100;
 }
 
 static struct setup exact_of(const struct setup *setup)
 {
     struct setup exact = *setup;
     exact.tol = exact_tol(setup);
-    exact.precision = DOM_QUAD;
+    exact.precision = IN_QUAD;
     return exact;
 }
 

@@ -16,11 +16,11 @@ struct answers {
     size_t link, links; /* number of the link, and how many links were visited */
 };
 
-struct setup library_train(const struct ref_input *input, enum dom_precision precision);
+struct setup library_train(const struct ref_input *input, enum precision precision);
 
 /* Return the unit roundoff of the precision, and its smallest tolerance. */
-double library_unit(enum dom_precision precision);
-double library_floor(enum dom_precision precision);
+double library_unit(enum precision precision);
+double library_floor(enum precision precision);
 
 void library_nothing(struct answers *answers);
 /* Calls the function that computes this quantity and stores all quantities of its result. Their errors are

@@ -3,13 +3,13 @@
 
 #include "../unit/support.h"
 
-domq_real point_rounded(domq_real x, enum dom_precision precision)
+domq_real point_rounded(domq_real x, enum precision precision)
 {
-    return precision == DOM_FLOAT ? (domq_real)(float)x : precision == DOM_DOUBLE ? (domq_real)(double)x : x;
+    return precision == IN_FLOAT ? (domq_real)(float)x : precision == IN_DOUBLE ? (domq_real)(double)x : x;
 }
 
 /* Returns a random number between lo and hi, all of whose bits are random. */
-static domq_real random_real(uint64_t *seed, double lo, double hi, enum dom_precision precision)
+static domq_real random_real(uint64_t *seed, double lo, double hi, enum precision precision)
 {
     double x = random_log(seed, lo, hi);
     return point_rounded((domq_real)x * (1 + (domq_real)(random_unit(seed) * 0x1p-52)), precision);
@@ -17,9 +17,9 @@ static domq_real random_real(uint64_t *seed, double lo, double hi, enum dom_prec
 
 /* Returns a random growth, often one close to the reach, where 1 - r s is small. If 1 - r s is about d^2 and
  * the head is thin, its followers slow down near the maximum of H. */
-static domq_real random_growth(uint64_t *seed, domq_real s, domq_real d, enum dom_precision precision)
+static domq_real random_growth(uint64_t *seed, domq_real s, domq_real d, enum precision precision)
 {
-    const double finest = precision == DOM_FLOAT ? 1e-7 : precision == DOM_DOUBLE ? 1e-15 : 1e-30;
+    const double finest = precision == IN_FLOAT ? 1e-7 : precision == IN_DOUBLE ? 1e-15 : 1e-30;
     const double reach = 1 / (double)s, kind = random_unit(seed);
     if (kind < 0.06) {
         double u = (double)(d * d) * random_log(seed, 1e-5, 1e3);
@@ -34,7 +34,7 @@ static domq_real random_growth(uint64_t *seed, domq_real s, domq_real d, enum do
     return kind < 0.95 ? 1 : point_rounded(1 / s, precision);
 }
 
-static struct ref_input random_input(uint64_t *seed, enum dom_precision precision)
+static struct ref_input random_input(uint64_t *seed, enum precision precision)
 {
     struct ref_input input;
     input.s = random_real(seed, 1e-6, 1, precision);
@@ -48,7 +48,7 @@ static struct ref_input random_input(uint64_t *seed, enum dom_precision precisio
     return input;
 }
 
-domq_real point_tilt(uint64_t *seed, domq_real theta_c, enum dom_precision precision)
+domq_real point_tilt(uint64_t *seed, domq_real theta_c, enum precision precision)
 {
     const double kind = random_unit(seed);
     domq_real tilt;
@@ -66,13 +66,13 @@ domq_real point_tilt(uint64_t *seed, domq_real theta_c, enum dom_precision preci
 
 /* Returns true if too many dominoes contribute more than 2^-100. Most points must be quick, but a few may
  * take a long time. */
-static bool too_long(const struct ref_input *input, uint64_t *seed, enum dom_precision precision)
+static bool too_long(const struct ref_input *input, uint64_t *seed, enum precision precision)
 {
     const double s = (double)input->s, r = (double)input->r, q = (double)input->q;
     const double rate = q * log(r) + r * sqrt(s * (s + 2 * (double)input->d)), kind = random_unit(seed);
     const double most = kind < 0.96 ? 200 : kind < 0.998 ? 2000 : 10000;
     /* In float, the smallest energies are about r^-(2q+1). Even their last bits must not be below 2^-126. */
-    return 70 / rate > most || (precision == DOM_FLOAT && (2 * q + 1) * log2(r) > 126 - 24);
+    return 70 / rate > most || (precision == IN_FLOAT && (2 * q + 1) * log2(r) > 126 - 24);
 }
 
 static bool short_at_1(const struct ref_input *input)
@@ -80,12 +80,12 @@ static bool short_at_1(const struct ref_input *input)
     return 70 / sqrt((double)(input->s * (input->s + 2 * input->d))) < 400;
 }
 
-static bool underflows_at_reach(const struct ref_input *input, enum dom_precision precision)
+static bool underflows_at_reach(const struct ref_input *input, enum precision precision)
 {
-    return precision == DOM_FLOAT && -(2 * (double)input->q + 1) * log2((double)input->s) > 126 - 24;
+    return precision == IN_FLOAT && -(2 * (double)input->q + 1) * log2((double)input->s) > 126 - 24;
 }
 
-struct ref_input point_random(uint64_t *seed, enum dom_precision precision)
+struct ref_input point_random(uint64_t *seed, enum precision precision)
 {
     struct ref_input input;
     do
@@ -94,7 +94,7 @@ struct ref_input point_random(uint64_t *seed, enum dom_precision precision)
     return input;
 }
 
-bool point_can_grow(const struct ref_input *input, bool pair, enum dom_precision precision)
+bool point_can_grow(const struct ref_input *input, bool pair, enum precision precision)
 {
     return (pair || short_at_1(input)) && !underflows_at_reach(input, precision);
 }

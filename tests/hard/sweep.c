@@ -36,7 +36,7 @@ struct point {
 /* Returns how many bits of the reference's results must be correct. */
 static int digits_of(const struct sweep *sweep)
 {
-    return sweep->precision == DOM_QUAD ? 120 : sweep->precision == DOM_DOUBLE ? 60 : 44;
+    return sweep->precision == IN_QUAD ? 120 : sweep->precision == IN_DOUBLE ? 60 : 44;
 }
 
 static bool one_in(struct point *point, int n)

@@ -14,7 +14,7 @@
 double sweep_size(void);
 
 struct sweep {
-    enum dom_precision precision;
+    enum precision precision;
     uint64_t seed;
     int points;
     /*

@@ -74,7 +74,7 @@ struct dips {
     int trains, open, wrong, proved;
 };
 
-static void check(const struct scene *at, domq_real s, enum dom_precision precision, bool proof,
+static void check(const struct scene *at, domq_real s, enum precision precision, bool proof,
                   struct dips *tally)
 {
     struct setup train = setup_default();
@@ -86,10 +86,10 @@ static void check(const struct scene *at, domq_real s, enum dom_precision precis
     train.rho = at->rho;
     train.mu = at->mu;
     train.precision = precision;
-    train.tol = domq_arithmetic(precision)->tol_default;
+    train.tol = any_arithmetic(precision).tol_default;
     const domq_real deep = depth(at, s, &r);
     const enum dom_status status = ask_limit_rmax(&train, &limit);
-    const double least = precision == DOM_QUAD && at->mu == 0 ? 1e-31 : 1e-16;
+    const double least = precision == IN_QUAD && at->mu == 0 ? 1e-31 : 1e-16;
     const bool sharp = at->mu == 0 && at->rho == 0;
     bool wrong = false;
     tally->trains++;
@@ -166,8 +166,8 @@ TEST(the_depth_of_a_dip_decides)
             for (int side = -1; side <= 1; side += 2) {
                 const domq_real there = s + (domq_real)(side * pow(10, -k)) / slope;
                 if (k <= 15)
-                    check(at, (double)there, DOM_DOUBLE, sharp && k <= (brief ? 6 : 10), &tally);
-                check(at, there, DOM_QUAD, false, &tally);
+                    check(at, (double)there, IN_DOUBLE, sharp && k <= (brief ? 6 : 10), &tally);
+                check(at, there, IN_QUAD, false, &tally);
             }
     }
     print_message("# %d dips, %d of them open, %d proved\n", tally.trains, tally.open, tally.proved);

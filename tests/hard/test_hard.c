@@ -19,12 +19,12 @@ static void none_fails(long failures)
 /* ---- Cases ---- */
 
 /* Returns the input of a case. The tilt is computed with the library's theta_c. */
-static struct ref_input input_of(const struct hard_case *c, enum dom_precision precision)
+static struct ref_input input_of(const struct hard_case *c, enum precision precision)
 {
     struct ref_input input = {(domq_real)c->s, (domq_real)c->r, (domq_real)c->d, (domq_real)c->q, 0,
                               c->paper};
     if (c->r == 1 / c->s) /* 1/s, rounded to this precision */
-        input.r = precision == DOM_QUAD ? 1 / input.s : (domq_real)c->r;
+        input.r = precision == IN_QUAD ? 1 / input.s : (domq_real)c->r;
     if (c->tilt >= 0) {
         input.tilt = (domq_real)c->tilt;
     } else {
@@ -33,7 +33,7 @@ static struct ref_input input_of(const struct hard_case *c, enum dom_precision p
         struct setup train = library_train(&input, precision);
         library_ask(&train, 0, REF_THETA_C, &answers);
         input.tilt = -(domq_real)c->tilt * answers.value[REF_THETA_C];
-        if (precision == DOM_DOUBLE)
+        if (precision == IN_DOUBLE)
             input.tilt = (domq_real)(double)input.tilt;
     }
     return input;
@@ -85,15 +85,15 @@ static struct verdict judge_any(const struct hard_case *c, const struct ref_inpu
 static long check_case(int number, void *context)
 {
     const struct hard_case *c = &hard_cases[number];
-    const enum dom_precision precision = *(const enum dom_precision *)context;
+    const enum precision precision = *(const enum precision *)context;
     /* In a shortened run, quad takes only every fourth case, since its source is the same as that of
      * double. */
     const bool part = sweep_size() < 1 && number % 4 != 0;
-    if ((c->lengthy || part) && precision != DOM_DOUBLE)
+    if ((c->lengthy || part) && precision != IN_DOUBLE)
         return 0;
     const struct ref_input input = input_of(c, precision);
     const struct setup train = library_train(&input, precision);
-    const int digits2 = precision == DOM_QUAD ? 120 : 60;
+    const int digits2 = precision == IN_QUAD ? 120 : 60;
     struct ref *ref = ref_open_for(&input, digits2);
     struct answers answers;
     long failures = 0;
@@ -108,14 +108,14 @@ static long check_case(int number, void *context)
             continue;
         failures++;
         fprintf(stderr, "# %s (%s), %s, %s: got %.17g, wanted %.17g: %.3g units of %.3g allowed\n", c->name,
-                c->trap, domq_arithmetic(precision)->name, ref_name(quantity), (double)got, v.want,
+                c->trap, any_arithmetic(precision).name, ref_name(quantity), (double)got, v.want,
                 v.error / unit, allowed);
     }
     ref_close(ref);
     return failures;
 }
 
-static void check_cases(enum dom_precision precision)
+static void check_cases(enum precision precision)
 {
     none_fails(workers_run(hard_cases_number, check_case, &precision));
 }
@@ -123,14 +123,14 @@ static void check_cases(enum dom_precision precision)
 TEST(hard_cases_in_double)
 {
     assert_true(hard_cases_number >= 60);
-    check_cases(DOM_DOUBLE);
+    check_cases(IN_DOUBLE);
 }
 
 TEST(hard_cases_in_quad)
 {
-    if (domq_arithmetic(DOM_QUAD)->bits == 0)
+    if (any_arithmetic(IN_QUAD).bits == 0)
         skip();
-    check_cases(DOM_QUAD);
+    check_cases(IN_QUAD);
 }
 
 /* Checks that a cycle has a duration, even in float, if its kinetic energy is only 1e-12 of the fuel. */
@@ -142,14 +142,14 @@ TEST(a_slow_cycle_in_float_has_a_duration)
                                     (domq_real)0x1.c0a998p-1f,
                                     0,
                                     false};
-    struct setup train = library_train(&input, DOM_FLOAT);
+    struct setup train = library_train(&input, IN_FLOAT);
     struct answers answers;
     library_nothing(&answers);
     library_ask(&train, 0, REF_DURATION, &answers);
     struct ref *ref = ref_open_for(&input, 44);
     const double want = ref_double(ref, REF_DURATION);
     const double units = ref_error(ref, REF_DURATION, answers.value[REF_DURATION]) /
-                         (ref_scale(ref, REF_DURATION) * library_unit(DOM_FLOAT));
+                         (ref_scale(ref, REF_DURATION) * library_unit(IN_FLOAT));
     ref_close(ref);
     if (answers.status[REF_DURATION] != DOM_OK || !(units <= 16))
         fail_msg("%s: %.9g, wanted %.9g", dom_status_text(answers.status[REF_DURATION]),

@@ -5,14 +5,14 @@
 #include "growth.h"
 #include "library.h"
 
-static const enum dom_precision precisions[] = {DOM_FLOAT, DOM_DOUBLE, DOM_QUAD};
+static const enum precision precisions[] = {IN_FLOAT, IN_DOUBLE, IN_QUAD};
 #define FOR_PRECISIONS(p)                                                                                    \
-    for (const enum dom_precision *p = precisions; p < precisions + 3; p++)                                  \
-        if (domq_arithmetic(*p)->bits > 0)
+    for (const enum precision *p = precisions; p < precisions + 3; p++)                                      \
+        if (any_arithmetic(*p).bits > 0)
 
-static domq_real rounded(double x, enum dom_precision precision)
+static domq_real rounded(double x, enum precision precision)
 {
-    return precision == DOM_FLOAT ? (domq_real)(float)x : (domq_real)x;
+    return precision == IN_FLOAT ? (domq_real)(float)x : (domq_real)x;
 }
 
 static domq_real magnitude(domq_real x)
@@ -39,7 +39,7 @@ static void close_(const char *what, const struct ref_input *in, domq_real got, 
 static domq_real growth_of(double s, double q, double d, enum ref_quantity quantity, struct answers *a)
 {
     struct ref_input input = {.s = (domq_real)s, .r = 1, .d = (domq_real)d, .q = (domq_real)q};
-    struct setup train = library_train(&input, DOM_DOUBLE);
+    struct setup train = library_train(&input, IN_DOUBLE);
     library_nothing(a);
     library_ask(&train, 0, quantity, a);
     assert_status(a->status[quantity], DOM_OK);
@@ -116,7 +116,7 @@ TEST(best_separations)
     };
     for (size_t k = 0; k < sizeof known / sizeof *known; k++)
         for (int p = 0; p < known[k].precisions; p++) {
-            if (domq_arithmetic(precisions[p])->bits == 0)
+            if (any_arithmetic(precisions[p]).bits == 0)
                 continue;
             struct ref_input input = {.s = (domq_real)0.4,
                                       .r = 1,
@@ -164,9 +164,9 @@ TEST(counts)
             ref_set_real(b, first);
             mpfr_div(a, a, b, MPFR_RNDN);
             mpfr_log(a, a, MPFR_RNDN);
-            ref_set_real(b, *p == DOM_FLOAT    ? (domq_real)(float)r
-                            : *p == DOM_DOUBLE ? (domq_real)(double)r
-                                               : r);
+            ref_set_real(b, *p == IN_FLOAT    ? (domq_real)(float)r
+                            : *p == IN_DOUBLE ? (domq_real)(double)r
+                                              : r);
             mpfr_log(b, b, MPFR_RNDN);
             mpfr_div(a, a, b, MPFR_RNDN);
             assert_int_equal((long)count.dominoes, (long)ceil(mpfr_get_d(a, MPFR_RNDN)));
@@ -174,7 +174,7 @@ TEST(counts)
             mpfr_sub(a, a, b, MPFR_RNDN);
             const double wrong = fabs(mpfr_get_d(a, MPFR_RNDN));
             mpfr_clears(a, b, (mpfr_ptr)0);
-            const double unit = domq_arithmetic(*p)->epsilon,
+            const double unit = any_arithmetic(*p).epsilon,
                          most = unit * (1 / log((double)r) + 3 * fabs((double)count.exact));
             if (!(wrong <= most))
                 fail_msg("%.17g from %.17g by %.17g: %.17g is wrong by %.3g > %.3g", (double)height,

@@ -20,9 +20,9 @@ struct outcome {
 };
 
 static struct outcome sweeps[] = {
-    {.sweep = {DOM_DOUBLE, 3, 20000, .barriers = 6, .durations = 25, .growths = 20, .pairs = 50}},
-    {.sweep = {DOM_FLOAT, 2, 4000, .barriers = 8, .durations = 50, .growths = 20, .pairs = 20}},
-    {.sweep = {DOM_QUAD, 3, 1500, .barriers = 6, .durations = 15, .growths = 10, .pairs = 20}},
+    {.sweep = {IN_DOUBLE, 3, 20000, .barriers = 6, .durations = 25, .growths = 20, .pairs = 50}},
+    {.sweep = {IN_FLOAT, 2, 4000, .barriers = 8, .durations = 50, .growths = 20, .pairs = 20}},
+    {.sweep = {IN_QUAD, 3, 1500, .barriers = 6, .durations = 15, .growths = 10, .pairs = 20}},
 };
 
 /* The share of the points that are checked. With few points some quantities may not occur, and a median means
@@ -31,7 +31,7 @@ static double size;
 
 static const char *label(const struct outcome *outcome)
 {
-    return domq_arithmetic(outcome->sweep.precision)->name;
+    return any_arithmetic(outcome->sweep.precision).name;
 }
 
 /* Runs a check in each precision of this machine. The check returns the number of quantities that violate
@@ -40,7 +40,7 @@ static void check_all(int (*violations)(const struct outcome *outcome))
 {
     int failures = 0;
     for (size_t k = 0; k < sizeof sweeps / sizeof *sweeps; k++)
-        if (domq_arithmetic(sweeps[k].sweep.precision)->bits)
+        if (any_arithmetic(sweeps[k].sweep.precision).bits)
             failures += violations(&sweeps[k]);
     assert_int_equal(failures, 0);
 }
@@ -79,7 +79,7 @@ TEST(all_points_are_checked)
     for (size_t k = 0; k < sizeof sweeps / sizeof *sweeps; k++) {
         struct outcome *outcome = &sweeps[k];
         outcome->sweep.points = (int)ceil(size * outcome->sweep.points);
-        if (domq_arithmetic(outcome->sweep.precision)->bits == 0)
+        if (any_arithmetic(outcome->sweep.precision).bits == 0)
             continue;
         outcome->done = sweep_run(&outcome->sweep, outcome->tally);
         report(outcome);
@@ -134,7 +134,7 @@ TEST(tolerances_are_kept)
  */
 static int beyond_difference(const struct outcome *outcome)
 {
-    const double allowed = outcome->sweep.precision == DOM_QUAD ? 256 : 1.001;
+    const double allowed = outcome->sweep.precision == IN_QUAD ? 256 : 1.001;
     int failures = 0;
     for (int k = 0; k < REF_COUNT; k++) {
         const struct tally *t = &outcome->tally[k];

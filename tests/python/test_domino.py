@@ -154,18 +154,12 @@ class Arrays(unittest.TestCase):
         self.assertEqual(caught.exception.parameter, "s")
         self.assertIn("(1,)", str(caught.exception))
 
-    def test_quad_agrees_with_double(self):
-        found = domino.rmax(np.linspace(0.2, 0.6, 5))
-        exact = domino.rmax(np.linspace(0.2, 0.6, 5), precision="quad", tol=1e-30)
-        self.assertTrue(np.all(np.abs(found.r_max - exact.r_max) <= 2e-15 * found.r_max))
-
 
 class Errors(unittest.TestCase):
     def test_errors_name_the_parameter_or_the_reason(self):
         for call, parameter in ((lambda: domino.rmax(2.0), "s"), (lambda: domino.rmax(0.4, friction=-1), "friction"),
                                 (lambda: domino.rmax(0.4, edges=1), "edges"), (lambda: domino.theta1(5), "theta"),
                                 (lambda: domino.rmax(0.4, tol=1.0), "tol"),
-                                (lambda: domino.rmax(0.4, precision="single"), "precision"),
                                 (lambda: domino.rmax(q="wood"), "q")):  # fmt: skip
             with self.assertRaises(domino.OutOfRange) as caught:
                 call()

@@ -25,7 +25,7 @@ build=$(dirname "$DOMINO")
 }
 
 @test "every name or beginning of a name in libdomino(3) exists in the headers" {
-    cat "$root"/include/*.h "$build/include/domino_quad.h" >headers
+    cat "$root"/include/*.h "$build"/include/domino_{float,quad}.h >headers
     grep -oE '\b(dom|DOM)q?_\w+' "$root/man/libdomino.3" | sort -u >names
     [ "$(wc -l <names)" -gt 20 ]
     while read -r name; do

@@ -10,10 +10,10 @@ build=$(dirname "$DOMINO")
 
 soname=libdomino.so.$(sed -n 's/^#define DOM_VERSION "\([0-9]*\).*"/\1/p' "$root/include/domino.h")
 
-# These functions run the compiler on domino.h and on domino_quad.h.
+# These functions run the compiler on domino.h, and on domino_float.h or domino_quad.h.
 header() { cc -std=c17 -I"$root/include" "$@" "$root/include/domino.h"; }
 
-header_quad() { cc -std=c17 "$@" -I"$root/include" -I"$build/include" -include domino_quad.h -x c /dev/null -E -P; }
+header_of() { cc -std=c17 -I"$root/include" -I"$build/include" -include "domino_$1.h" -x c /dev/null -E -P; }
 
 # Runs make without the environment of the 'make' that runs the tests.
 plain_make() {
@@ -142,12 +142,11 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
 #include <stdlib.h>
 int main(void)
 {
-    const struct domq_arithmetic *quad = domq_arithmetic(DOM_QUAD);
+    const struct domq_arithmetic *quad = domq_arithmetic();
     struct domq_train train = domq_train_default();
     struct domq_compute compute = domq_compute_default();
     struct domq_limit limit;
     char text[64];
-    compute.precision = DOM_QUAD;
     compute.tol = quad->tol_default;
     if (domq_limit_rmax(&train, &compute, &limit) != DOM_OK)
         return 1;
@@ -177,7 +176,7 @@ C
         plain_make -C "$root" B="$pc" CFLAGS="-O2 $flags" "$pc/domino.pc" "$pc/include/domino_quad.h"
         same "Cflags" "Cflags: -I\${includedir}${flags:+ $flags}" "$(grep '^Cflags' "$pc/domino.pc")"
         # shellcheck disable=SC2086
-        header_quad $flags -I"$pc/include" >"$pc/quad"
+        cc -std=c17 $flags -I"$pc/include" -I"$root/include" -include domino_quad.h -x c /dev/null -E -P >"$pc/quad"
         grep -q 'domq_limit_rmax' "$pc/quad"
     done
     grep -q 'typedef long double domq_real;' "$pc/quad"
@@ -187,7 +186,7 @@ C
 @test "both libraries export the same names, which all begin with dom_ or domq_" {
     # In the archive, functions that its objects share are global too, but hidden.
     names=$(nm -g --defined-only "$build/libdomino.a" | awk 'NF == 3 { print $3 }')
-    same "global names" '(nothing)' "$(grep -vE '^(domq?_|__asan|__odr_asan|__gcov)' <<<"$names")"
+    same "global names" '(nothing)' "$(grep -vE '^(dom[fq]?_|__asan|__odr_asan|__gcov)' <<<"$names")"
     readelf -sW "$build/libdomino.a" | awk '$5 == "GLOBAL" && $6 != "HIDDEN" && $7 ~ /^[0-9]+$/ { print $8 }' |
         sort >static
     # Each symbol of the shared library has the version of the soname.
@@ -197,17 +196,15 @@ C
         names=$way
         [ "$(grep -c '^dom_' "$names")" -gt 35 ]
         [ "$(grep -c '^domq_' "$names")" -gt 30 ]
-        same "other names, $way" '(nothing)' "$(grep -vE '^(domq?_|__asan|__odr_asan|__gcov)' "$names")"
-        grep -E '^domq?_' "$names" >"$names.api"
+        same "other names, $way" '(nothing)' "$(grep -vE '^(dom[fq]?_|__asan|__odr_asan|__gcov)' "$names")"
+        grep -E '^dom[fq]?_' "$names" >"$names.api"
     done
     same_file static.api shared.api
-    # The program uses only <domino_quad.h>, because a second copy of the model would make it half as large again.
-    same "<domino.h> in the program" '(nothing)' "$(nm "$DOMINO" | grep -E ' dom_(limit|row_run|barrier)')"
     # The symbols are the functions and objects of the headers. dom_raised is an inline function.
-    { header -E -P && header_quad && header -include "$root/include/domino_row.h" -include "$root/include/domino_proof.h" -E -P; } | tr '\n;' ' \n' | grep -vE '\btypedef |\bstatic ' >declarations
+    { header -E -P && header_of float && header_of quad && header -include "$root/include/domino_row.h" -include "$root/include/domino_proof.h" -E -P; } | tr '\n;' ' \n' | grep -vE '\btypedef |\bstatic ' >declarations
     {
-        grep -oE '\bdomq?_\w+ *\(' declarations | tr -d ' ('
-        grep -oE '\bextern const struct domq?_effect [^[]*' declarations | grep -oE '\bdomq?_\w+' | grep -vxE 'domq?_effect'
+        grep -oE '\bdom[fq]?_\w+ *\(' declarations | tr -d ' ('
+        grep -oE '\bextern const struct dom[fq]?_effect [^[]*' declarations | grep -oE '\bdom[fq]?_\w+' | grep -vxE 'dom[fq]?_effect'
     } | sort -u >declared
     same_file declared static.api
 }
@@ -243,11 +240,11 @@ END
     [ -f "$build/$soname" ]
 }
 
-@test "both headers compile as C and as C++, in any order, and domino.h has no type wider than double" {
+@test "the headers compile as C and as C++, in any order, and domino.h has no type wider than double" {
     languages='cc:-std=c99 cc:-std=c17'
     if command -v g++ >/dev/null; then languages+=' g++:-std=c++11 g++:-std=c++17'; fi
     for language in $languages; do
-        for order in 'domino domino_quad' 'domino_quad domino' domino domino_quad; do
+        for order in 'domino domino_quad domino_float' 'domino_float domino_quad domino' domino domino_quad domino_float; do
             # shellcheck disable=SC2086
             printf '#include <%s.h>\n' $order >both.cpp
             echo 'int main(void) { return dom_rmax(0.4, 0.1, 4) > 1 && !dom_raised(NULL) ? DOM_OK : DOM_STOPS; }' \
@@ -264,7 +261,7 @@ END
         grep -q dom_limit_rmax header
         same "wider than double, $flags" '(nothing)' "$(grep dom header | grep -E '__float128|_Float128|\bdomq_')"
     done
-    header_quad >header
+    header_of quad >header
     grep -q domq_limit_rmax header && grep -q '\bdom_limit_rmax' header
 }
 

@@ -7,7 +7,7 @@
 #ifndef TEST_ASK_H
 #define TEST_ASK_H
 
-#include "domino_quad.h"
+#include "shell/precision/any.h"
 #include <string.h>
 
 /* Define the members in the library's lists of parameters, and initializers that copy these members from
@@ -22,7 +22,7 @@ struct setup {
     DOMQ_TRAIN_PARAMETERS(SETUP_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(SETUP_NUMBER)
     DOM_DYNAMICS(SETUP_EFFECT)
-    enum dom_precision precision;
+    enum precision precision;
     enum dom_fuel fuel;
     enum dom_method method;
     struct dom_work *work;
@@ -33,7 +33,7 @@ struct setup {
 static inline struct setup setup_default(void)
 {
     const struct domq_train train = domq_train_default(), *a = &train;
-    const struct domq_compute compute = domq_compute_default();
+    const struct any_compute compute = any_compute_default();
     return (struct setup){.fuel = train.fuel,
                           .tol = compute.tol,
                           .precision = compute.precision,
@@ -47,28 +47,28 @@ static inline struct domq_train setup_train(const struct setup *a)
                                DOMQ_TRAIN_PARAMETERS(SETUP_COPY_NUMBER) DOM_DYNAMICS(SETUP_COPY_EFFECT)};
 }
 
-static inline struct domq_compute setup_compute(const struct setup *a)
+static inline struct any_compute setup_compute(const struct setup *a)
 {
-    return (struct domq_compute){.tol = a->tol,
-                                 .precision = a->precision,
-                                 .method = a->method,
-                                 .work = a->work,
-                                 .interrupt = a->interrupt};
+    return (struct any_compute){.tol = a->tol,
+                                .precision = a->precision,
+                                .method = a->method,
+                                .work = a->work,
+                                .interrupt = a->interrupt};
 }
 
 /* The first two arguments of a call of the library: the train and how to compute. */
 #define ASKED(a)                                                                                             \
-    (const struct domq_train[]){setup_train(a)}, (const struct domq_compute[])                               \
+    (const struct domq_train[]){setup_train(a)}, (const struct any_compute[])                                \
     {                                                                                                        \
         setup_compute(a)                                                                                     \
     }
 
-/* Defines ask_NAME, which calls domq_NAME. */
+/* Defines ask_NAME, which calls any_NAME. */
 #define ASK(name, type, PARAMETER, ARGUMENT)                                                                 \
     static inline enum dom_status ask_##name(const struct setup *setup,                                      \
                                              PARAMETER struct domq_##type *result)                           \
     {                                                                                                        \
-        return domq_##name(ASKED(setup), ARGUMENT result);                                                   \
+        return any_##name(ASKED(setup), ARGUMENT result);                                                    \
     }
 
 /* Defines ask_NAME for a function whose result is one number, which is NaN if there is no result. */
@@ -76,7 +76,7 @@ static inline struct domq_compute setup_compute(const struct setup *a)
     static inline enum dom_status ask_##name(const struct setup *setup, PARAMETER domq_real *number)         \
     {                                                                                                        \
         *number = DOMQ_NAN;                                                                                  \
-        return domq_##name(ASKED(setup), ARGUMENT number);                                                   \
+        return any_##name(ASKED(setup), ARGUMENT number);                                                    \
     }
 
 #define ASK_AT_PARAMETER domq_real theta,
@@ -99,14 +99,14 @@ ASK_NUMBER(cycle_duration, , )
 /* clang-format on */
 
 /* Functions with several results, and walks along a chain or a cycle. */
-#define ask_train_check(a)            domq_train_check(ASKED(a))
-#define ask_cycle_events(a, ...)      domq_cycle_events(ASKED(a), __VA_ARGS__)
-#define ask_cycle_tilt(a, ...)        domq_cycle_tilt(ASKED(a), __VA_ARGS__)
-#define ask_cycle_forces(a, ...)      domq_cycle_forces(ASKED(a), __VA_ARGS__)
-#define ask_cycle_least_force(a, ...) domq_cycle_least_force(ASKED(a), __VA_ARGS__)
-#define ask_cycle_floor(a, ...)       domq_cycle_floor(ASKED(a), __VA_ARGS__)
-#define ask_chain_walk(a, ...)        domq_chain_walk(ASKED(a), __VA_ARGS__)
-#define ask_cycle_walk(a, ...)        domq_cycle_walk(ASKED(a), __VA_ARGS__)
+#define ask_train_check(a)            any_train_check(ASKED(a))
+#define ask_cycle_events(a, ...)      any_cycle_events(ASKED(a), __VA_ARGS__)
+#define ask_cycle_tilt(a, ...)        any_cycle_tilt(ASKED(a), __VA_ARGS__)
+#define ask_cycle_forces(a, ...)      any_cycle_forces(ASKED(a), __VA_ARGS__)
+#define ask_cycle_least_force(a, ...) any_cycle_least_force(ASKED(a), __VA_ARGS__)
+#define ask_cycle_floor(a, ...)       any_cycle_floor(ASKED(a), __VA_ARGS__)
+#define ask_chain_walk(a, ...)        any_chain_walk(ASKED(a), __VA_ARGS__)
+#define ask_cycle_walk(a, ...)        any_cycle_walk(ASKED(a), __VA_ARGS__)
 #define ask_row_of_train(a, ...)      domq_row_of_train((const struct domq_train[]){setup_train(a)}, __VA_ARGS__)
 
 static inline domq_real ask_scale_speed(const struct domq_scale *scale, const struct setup *setup,
@@ -116,12 +116,12 @@ static inline domq_real ask_scale_speed(const struct domq_scale *scale, const st
     return domq_scale_speed(scale, &train, duration);
 }
 
-static inline enum dom_status ask_count_find(enum dom_precision precision, domq_real first, domq_real height,
+static inline enum dom_status ask_count_find(enum precision precision, domq_real first, domq_real height,
                                              domq_real r, struct domq_count *count)
 {
-    struct domq_compute compute = domq_compute_default();
+    struct any_compute compute = any_compute_default();
     compute.precision = precision;
-    return domq_count_find(first, height, r, &compute, count);
+    return any_count_find(first, height, r, &compute, count);
 }
 
 /* ---- Rows ---- */
@@ -135,7 +135,7 @@ struct row_setup {
     domq_real boxes_above; /* as in struct domq_row */
     bool floor;
     DOMQ_COMPUTE_PARAMETERS(SETUP_NUMBER)
-    enum dom_precision precision;
+    enum precision precision;
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };
@@ -145,7 +145,7 @@ static inline struct row_setup row_setup_default(const struct domq_domino *domin
                                                  domq_real push)
 {
     return (struct row_setup){
-        .domino = domino, .count = count, .g = 9.81, .push = push, .tol = 1e-12, .precision = DOM_DOUBLE};
+        .domino = domino, .count = count, .g = 9.81, .push = push, .tol = 1e-12, .precision = IN_DOUBLE};
 }
 
 static inline struct domq_row row_setup(const struct row_setup *a)
@@ -160,20 +160,20 @@ static inline struct domq_row row_setup(const struct row_setup *a)
                              DOM_DYNAMICS(SETUP_COPY_EFFECT)};
 }
 
-static inline struct domq_compute row_setup_compute(const struct row_setup *a)
+static inline struct any_compute row_setup_compute(const struct row_setup *a)
 {
-    return (struct domq_compute){
+    return (struct any_compute){
         .tol = a->tol, .precision = a->precision, .work = a->work, .interrupt = a->interrupt};
 }
 
 #define ROW_SETUP(a)                                                                                         \
-    (const struct domq_row[]){row_setup(a)}, (const struct domq_compute[])                                   \
+    (const struct domq_row[]){row_setup(a)}, (const struct any_compute[])                                    \
     {                                                                                                        \
         row_setup_compute(a)                                                                                 \
     }
 
-#define ask_row_run(a, ...)   domq_row_run(ROW_SETUP(a), __VA_ARGS__)
-#define ask_row_watch(a, ...) domq_row_watch(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_run(a, ...)   any_row_run(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_watch(a, ...) any_row_watch(ROW_SETUP(a), __VA_ARGS__)
 
 /* The same row in double, for searches and studies. The dominoes stay until the next call. */
 static inline struct dom_row row_setup_in_double(const struct row_setup *a)
@@ -200,8 +200,7 @@ static inline struct dom_row row_setup_in_double(const struct row_setup *a)
 
 static inline struct dom_compute row_setup_compute_in_double(const struct row_setup *a)
 {
-    return (struct dom_compute){
-        .tol = (double)a->tol, .precision = a->precision, .work = a->work, .interrupt = a->interrupt};
+    return (struct dom_compute){.tol = (double)a->tol, .work = a->work, .interrupt = a->interrupt};
 }
 
 #define ROW_SETUP_IN_DOUBLE(a)                                                                               \

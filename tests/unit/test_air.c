@@ -73,17 +73,17 @@ TEST(precisions_agree)
         random_airy_row(&run, &seed, i);
         if (i % 4 == 0)
             run.row.rho = 0.02;
-        for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
-            run.row.precision = (enum dom_precision)p;
-            run.row.tol = p == DOM_FLOAT ? 1e-5 : 1e-12;
+        for (int p = IN_FLOAT; p <= IN_QUAD; p++) {
+            run.row.precision = (enum precision)p;
+            run.row.tol = p == IN_FLOAT ? 1e-5 : 1e-12;
             assert_status(run_whole(&run), DOM_OK);
             v[p] = run.verdict;
         }
-        assert_int_equal(v[DOM_DOUBLE].domino, v[DOM_QUAD].domino);
-        if (v[DOM_QUAD].end != DOM_ROW_FALLS || fabs((double)v[DOM_QUAD].spare) < 0.1)
+        assert_int_equal(v[IN_DOUBLE].domino, v[IN_QUAD].domino);
+        if (v[IN_QUAD].end != DOM_ROW_FALLS || fabs((double)v[IN_QUAD].spare) < 0.1)
             continue;
-        assert_near("double", (double)v[DOM_DOUBLE].seconds, (double)v[DOM_QUAD].seconds, 1e-10);
-        assert_near("float", (double)v[DOM_FLOAT].seconds, (double)v[DOM_QUAD].seconds, 1e-3);
+        assert_near("double", (double)v[IN_DOUBLE].seconds, (double)v[IN_QUAD].seconds, 1e-10);
+        assert_near("float", (double)v[IN_FLOAT].seconds, (double)v[IN_QUAD].seconds, 1e-3);
     }
 }
 

@@ -1,18 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API: <domino.h> and <domino_quad.h> give the same numbers, NULL means the defaults, and the
- * simple functions agree with the others. test_refusals.c checks errors.
+ * The public API of trains: what the shell's functions for any precision (any.h) return is bit by bit what
+ * the library returns in that precision. NULL means the defaults. test_refusals.c checks errors.
  */
+#include "domino_float.h"
 #include "support.h"
 #include <float.h>
-
-/* A question for both headers. */
-struct both {
-    struct dom_train train;
-    struct dom_compute compute;
-    struct domq_train trainq;
-    struct domq_compute computeq;
-};
 
 /* Trains that keep falling, that stop, that have no fuel, that are at the reach, and that have friction: s,
  * r, d, q, mu. */
@@ -21,339 +14,268 @@ static const double trains[][5] = {{0.4, 1.5, 0.15, 4, 0},  {0.5, 1.9, 0.15, 3, 
                                    {0.4, 1.3, 0.15, 4, 0.2}};
 enum { TRAINS = sizeof trains / sizeof *trains };
 
-static struct both both_of(const double p[5], enum dom_precision precision)
+static double tol_of(enum precision precision)
 {
-    struct both b = {dom_train_default(), dom_compute_default(), domq_train_default(),
-                     domq_compute_default()};
-    b.train.s = p[0];
-    b.train.r = p[1];
-    b.train.d = p[2];
-    b.train.q = p[3];
-    b.train.mu = p[4];
-    b.compute.precision = b.computeq.precision = precision;
-    b.compute.tol = precision == DOM_FLOAT ? 1e-5 : 1e-11;
-    b.trainq.s = b.train.s;
-    b.trainq.r = b.train.r;
-    b.trainq.d = b.train.d;
-    b.trainq.q = b.train.q;
-    b.trainq.mu = b.train.mu;
-    b.computeq.tol = b.compute.tol;
-    return b;
+    return precision == IN_FLOAT ? 1e-5 : 1e-11;
 }
 
-/* The largest allowed relative difference. */
-static const double rounding = DBL_EPSILON;
+static struct domq_train wide_train(const double p[5])
+{
+    struct domq_train train = domq_train_default();
+    train.s = p[0];
+    train.r = p[1];
+    train.d = p[2];
+    train.q = p[3];
+    train.mu = p[4];
+    return train;
+}
 
-#define SAME(member) assert_in_both(#member, d.member, q.member, rounding);
+static struct any_compute wide_compute(enum precision precision)
+{
+    struct any_compute compute = any_compute_default();
+    compute.precision = precision;
+    compute.tol = tol_of(precision);
+    return compute;
+}
 
-/* Calls the function in both headers and compares all members in a list. */
-#define FIND(name, type, MEMBERS)                                                                            \
-    static enum dom_status both_##name(const struct both *b)                                                 \
+static void same(const char *what, domq_real wide, domq_real own)
+{
+    if (wide != own && !(wide != wide && own != own))
+        fail_msg("%s: %.17g, but the library has %.17g", what, (double)wide, (double)own);
+}
+
+#define NUMBER(member) same(#member, wide.member, own.member);
+#define OTHER(member)  assert_true(wide.member == own.member);
+#define NONE(...)
+
+/* Defines P_train and P_compute, which make a train and its settings for the functions with the prefix P. */
+#define TRAIN(P)                                                                                             \
+    static struct P##_train P##_train_of(const double p[5])                                                  \
     {                                                                                                        \
-        struct dom_##type d = {0};                                                                           \
-        struct domq_##type q = {0};                                                                          \
-        enum dom_status status = dom_##name(&b->train, &b->compute, &d);                                     \
-        assert_status(status, domq_##name(&b->trainq, &b->computeq, &q));                                    \
+        struct P##_train train = P##_train_default();                                                        \
+        train.s = (P##_real)p[0];                                                                            \
+        train.r = (P##_real)p[1];                                                                            \
+        train.d = (P##_real)p[2];                                                                            \
+        train.q = (P##_real)p[3];                                                                            \
+        train.mu = (P##_real)p[4];                                                                           \
+        return train;                                                                                        \
+    }                                                                                                        \
+    static struct P##_compute P##_compute_of(enum precision precision)                                       \
+    {                                                                                                        \
+        struct P##_compute compute = P##_compute_default();                                                  \
+        compute.tol = (P##_real)tol_of(precision);                                                           \
+        return compute;                                                                                      \
+    }
+TRAIN(domf)
+TRAIN(dom)
+TRAIN(domq)
+
+/* Asks the library, and the shell's function, and compares all members of the answers. */
+#define SAME(P, find, structure, ...)                                                                        \
+    do {                                                                                                     \
+        struct P##_##structure own;                                                                          \
+        struct domq_##structure wide;                                                                        \
+        memset(&own, 0xff, sizeof own);                                                                      \
+        memset(&wide, 0xff, sizeof wide);                                                                    \
+        const enum dom_status status = P##_##find(&t, &c, __VA_ARGS__ & own);                                \
+        assert_status(any_##find(&train, &compute, __VA_ARGS__ &wide), status);                              \
         if (status == DOM_OK || status == DOM_STOPS) {                                                       \
-            MEMBERS(SAME)                                                                                    \
+            DOM_MEMBERS_##structure(NUMBER, NONE, NONE, OTHER)                                               \
         }                                                                                                    \
-        return status;                                                                                       \
-    }
-#define FIND_AT(name, type, MEMBERS)                                                                         \
-    static enum dom_status both_##name(const struct both *b, double theta)                                   \
-    {                                                                                                        \
-        struct dom_##type d = {0};                                                                           \
-        struct domq_##type q = {0};                                                                          \
-        enum dom_status status = dom_##name(&b->train, &b->compute, theta, &d);                              \
-        assert_status(status, domq_##name(&b->trainq, &b->computeq, theta, &q));                             \
-        if (status == DOM_OK) {                                                                              \
-            MEMBERS(SAME)                                                                                    \
-        }                                                                                                    \
-        return status;                                                                                       \
-    }
+    } while (0);
+#define SAME_NUMBER(P, find, ...)                                                                            \
+    do {                                                                                                     \
+        P##_real own = (P##_real)NAN;                                                                        \
+        domq_real wide = (domq_real)NAN;                                                                     \
+        const enum dom_status status = P##_##find(&t, &c, __VA_ARGS__ & own);                                \
+        assert_status(any_##find(&train, &compute, __VA_ARGS__ &wide), status);                              \
+        same(#find, wide, own);                                                                              \
+    } while (0);
 
-/* The same for functions whose result is a number. */
-#define FIND_NUMBER(name, PARAMETER, ARGUMENT)                                                               \
-    static enum dom_status both_##name(const struct both *b PARAMETER)                                       \
-    {                                                                                                        \
-        double d = 0;                                                                                        \
-        domq_real q = 0;                                                                                     \
-        enum dom_status status = dom_##name(&b->train, &b->compute, ARGUMENT & d);                           \
-        assert_status(status, domq_##name(&b->trainq, &b->computeq, ARGUMENT &q));                           \
-        assert_in_both(#name, d, q, rounding);                                                               \
-        return status;                                                                                       \
-    }
-#define AT_PARAMETER , double theta
-#define AT_ARGUMENT  theta,
-
-#define ANGLES(X)  X(theta_c) X(theta_u) X(theta_inf) X(theta_f) X(theta_leave)
-#define CONTACT(X) X(theta_1) X(slope) X(arm_a) X(arm_b)
-#define ENERGY(X)  X(dH) X(J) X(J0)
-#define FUELS(X)   X(exact) X(paper)
-#define LAUNCH(X)  X(fuel) X(J0) X(velocity_ratio) X(omegasq) X(kinetic)
-#define BARRIER(X) X(theta_m) X(barrier) X(kinetic) X(margin)
-#define STATE(X)                                                                                             \
-    X(theta)                                                                                                 \
-    X(time) X(omegasq) X(kinetic) X(climbed) X(fallen) X(before) X(lost) X(friction_work) X(acceleration)
-#define LIMIT(X) X(r_max) X(ends) X(why)
-#define BEST(X)  X(s) X(r_max)
-
-/* clang-format off: these macros do not look like functions. */
-FIND(angles_find, angles, ANGLES)
-FIND_AT(contact_find, contact, CONTACT)
-FIND_AT(energy_find, energy, ENERGY)
-FIND(fuel_find, fuels, FUELS)
-FIND(launch_find, launch, LAUNCH)
-FIND(barrier_find, barrier, BARRIER)
-FIND_NUMBER(cycle_omegasq, AT_PARAMETER, AT_ARGUMENT)
-FIND_NUMBER(cycle_stop, , )
-FIND_NUMBER(cycle_duration, , )
-FIND_AT(cycle_state, state, STATE)
-FIND(limit_rmax, limit, LIMIT)
-FIND(limit_pair, limit, LIMIT)
-FIND(limit_best, best, BEST)
-/* clang-format on */
-
-/* Calls a check for every train in every precision of the machine, */
-static void for_all(void (*check)(const struct both *b))
-{
-    for (int i = 0; i < TRAINS; i++)
-        for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++)
-            if (dom_arithmetic(p)->bits) {
-                struct both b = both_of(trains[i], p);
-                check(&b);
-            }
-}
-
-static void check_tilts(const struct both *b)
-{
-    struct dom_angles angles;
-    assert_status(both_angles_find(b), DOM_OK);
-    assert_status(dom_angles_find(&b->train, &b->compute, &angles), DOM_OK);
-    for (int k = 0; k < 4; k++) {
-        double theta = angles.theta_c * k / 4;
-        assert_status(both_contact_find(b, theta), DOM_OK);
-        assert_status(both_energy_find(b, theta), DOM_OK);
-        both_cycle_omegasq(b, theta);
-        both_cycle_state(b, theta);
-    }
-}
-
-TEST(tilts)
-{
-    for_all(check_tilts);
-}
-
-static void check_cycle(const struct both *b)
-{
-    both_fuel_find(b);
-    both_launch_find(b);
-    both_barrier_find(b);
-    both_cycle_stop(b);
-    both_cycle_duration(b);
-}
-
-TEST(cycles)
-{
-    for_all(check_cycle);
-}
-
-static void check_growth(const struct both *b)
-{
-    assert_status(both_limit_rmax(b), DOM_OK);
-    assert_status(both_limit_pair(b), b->train.mu > 0 ? both_limit_pair(b) : DOM_OK);
-    if (b->compute.precision == DOM_DOUBLE && b->train.mu == 0)
-        both_limit_best(b);
-}
-
-TEST(growth)
-{
-    for_all(check_growth);
-}
-
-/* ---- Events, walks and forces ---- */
+/* ---- Walks: what the visitors of the library see, and those of the shell ---- */
 
 enum { KEPT = 64 };
 
-/* The steps that the visitors of <domino.h> have received. The visitors of <domino_quad.h> compare their own
- * steps with these. */
 struct seen {
-    struct dom_link link[KEPT];
-    struct dom_state state[KEPT];
-    struct dom_force force[KEPT];
-    int event[KEPT], count, compared;
+    domq_real number[KEPT];
+    int count;
 };
 
-static bool link_seen(const struct dom_link *link, void *context)
+static bool keep(struct seen *seen, domq_real number)
 {
-    struct seen *seen = context;
-    seen->link[seen->count++] = *link;
-    return seen->count < KEPT;
+    seen->number[seen->count++] = number;
+    return seen->count < KEPT - 3;
 }
 
-static bool link_same(const struct domq_link *link, void *context)
-{
-    struct seen *seen = context;
-    const struct dom_link d = seen->link[seen->compared++];
-    const struct domq_link q = *link;
-    SAME(i);
-    SAME(theta);
-    SAME(slope);
-    SAME(arm_a);
-    SAME(arm_b);
-    SAME(weight);
-    return seen->compared < KEPT;
-}
+#define VISITORS(P)                                                                                          \
+    static bool P##_link_seen(const struct P##_link *link, void *seen)                                       \
+    {                                                                                                        \
+        return keep(seen, link->theta) && keep(seen, link->arm_a) && keep(seen, (domq_real)link->i);         \
+    }                                                                                                        \
+    static bool P##_state_seen(const struct P##_state *state, const struct P##_event *event, void *seen)     \
+    {                                                                                                        \
+        return keep(seen, state->time) && keep(seen, state->omegasq) &&                                      \
+               keep(seen, event ? (domq_real)event->kind : -1);                                              \
+    }                                                                                                        \
+    static bool P##_force_seen(const struct P##_force *force, void *seen)                                    \
+    {                                                                                                        \
+        return keep(seen, force->force) && keep(seen, force->impulse) && keep(seen, (domq_real)force->i);    \
+    }                                                                                                        \
+    static void P##_walks(const double p[5], enum precision precision)                                       \
+    {                                                                                                        \
+        const struct P##_train t = P##_train_of(p);                                                          \
+        const struct P##_compute c = P##_compute_of(precision);                                              \
+        const struct domq_train train = wide_train(p);                                                       \
+        const struct any_compute compute = wide_compute(precision);                                          \
+        WALK(P, chain_walk, link, 0)                                                                         \
+        WALK(P, cycle_walk, state, 6, DOM_BY_TILT)                                                           \
+        WALK(P, cycle_forces, force, 0)                                                                      \
+        struct P##_event events[DOM_EVENTS_MAX];                                                             \
+        struct domq_event wide_events[DOM_EVENTS_MAX];                                                       \
+        int count = 0, wide_count = 0;                                                                       \
+        const enum dom_status status = P##_cycle_events(&t, &c, events, &count);                             \
+        assert_status(any_cycle_events(&train, &compute, wide_events, &wide_count), status);                 \
+        assert_int_equal(count, wide_count);                                                                 \
+        for (int k = 0; k < count; k++) {                                                                    \
+            const struct P##_event own = events[k];                                                          \
+            const struct domq_event wide = wide_events[k];                                                   \
+            DOM_MEMBERS_event(NUMBER, NONE, NONE, OTHER)                                                     \
+        }                                                                                                    \
+        assert_status(P##_train_check(&t, &c), any_train_check(&train, &compute));                           \
+    }
+#define WALK(P, walk, visitor, ...)                                                                          \
+    {                                                                                                        \
+        struct seen own = {.count = 0}, wide = {.count = 0};                                                 \
+        const enum dom_status status = P##_##walk(&t, &c, __VA_ARGS__, P##_##visitor##_seen, &own);          \
+        assert_status(any_##walk(&train, &compute, __VA_ARGS__, domq_##visitor##_seen, &wide), status);      \
+        assert_int_equal(own.count, wide.count);                                                             \
+        for (int k = 0; k < own.count; k++)                                                                  \
+            same(#walk, wide.number[k], own.number[k]);                                                      \
+    }
+VISITORS(domq)
+VISITORS(dom)
+VISITORS(domf)
 
-static bool state_seen(const struct dom_state *state, const struct dom_event *event, void *context)
-{
-    struct seen *seen = context;
-    seen->event[seen->count] = event ? (int)event->kind : -1;
-    seen->state[seen->count++] = *state;
-    return seen->count < KEPT;
-}
+/* ---- Questions ---- */
 
-static bool state_same(const struct domq_state *state, const struct domq_event *event, void *context)
-{
-    struct seen *seen = context;
-    assert_int_equal(seen->event[seen->compared], event ? (int)event->kind : -1);
-    const struct dom_state d = seen->state[seen->compared++];
-    const struct domq_state q = *state;
-    STATE(SAME)
-    return seen->compared < KEPT;
-}
+#define QUESTIONS(P)                                                                                         \
+    static void P##_questions(const double p[5], enum precision precision)                                   \
+    {                                                                                                        \
+        const struct P##_train t = P##_train_of(p);                                                          \
+        const struct P##_compute c = P##_compute_of(precision);                                              \
+        const struct domq_train train = wide_train(p);                                                       \
+        const struct any_compute compute = wide_compute(precision);                                          \
+        DOM_FINDS_AT(P##_AT)                                                                                 \
+        DOM_NUMBERS(P##_NUMBER)                                                                              \
+        DOM_NUMBERS_AT(P##_NUMBER_AT)                                                                        \
+        if (precision != IN_QUAD || p[4] == 0) {                                                             \
+            DOM_FINDS(P##_FIND)                                                                              \
+        }                                                                                                    \
+    }
+#define domf_FIND(find, structure) SAME(domf, find, structure, )
+#define domf_AT(find, structure)   SAME(domf, find, structure, 0.25F, )
+#define domf_NUMBER(find)          SAME_NUMBER(domf, find, )
+#define domf_NUMBER_AT(find)       SAME_NUMBER(domf, find, 0.25F, )
+#define dom_FIND(find, structure)  SAME(dom, find, structure, )
+#define dom_AT(find, structure)    SAME(dom, find, structure, 0.25, )
+#define dom_NUMBER(find)           SAME_NUMBER(dom, find, )
+#define dom_NUMBER_AT(find)        SAME_NUMBER(dom, find, 0.25, )
+#define domq_FIND(find, structure) SAME(domq, find, structure, )
+#define domq_AT(find, structure)   SAME(domq, find, structure, 0.25, )
+#define domq_NUMBER(find)          SAME_NUMBER(domq, find, )
+#define domq_NUMBER_AT(find)       SAME_NUMBER(domq, find, 0.25, )
+QUESTIONS(domf)
+QUESTIONS(dom)
+QUESTIONS(domq)
 
-static bool force_seen(const struct dom_force *force, void *context)
+TEST(any_precision_asks_the_library)
 {
-    struct seen *seen = context;
-    seen->force[seen->count++] = *force;
-    return seen->count < KEPT;
-}
-
-static bool force_same(const struct domq_force *force, void *context)
-{
-    struct seen *seen = context;
-    const struct dom_force d = seen->force[seen->compared++];
-    const struct domq_force q = *force;
-    SAME(i);
-    SAME(force);
-    SAME(per_weight);
-    SAME(impulse);
-    return seen->compared < KEPT;
-}
-
-/* Checks that a walk visits the same steps in both headers. */
-#define WALK_SAME(walk, visitor, ...)                                                                        \
-    do {                                                                                                     \
-        static struct seen seen;                                                                             \
-        seen.count = seen.compared = 0;                                                                      \
-        enum dom_status status = dom_##walk(&b->train, &b->compute, __VA_ARGS__, visitor##_seen, &seen);     \
-        assert_status(domq_##walk(&b->trainq, &b->computeq, __VA_ARGS__, visitor##_same, &seen), status);    \
-        assert_int_equal(seen.count, seen.compared);                                                         \
-    } while (0)
-
-static void check_walks(const struct both *b)
-{
-    WALK_SAME(chain_walk, link, 0);
-    WALK_SAME(cycle_walk, state, 6, DOM_BY_TILT);
-    WALK_SAME(cycle_forces, force, 0);
-}
-
-static void check_events(const struct both *b)
-{
-    struct dom_event events[DOM_EVENTS_MAX];
-    struct domq_event eventsq[DOM_EVENTS_MAX];
-    int count = 0, countq = 0;
-    enum dom_status status = dom_cycle_events(&b->train, &b->compute, events, &count);
-    assert_status(domq_cycle_events(&b->trainq, &b->computeq, eventsq, &countq), status);
-    assert_int_equal(count, countq);
-    for (int k = 0; k < count; k++) {
-        struct dom_event d = events[k];
-        struct domq_event q = eventsq[k];
-        SAME(kind);
-        SAME(theta);
-        SAME(time);
-        SAME(domino);
-        double theta = -1;
-        domq_real wide = -1;
-        assert_status(dom_cycle_tilt(&b->train, &b->compute, d.time, &theta),
-                      domq_cycle_tilt(&b->trainq, &b->computeq, (domq_real)d.time, &wide));
-        assert_in_both("tilt", theta, wide, rounding);
+    for (int i = 0; i < TRAINS; i++) {
+        domf_questions(trains[i], IN_FLOAT);
+        domf_walks(trains[i], IN_FLOAT);
+        dom_questions(trains[i], IN_DOUBLE);
+        dom_walks(trains[i], IN_DOUBLE);
+        if (any_arithmetic(IN_QUAD).bits > 0) {
+            domq_questions(trains[i], IN_QUAD);
+            domq_walks(trains[i], IN_QUAD);
+        }
     }
 }
 
-static void check_forces(const struct both *b)
+/* Checks that each precision agrees with quad to its tolerance, and has digits of its own. */
+TEST(precisions_differ_by_their_tolerance)
 {
-    struct dom_least_force d = {0};
-    struct domq_least_force q = {0};
-    assert_status(dom_cycle_least_force(&b->train, &b->compute, &d),
-                  domq_cycle_least_force(&b->trainq, &b->computeq, &q));
-    SAME(force);
-    SAME(theta);
-    SAME(domino);
-    SAME(impulse);
-    {
-        struct dom_floor f = {0};
-        struct domq_floor fq = {0};
-        assert_status(dom_cycle_floor(&b->train, &b->compute, &f),
-                      domq_cycle_floor(&b->trainq, &b->computeq, &fq));
-        assert_in_both("motion", f.motion, fq.motion, rounding);
-        assert_in_both("hit", f.hit, fq.hit, rounding);
-        assert_int_equal(f.domino, fq.domino);
+    const struct domq_train train = wide_train(trains[0]);
+    domq_real r_max[3];
+    for (enum precision p = IN_FLOAT; p <= IN_QUAD; p++) {
+        struct any_compute compute = wide_compute(p);
+        struct domq_limit limit = {0};
+        compute.tol = any_arithmetic(p).tol_default;
+        if (any_arithmetic(p).bits == 0)
+            return;
+        assert_status(any_limit_rmax(&train, &compute, &limit), DOM_OK);
+        r_max[p] = limit.r_max;
     }
-    assert_status(dom_train_check(&b->train, &b->compute), domq_train_check(&b->trainq, &b->computeq));
+    assert_near("float", (double)r_max[IN_FLOAT], (double)r_max[IN_QUAD], 1e-5);
+    assert_near("double", (double)(r_max[IN_DOUBLE] - r_max[IN_QUAD]) + 1, 1, 1e-12);
+    assert_true(r_max[IN_FLOAT] != r_max[IN_DOUBLE] && r_max[IN_DOUBLE] != r_max[IN_QUAD]);
 }
 
-TEST(walks)
+/* Checks that a method for comparison answers in double whatever the precision is. */
+TEST(methods_are_in_double)
 {
-    for_all(check_walks);
-    for_all(check_events);
-    for_all(check_forces);
+    const struct domq_train train = wide_train(trains[0]);
+    domq_real r_max[3];
+    for (enum precision p = IN_FLOAT; p <= IN_QUAD; p++) {
+        struct any_compute compute = wide_compute(p);
+        struct domq_limit limit = {0};
+        compute.tol = p == IN_QUAD ? 1e-20 : 1e-11;
+        compute.method = DOM_METHOD_GSL;
+        assert_status(any_limit_rmax(&train, &compute, &limit), DOM_OK);
+        r_max[p] = limit.r_max;
+    }
+    assert_true(r_max[IN_FLOAT] == r_max[IN_DOUBLE] && r_max[IN_DOUBLE] == (double)r_max[IN_QUAD]);
+    struct domq_compute quad = domq_compute_default();
+    struct domq_limit limit;
+    quad.method = DOM_METHOD_GSL;
+    assert_status(domq_limit_rmax(&train, &quad, &limit), DOM_NO_METHOD);
 }
 
 /* ---- NULL instead of how to compute ---- */
 
-#define SAME_AS_DEFAULT(member) assert_in_both(#member, d.member, q.member, rounding);
-#define DEFAULT(name, type, MEMBERS, ...)                                                                    \
+#define DEFAULT(name, type, ...)                                                                             \
     do {                                                                                                     \
-        struct dom_##type d = {0}, q = {0};                                                                  \
-        assert_status(dom_##name(&train, NULL, __VA_ARGS__ &d), DOM_OK);                                     \
-        assert_status(dom_##name(&train, &compute, __VA_ARGS__ &q), DOM_OK);                                 \
-        MEMBERS(SAME_AS_DEFAULT)                                                                             \
+        struct dom_##type own = {0}, wide = {0};                                                             \
+        assert_status(dom_##name(&train, NULL, __VA_ARGS__ &own), DOM_OK);                                   \
+        assert_status(dom_##name(&train, &compute, __VA_ARGS__ &wide), DOM_OK);                              \
+        DOM_MEMBERS_##type(NUMBER, NONE, NONE, OTHER)                                                        \
     } while (0)
 #define NUMBER_DEFAULT(name, ...)                                                                            \
     do {                                                                                                     \
-        double d = 0, q = 0;                                                                                 \
-        assert_status(dom_##name(&train, NULL, __VA_ARGS__ &d), DOM_OK);                                     \
-        assert_status(dom_##name(&train, &compute, __VA_ARGS__ &q), DOM_OK);                                 \
-        assert_in_both(#name, d, q, rounding);                                                               \
+        double own = 0, wide = 0;                                                                            \
+        assert_status(dom_##name(&train, NULL, __VA_ARGS__ &own), DOM_OK);                                   \
+        assert_status(dom_##name(&train, &compute, __VA_ARGS__ &wide), DOM_OK);                              \
+        same(#name, wide, own);                                                                              \
     } while (0)
-#define AT_TILT 0.1,
-
 TEST(null_is_the_default)
 {
     const struct dom_compute compute = dom_compute_default();
     const struct dom_train train = dom_train_default();
-    assert_true(compute.tol == 1e-12 && compute.precision == DOM_DOUBLE);
+    assert_true(compute.tol == 1e-12);
     assert_true(compute.method == DOM_METHOD_OURS && !compute.work && !compute.interrupt);
-    assert_true(domq_compute_default().tol == 1 / (domq_real)1e12);
+    assert_true(any_compute_default().tol == 1 / (domq_real)1e12 &&
+                any_compute_default().precision == IN_DOUBLE);
     assert_status(dom_train_check(&train, NULL), DOM_OK);
-    DEFAULT(angles_find, angles, ANGLES, );
-    DEFAULT(contact_find, contact, CONTACT, AT_TILT);
-    DEFAULT(energy_find, energy, ENERGY, AT_TILT);
-    DEFAULT(fuel_find, fuels, FUELS, );
-    DEFAULT(launch_find, launch, LAUNCH, );
-    DEFAULT(barrier_find, barrier, BARRIER, );
-    NUMBER_DEFAULT(cycle_omegasq, AT_TILT);
-    NUMBER_DEFAULT(cycle_stop, );
-    NUMBER_DEFAULT(cycle_duration, );
-    DEFAULT(cycle_state, state, STATE, AT_TILT);
-    DEFAULT(limit_rmax, limit, LIMIT, );
-    DEFAULT(limit_pair, limit, LIMIT, );
-    DEFAULT(limit_best, best, BEST, );
-    struct both b = {train, compute, domq_train_default(), domq_compute_default()};
-    static struct seen seen, of_null;
-    assert_status(dom_chain_walk(&b.train, NULL, 0.1, link_seen, &of_null), DOM_OK);
-    assert_status(dom_chain_walk(&b.train, &compute, 0.1, link_seen, &seen), DOM_OK);
-    assert_int_equal(of_null.count, seen.count);
+#define DEFAULT_FIND(find, type) DEFAULT(find, type, );
+#define DEFAULT_AT(find, type)   DEFAULT(find, type, 0.1, );
+#define DEFAULT_NUMBER(find)     NUMBER_DEFAULT(find, );
+#define DEFAULT_NUMBER_AT(find)  NUMBER_DEFAULT(find, 0.1, );
+    DOM_FINDS(DEFAULT_FIND)
+    DOM_FINDS_AT(DEFAULT_AT)
+    DOM_NUMBERS(DEFAULT_NUMBER)
+    DOM_NUMBERS_AT(DEFAULT_NUMBER_AT)
+    struct seen seen = {.count = 0}, of_null = {.count = 0};
+    assert_status(dom_chain_walk(&train, NULL, 0.1, dom_link_seen, &of_null), DOM_OK);
+    assert_status(dom_chain_walk(&train, &compute, 0.1, dom_link_seen, &seen), DOM_OK);
+    assert_true(seen.count > 0 && of_null.count == seen.count);
 }

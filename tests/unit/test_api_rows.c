@@ -1,111 +1,139 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: rows chance */
 /* The public API of rows, counts, scales and effects, in both headers, and the simple functions. */
+#include "domino_float.h"
 #include "support.h"
 #include <float.h>
 
-/* The largest allowed relative difference: a rounding error, or the effect of rounding errors in the sizes of
- * a row. */
-static double rounding = DBL_EPSILON;
+/* The largest allowed relative difference of numbers in both headers. */
+static const double rounding = DBL_EPSILON;
 
 #define SAME(member) assert_in_both(#member, d.member, q.member, rounding)
 
-/* ---- Rows ---- */
+/* ---- Rows: what the shell's functions for any precision return is what the library returns ---- */
 
 enum { ROW = 6 };
 
-/* The same row in both headers: a row of a train, with or without a push, and with or without friction. */
-struct rows {
-    struct dom_domino domino[ROW];
-    struct domq_domino dominoq[ROW];
-    struct dom_row row;
-    struct domq_row rowq;
-    struct dom_compute compute;
-    struct domq_compute computeq;
+static void same(const char *what, domq_real wide, domq_real own)
+{
+    if (wide != own && !(wide != wide && own != own))
+        fail_msg("%s: %.17g, but the library has %.17g", what, (double)wide, (double)own);
+}
+
+#define NUMBER(member) same(#member, wide.member, own.member);
+#define OTHER(member)  assert_true(wide.member == own.member);
+#define NONE(...)
+
+enum { KEPT = 400 };
+
+/* What a visitor has seen. */
+struct seen {
+    domq_real number[KEPT];
+    int count;
 };
 
-static void rows_make(struct rows *r, double growth, double push, double mu, enum dom_precision precision)
+#define KEEP(member) seen->number[seen->count++] = (domq_real)from->member;
+
+/* Runs and watches a row by the library's functions with the prefix P, and by the shell's in that precision.
+ */
+#define ROWS(P)                                                                                              \
+    static bool P##_fall_seen(const struct P##_fall *from, void *context)                                    \
+    {                                                                                                        \
+        struct seen *seen = context;                                                                         \
+        DOM_MEMBERS_fall(KEEP, NONE, NONE, KEEP) return true;                                                \
+    }                                                                                                        \
+    static bool P##_moment_seen(const struct P##_moment *from, void *context)                                \
+    {                                                                                                        \
+        struct seen *seen = context;                                                                         \
+        DOM_MEMBERS_moment(KEEP, NONE, NONE, KEEP) for (int k = 0; k < ROW; k++)                             \
+        {                                                                                                    \
+            KEEP(tilt[k])                                                                                    \
+            KEEP(omega[k])                                                                                   \
+        }                                                                                                    \
+        return true;                                                                                         \
+    }                                                                                                        \
+    static void P##_rows(const double p[3], bool lean, const struct any_compute *compute)                    \
+    {                                                                                                        \
+        const double at[] = {0.01, 0.1, 0.4};                                                                \
+        P##_real own_at[3];                                                                                  \
+        domq_real wide_at[3];                                                                                \
+        struct P##_domino own_domino[ROW];                                                                   \
+        struct domq_domino domino[ROW];                                                                      \
+        struct P##_row own_row = P##_row_default();                                                          \
+        struct domq_row row = domq_row_default();                                                            \
+        struct P##_compute own_compute = P##_compute_default();                                              \
+        struct domq_train train = domq_train_default();                                                      \
+        const struct domq_scale scale = domq_scale_default();                                                \
+        train.r = p[0];                                                                                      \
+        domq_row_of_train(&train, &scale, 1, domino, ROW);                                                   \
+        for (int k = 0; k < ROW; k++) {                                                                      \
+            domino[k].lean = lean && k % 2 ? k * 0.015625 : 0;                                               \
+            own_domino[k] = (struct P##_domino){(P##_real)domino[k].height, (P##_real)domino[k].thickness,   \
+                                                (P##_real)domino[k].gap,    (P##_real)domino[k].mass,        \
+                                                (P##_real)domino[k].radius, (P##_real)domino[k].lean,        \
+                                                (P##_real)domino[k].width};                                  \
+        }                                                                                                    \
+        row.domino = domino, own_row.domino = own_domino;                                                    \
+        row.count = own_row.count = ROW;                                                                     \
+        row.push = p[1], own_row.push = (P##_real)p[1];                                                      \
+        row.mu = p[2], own_row.mu = (P##_real)p[2];                                                          \
+        row.floor = own_row.floor = p[2] == 0;                                                               \
+        own_compute.tol = (P##_real)compute->tol;                                                            \
+        for (int k = 0; k < 3; k++)                                                                          \
+            wide_at[k] = at[k], own_at[k] = (P##_real)at[k];                                                 \
+        struct seen of_own = {.count = 0}, of_wide = {.count = 0};                                           \
+        struct P##_verdict own = {0};                                                                        \
+        struct domq_verdict wide = {0};                                                                      \
+        assert_status(P##_row_run(&own_row, &own_compute, true, P##_fall_seen, &of_own, &own), DOM_OK);      \
+        assert_status(any_row_run(&row, compute, true, domq_fall_seen, &of_wide, &wide), DOM_OK);            \
+        DOM_MEMBERS_verdict(NUMBER, NONE, NONE, OTHER) const enum dom_status watched =                       \
+            P##_row_watch(&own_row, &own_compute, own_at, 3, P##_moment_seen, &of_own, &own);                \
+        assert_status(any_row_watch(&row, compute, wide_at, 3, domq_moment_seen, &of_wide, &wide), watched); \
+        DOM_MEMBERS_verdict(NUMBER, NONE, NONE, OTHER)                                                       \
+            assert_true(of_own.count > 20 && of_own.count == of_wide.count);                                 \
+        for (int k = 0; k < of_own.count; k++)                                                               \
+            same("a visitor's number", of_wide.number[k], of_own.number[k]);                                 \
+    }
+ROWS(domq)
+ROWS(dom)
+ROWS(domf)
+
+TEST(rows)
+{
+    static const double some[][3] = {{1.1, NAN, 0}, {1.3, 5, 0}, {1.9, NAN, 0}, {1.05, 8, 0.2}, {1, 0.5, 0}};
+    struct any_compute compute = any_compute_default();
+    for (size_t i = 0; i < sizeof some / sizeof *some; i++)
+        for (int lean = 0; lean < 2; lean++) {
+            compute.precision = IN_FLOAT;
+            compute.tol = 1e-5;
+            domf_rows(some[i], lean, &compute);
+            compute.precision = IN_DOUBLE;
+            compute.tol = 1e-11;
+            dom_rows(some[i], lean, &compute);
+            compute.precision = IN_QUAD;
+            if (any_arithmetic(IN_QUAD).bits > 0)
+                domq_rows(some[i], lean, &compute);
+        }
+}
+
+/* ---- Searches and studies ---- */
+
+/* A row of a train, in double. */
+struct rows {
+    struct dom_domino domino[ROW];
+    struct dom_row row;
+    struct dom_compute compute;
+};
+
+static void rows_make(struct rows *r, double growth, double push)
 {
     struct dom_train train = dom_train_default();
     const struct dom_scale scale = dom_scale_default();
     train.r = growth;
     dom_row_of_train(&train, &scale, 1, r->domino, ROW);
-    for (int k = 0; k < ROW; k++)
-        r->dominoq[k] = (struct domq_domino){r->domino[k].height,
-                                             r->domino[k].thickness,
-                                             r->domino[k].gap,
-                                             r->domino[k].mass,
-                                             0,
-                                             r->domino[k].lean,
-                                             0};
-    r->row = (struct dom_row){
-        .domino = r->domino, .count = ROW, .g = scale.g, .push = push, .mu = mu, .floor = mu == 0};
-    r->rowq = (struct domq_row){
-        .domino = r->dominoq, .count = ROW, .g = scale.g, .push = push, .mu = mu, .floor = mu == 0};
+    r->row = (struct dom_row){.domino = r->domino, .count = ROW, .g = scale.g, .push = push, .floor = true};
     r->compute = dom_compute_default();
-    r->computeq = domq_compute_default();
-    r->compute.precision = r->computeq.precision = precision;
-    r->compute.tol = precision == DOM_FLOAT ? 1e-5 : 1e-11;
-    r->computeq.tol = r->compute.tol;
 }
-
-/* The falls of a run by <domino.h>. The run by <domino_quad.h> is compared with these. */
-struct fallen {
-    struct dom_fall fall[ROW];
-    int count, compared;
-};
-
-static bool fall_seen(const struct dom_fall *fall, void *context)
-{
-    struct fallen *seen = context;
-    seen->fall[seen->count++] = *fall;
-    return true;
-}
-
-static bool fall_same(const struct domq_fall *fall, void *context)
-{
-    struct fallen *seen = context;
-    const struct dom_fall d = seen->fall[seen->compared++];
-    const struct domq_fall q = *fall;
-    SAME(time), SAME(duration), SAME(omega), SAME(kinetic), SAME(barrier), SAME(margin), SAME(lost);
-    assert_true(fabs(d.friction_work - (double)q.friction_work) <= rounding * d.kinetic ||
-                isnan(d.friction_work));
-    SAME(theta_m), SAME(theta), SAME(floor_motion), SAME(floor_hit);
-    assert_true(d.domino == q.domino && d.moving == q.moving && d.floor_domino == q.floor_domino);
-    return true;
-}
-
-static void row_same(const struct rows *r)
-{
-    struct fallen seen = {.count = 0};
-    struct dom_verdict d = {0};
-    struct domq_verdict q = {0};
-    assert_status(dom_row_run(&r->row, &r->compute, true, fall_seen, &seen, &d), DOM_OK);
-    assert_status(domq_row_run(&r->rowq, &r->computeq, true, fall_same, &seen, &q), DOM_OK);
-    SAME(end), SAME(domino), SAME(weakest), SAME(short_by), SAME(seconds), SAME(spare);
-    assert_int_equal(seen.count, seen.compared);
-}
-
-TEST(rows)
-{
-    static const double some[][3] = {{1.1, NAN, 0}, {1.3, 5, 0}, {1.9, NAN, 0}, {1.05, 8, 0.2}, {1, 0.5, 0}};
-    struct rows r;
-    rounding = 1e-11;
-    for (size_t i = 0; i < sizeof some / sizeof *some; i++)
-        for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++)
-            if (dom_arithmetic(p)->bits) {
-                rows_make(&r, some[i][0], some[i][1], some[i][2], p);
-                row_same(&r);
-                r.domino[1].lean = -0.03125;
-                r.domino[3].lean = 0.0625;
-                for (int k = 1; k < ROW; k += 2)
-                    r.dominoq[k].lean = r.domino[k].lean;
-                row_same(&r);
-            }
-    rounding = DBL_EPSILON;
-}
-
-/* ---- Searches and studies: in double, whatever the precision is ---- */
 
 static void row_of_growth(double growth, struct dom_domino *domino, size_t count, void *context)
 {
@@ -132,37 +160,29 @@ struct found {
     double push;
 };
 
-static void search_all(enum dom_precision precision, double tol, struct found *found)
+static void search_all(struct found *found)
 {
     struct rows r;
     size_t parts = 0;
     memset(found, 0, sizeof *found);
-    rows_make(&r, 1.3, 6, 0, precision);
-    r.compute.tol = tol;
+    rows_make(&r, 1.3, 6);
     assert_status(dom_row_rmax(&r.row, &r.compute, 2.5, row_of_growth, NULL, &found->growth), DOM_OK);
     for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_LEAN; of++)
         assert_status(dom_row_windows(&r.row, &r.compute, of, NULL, NULL, found->windows[of]), DOM_OK);
     r.domino[3].gap *= 2.2;
     assert_status(dom_row_mend(&r.row, &r.compute, part_done, &parts, found->mends, &found->count), DOM_OK);
     assert_true(found->count > 0 && parts > 0);
-    rows_make(&r, 1.3, 0.2, 0, precision);
-    r.compute.tol = tol;
+    rows_make(&r, 1.3, 0.2);
     assert_status(dom_row_weakest_push(&r.row, &r.compute, 100, &found->push), DOM_OK);
 }
 
 TEST(growths_mends_and_pushes)
 {
-    static struct found found, same;
-    search_all(DOM_DOUBLE, 1e-12, &found);
+    static struct found found;
+    search_all(&found);
     assert_true(found.growth.r_max > 1 && found.growth.r_max < 2.5 && found.push > 0.2);
     for (size_t k = 0; k + 1 < ROW; k++)
         assert_true(found.windows[DOM_WINDOW_GAP][k].low < found.windows[DOM_WINDOW_GAP][k].high);
-    search_all(DOM_FLOAT, 1e-12, &same);
-    assert_memory_equal(&same, &found, sizeof same);
-    search_all(DOM_QUAD, 1e-12, &same);
-    assert_memory_equal(&same, &found, sizeof same);
-    search_all(DOM_QUAD, 1e-30, &same); /* double has no such tolerance; its default takes its place */
-    assert_memory_equal(&same, &found, sizeof same);
 }
 
 /* Checks that what is found can be typed: the lower ends of windows have seven digits, and a push
@@ -171,7 +191,7 @@ TEST(ends_have_few_digits)
 {
     static struct found found;
     char digits[32];
-    search_all(DOM_DOUBLE, 1e-12, &found);
+    search_all(&found);
     for (int of = DOM_WINDOW_GAP; of <= DOM_WINDOW_HEIGHT; of++)
         for (size_t k = 0; k + 1 < ROW; k++) {
             const struct dom_window *w = &found.windows[of][k];
@@ -201,21 +221,16 @@ TEST(studies)
     parallel.parallel = last_first;
     parallel.pool = &tasks;
     struct dom_study study, same, causes;
-    struct dom_budget budget, budget_same;
+    struct dom_budget budget;
     size_t stops[ROW], stops_same[ROW], without[DOM_ERROR_COUNT], all[(1 + DOM_ERROR_COUNT) * ROW];
-    rows_make(&r, 1.3, 6, 0, DOM_DOUBLE);
+    rows_make(&r, 1.3, 6);
     assert_status(dom_placement_study(&r.row, &r.compute, &p, &study, stops), DOM_OK);
     assert_status(dom_placement_budget(&r.row, &r.compute, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
     assert_true(study.rows == 40 && study.low < study.high && study.fall > 0 && study.fall < 40);
     assert_true(budget.low <= budget.sigma && budget.sigma <= budget.high);
-    for (enum dom_precision precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
-        r.compute.precision = precision;
-        assert_status(dom_placement_study(&r.row, &r.compute, &parallel, &same, stops_same), DOM_OK);
-        assert_memory_equal(&same, &study, sizeof same);
-        assert_memory_equal(stops_same, stops, sizeof stops);
-        assert_status(dom_placement_budget(&r.row, &r.compute, &p, DOM_ERROR_gap, 0.8, &budget_same), DOM_OK);
-        assert_memory_equal(&budget_same, &budget, sizeof budget);
-    }
+    assert_status(dom_placement_study(&r.row, &r.compute, &parallel, &same, stops_same), DOM_OK);
+    assert_memory_equal(&same, &study, sizeof same);
+    assert_memory_equal(stops_same, stops, sizeof stops);
     assert_true(tasks > 0);
     assert_status(dom_placement_causes(&r.row, &r.compute, &p, &causes, without, all), DOM_OK);
     assert_memory_equal(&causes, &study, sizeof study);
@@ -235,18 +250,18 @@ TEST(studies)
 
 TEST(counts)
 {
-    for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++)
-        if (dom_arithmetic(p)->bits) {
-            struct dom_compute compute = dom_compute_default();
-            struct domq_compute computeq = domq_compute_default();
-            struct dom_count d;
-            struct domq_count q;
-            compute.precision = computeq.precision = p;
-            assert_status(dom_count_find(0.048, 112, 1.5, &compute, &d), DOM_OK);
-            assert_status(domq_count_find(0.048, 112, 1.5, &computeq, &q), DOM_OK);
-            SAME(dominoes), SAME(exact), SAME(last);
-            assert_true(d.dominoes == 20);
-        }
+    struct dom_count own;
+    struct domf_count in_float;
+    struct domq_count wide;
+    struct any_compute compute = any_compute_default();
+    assert_status(dom_count_find(0.048, 112, 1.5, &own), DOM_OK);
+    assert_status(any_count_find((domq_real)0.048, 112, 1.5, &compute, &wide), DOM_OK);
+    DOM_MEMBERS_count(NUMBER, NONE, NONE, OTHER) assert_true(own.dominoes == 20);
+    assert_status(domf_count_find(0.048F, 112, 1.5F, &in_float), DOM_OK);
+    assert_true(in_float.dominoes == 20);
+    compute.precision = IN_QUAD;
+    assert_status(any_count_find((domq_real)48 / 1000, 112, 1.5, &compute, &wide), DOM_OK);
+    assert_true(wide.dominoes == 20);
 }
 
 TEST(scales_and_precisions)
@@ -261,15 +276,12 @@ TEST(scales_and_precisions)
     assert_in_both("tau of a box", dom_scale_tau(&d, &t), domq_scale_tau(&q, &tq), rounding);
     t.walls = tq.walls = 0;
     assert_near("speed", dom_scale_speed(&d, &t, 9), (double)domq_scale_speed(&q, &tq, 9), 4 * DBL_EPSILON);
-    for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++) {
-        const struct dom_arithmetic *a = dom_arithmetic(p);
-        const struct domq_arithmetic *aq = domq_arithmetic(p);
-        assert_string_equal(a->name, aq->name);
-        assert_string_equal(a->type, aq->type);
-        assert_true(a->bits == aq->bits && a->digits == aq->digits && a->epsilon == aq->epsilon);
-        assert_in_both("tol_default", a->tol_default, aq->tol_default, rounding);
-        assert_in_both("tol_floor", a->tol_floor, aq->tol_floor, rounding);
-    }
+    const struct domq_arithmetic in_double = any_arithmetic(IN_DOUBLE), in_float = any_arithmetic(IN_FLOAT);
+    assert_string_equal(in_double.name, "double");
+    assert_string_equal(in_float.name, "float");
+    assert_true((double)in_double.tol_default == dom_arithmetic()->tol_default && in_double.bits == 53);
+    assert_true((float)in_float.tol_floor == domf_arithmetic()->tol_floor && in_float.bits == 24);
+    assert_true(in_double.tol_default == 1 / (domq_real)1e12 && in_float.tol_floor == 1 / (domq_real)1e6);
 }
 
 /* ---- Effects ---- */

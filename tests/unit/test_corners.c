@@ -127,7 +127,6 @@ TEST(numbers_without_a_text)
         assert_string_equal(dom_end_text((enum dom_end)number[i]), "unknown");
         assert_string_equal(dom_event_text((enum dom_event_kind)number[i]), "unknown");
         assert_string_equal(dom_row_end_text((enum dom_row_end)number[i]), "unknown");
-        assert_null(domq_arithmetic((enum dom_precision)number[i]));
         assert_null(domq_effect((enum dom_effect_name)number[i]));
     }
     assert_string_equal(dom_end_text(DOM_END_REACH), "reach");

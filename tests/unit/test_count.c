@@ -3,9 +3,9 @@
  * powers. */
 #include "support.h"
 
-static domq_real rounded(domq_real x, enum dom_precision precision)
+static domq_real rounded(domq_real x, enum precision precision)
 {
-    return precision == DOM_FLOAT ? (domq_real)(float)x : precision == DOM_DOUBLE ? (domq_real)(double)x : x;
+    return precision == IN_FLOAT ? (domq_real)(float)x : precision == IN_DOUBLE ? (domq_real)(double)x : x;
 }
 
 /*
@@ -19,9 +19,9 @@ TEST(heights_near_a_power)
     uint64_t seed = 91;
     int above = 0, meet = 0;
     for (int i = 0; i < 30000; i++) {
-        enum dom_precision precision = i % 2 ? DOM_DOUBLE : DOM_FLOAT;
-        double epsilon = domq_arithmetic(precision)->epsilon;
-        int bits = 1 + (int)(4 * random_unit(&seed)), most = (precision == DOM_FLOAT ? 18 : 90) / bits;
+        enum precision precision = i % 2 ? IN_DOUBLE : IN_FLOAT;
+        double epsilon = any_arithmetic(precision).epsilon;
+        int bits = 1 + (int)(4 * random_unit(&seed)), most = (precision == IN_FLOAT ? 18 : 90) / bits;
         int k = 1 + (int)(most * random_unit(&seed));
         domq_real r = 1 + (domq_real)(1 + (int)((1 << bits) * random_unit(&seed))) / (1 << bits),
                   first = (domq_real)(1 + (int)(7 * random_unit(&seed))) / 8, power = first;
@@ -60,8 +60,7 @@ TEST(known_numbers)
     };
     struct domq_count count;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        assert_status(ask_count_find(DOM_DOUBLE, known[i].first, known[i].height, known[i].r, &count),
-                      DOM_OK);
+        assert_status(ask_count_find(IN_DOUBLE, known[i].first, known[i].height, known[i].r, &count), DOM_OK);
         assert_near("dominoes", count.dominoes, known[i].n, 0);
         assert_near("the last", count.last, known[i].first * pow(known[i].r, known[i].n), 1e-9);
     }
@@ -70,19 +69,19 @@ TEST(known_numbers)
         for (int digits = 15; digits <= 17; digits++) {
             char text[40];
             snprintf(text, sizeof text, "%.*g", digits, ldexp(0.048, k));
-            assert_status(ask_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL), 2, &count), DOM_OK);
+            assert_status(ask_count_find(IN_DOUBLE, 0.048, strtod(text, NULL), 2, &count), DOM_OK);
             assert_near("dominoes", count.dominoes, k, 0);
-            assert_status(ask_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL) * (1 + 1e-13), 2, &count),
+            assert_status(ask_count_find(IN_DOUBLE, 0.048, strtod(text, NULL) * (1 + 1e-13), 2, &count),
                           DOM_OK);
             assert_near("dominoes", count.dominoes, k + 1, 0);
         }
     }
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, 112, 1, &count), DOM_OK);
+    assert_status(ask_count_find(IN_DOUBLE, 0.048, 112, 1, &count), DOM_OK);
     assert_true(isinf(count.dominoes) && isnan(count.last));
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, 112, 0.9, &count), DOM_BAD_R);
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, -1, 2, &count), DOM_BAD_HEIGHT);
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, DOMQ_NAN, 2, &count), DOM_BAD_HEIGHT);
-    assert_status(ask_count_find(DOM_DOUBLE, 1e-300, 1e300, 2, &count), DOM_BAD_HEIGHT);
+    assert_status(ask_count_find(IN_DOUBLE, 0.048, 112, 0.9, &count), DOM_BAD_R);
+    assert_status(ask_count_find(IN_DOUBLE, 0.048, -1, 2, &count), DOM_BAD_HEIGHT);
+    assert_status(ask_count_find(IN_DOUBLE, 0.048, DOMQ_NAN, 2, &count), DOM_BAD_HEIGHT);
+    assert_status(ask_count_find(IN_DOUBLE, 1e-300, 1e300, 2, &count), DOM_BAD_HEIGHT);
 }
 
 /* Checks a number of dominoes that no integer type of 64 bits can hold. With sanitizers, a cast to such a
@@ -90,10 +89,10 @@ TEST(known_numbers)
 TEST(more_dominoes_than_an_integer_holds)
 {
     struct domq_count count;
-    if (domq_arithmetic(DOM_QUAD)->bits < 113)
+    if (any_arithmetic(IN_QUAD).bits < 113)
         return;
     const domq_real r = 1 + (domq_real)1 / 10000000000000 / 1000000000000; /* 1 + 1e-25 */
-    assert_status(ask_count_find(DOM_QUAD, 1, 2, r, &count), DOM_OK);
+    assert_status(ask_count_find(IN_QUAD, 1, 2, r, &count), DOM_OK);
     assert_near("dominoes", count.dominoes, 0.6931471805599453e25, 1e-8);
     assert_near("the last", count.last, 2, 1e-8);
 }

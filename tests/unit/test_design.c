@@ -115,7 +115,7 @@ TEST(designs_hold)
 TEST(friction_with_edges)
 {
     uint64_t seed = 7;
-    const struct dom_compute rough = {.tol = 1e-7, .precision = DOM_DOUBLE};
+    const struct dom_compute rough = {.tol = 1e-7};
     const struct dom_scale scale = {.h = 0.048, .g = 9.81};
     for (int i = 0; i < 8; i++) {
         struct dom_train train = dom_train_default();

@@ -35,8 +35,8 @@ static void one_text(double value)
     }
 }
 
-static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17},
-                                 in_float = {.precision = DOM_FLOAT, .all_digits = 9};
+static const struct answer_style in_double = {.precision = IN_DOUBLE, .all_digits = 17},
+                                 in_float = {.precision = IN_FLOAT, .all_digits = 9};
 
 /* Checks that csv and json write the fewest digits that round-trip: 15, 16 or 17, or for floats 7, 8 or 9. */
 static void one_shortest(double value)

@@ -33,7 +33,7 @@ TEST(thin_dominoes_with_friction)
         struct setup t = friction_train(0.01, 1, d, 4, 0.2);
         struct domq_limit here, finer;
         assert_status(ask_limit_rmax(&t, &here), DOM_OK);
-        t.precision = DOM_QUAD;
+        t.precision = IN_QUAD;
         t.tol = 1e-18;
         assert_status(ask_limit_rmax(&t, &finer), DOM_OK);
         assert_near("r_max", here.r_max, (double)finer.r_max, 1e-10);

@@ -49,7 +49,7 @@ static void run(const struct kind *k, double off, struct falls *f)
                                  .push = k->push != 0 ? k->push : DOM_NAN,
                                  .mu = k->mu,
                                  .floor = k->floor};
-    struct domq_compute compute = domq_compute_default();
+    struct any_compute compute = any_compute_default();
     compute.work = &f->work;
     f->seen = 0;
     f->work = (struct dom_work){0};
@@ -58,7 +58,7 @@ static void run(const struct kind *k, double off, struct falls *f)
             .height = 0.048, .thickness = 0.007, .gap = k->gap * (1 + off * (double)(i % 2)), .mass = 0.01};
     if (k->other)
         f->domino[k->other].mass *= 1.1;
-    assert_status(domq_row_run(&row, &compute, true, keep, f, &f->verdict), DOM_OK);
+    assert_status(any_row_run(&row, &compute, true, keep, f, &f->verdict), DOM_OK);
 }
 
 /* Checks that two values agree. Both may be infinite, 0 or NaN. */

@@ -79,13 +79,13 @@ TEST(two_tops)
         row.floor = true;
         row.alpha = b.slope;
         if (i % 4 == 0) {
-            row.precision = i % 40 == 0 ? DOM_QUAD : DOM_FLOAT;
+            row.precision = i % 40 == 0 ? IN_QUAD : IN_FLOAT;
             row.tol = i % 40 == 0 ? 1e-12 : 1e-5;
         }
         assert_status(ask_row_run(&row, false, fall_seen, &fall, &verdict), DOM_OK);
         if (fall.margin < 0)
             continue;
-        double most = most_needed(&b, asin(gap / h), &tops), bound = row.precision == DOM_FLOAT ? 1e-3 : 2e-6;
+        double most = most_needed(&b, asin(gap / h), &tops), bound = row.precision == IN_FLOAT ? 1e-3 : 2e-6;
         if (isinf(most) || most > 1e3) { /* if the domino is nearly lifted, few digits are right */
             assert_true(fall.floor_motion > 500);
             continue;

@@ -235,8 +235,8 @@ TEST(float_near_the_reach)
     struct domq_launch launch;
     train.d = 0.0992909595F;
     train.q = 3.49999905F;
-    train.precision = DOM_FLOAT;
-    train.tol = domq_arithmetic(DOM_FLOAT)->tol_default;
+    train.precision = IN_FLOAT;
+    train.tol = any_arithmetic(IN_FLOAT).tol_default;
     for (int k = 0; k <= 40; k++) {
         train.r = (1 - pow(10, -1 - k / 20.0)) / (double)train.s;
         assert_status(ask_launch_find(&train, &launch), DOM_OK);

@@ -127,9 +127,9 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
     const struct dom_train *a = train;
     const struct domq_train wide = {.fuel = a->fuel,
                                     DOM_TRAIN_PARAMETERS(SETUP_COPY_NUMBER) DOM_DYNAMICS(SETUP_COPY_EFFECT)};
-    const struct domq_compute wide_compute = {
-        .tol = compute->tol, .precision = compute->precision, .method = compute->method};
-    assert_status(domq_train_check(&wide, &wide_compute), expected);
+    const struct any_compute wide_compute = {
+        .tol = compute->tol, .precision = IN_DOUBLE, .method = compute->method};
+    assert_status(any_train_check(&wide, &wide_compute), expected);
 }
 
 /* Lists numbers outside a range. */
@@ -167,15 +167,19 @@ TEST(parameters)
     DOM_DYNAMICS(OF_EFFECT)
     assert_true(dom_effect_friction.argument[0].highest == DOM_MU_HIGHEST);
 #undef BAD
-    for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++)
-        if (dom_arithmetic(p)->bits) {
-            train = dom_train_default();
-            compute = dom_compute_default();
-            compute.precision = p;
-            compute.tol = dom_arithmetic(p)->tol_floor;
-            assert_status(dom_train_check(&train, &compute), DOM_OK);
-            compute.tol *= 0.999;
-            refused(&train, &compute, 't', DOM_BAD_TOL);
+    train = dom_train_default();
+    compute = dom_compute_default();
+    compute.tol = dom_arithmetic()->tol_floor;
+    assert_status(dom_train_check(&train, &compute), DOM_OK);
+    compute.tol *= 0.999;
+    refused(&train, &compute, 't', DOM_BAD_TOL);
+    const struct domq_train wide = domq_train_default();
+    for (enum precision p = IN_FLOAT; p <= IN_QUAD; p++)
+        if (any_arithmetic(p).bits) {
+            struct any_compute of = {.tol = any_arithmetic(p).tol_floor, .precision = p};
+            assert_status(any_train_check(&wide, &of), DOM_OK);
+            of.tol *= 0.999;
+            assert_status(any_train_check(&wide, &of), DOM_BAD_TOL);
         }
 }
 
@@ -186,9 +190,6 @@ TEST(choices)
     train.fuel = (enum dom_fuel)(DOM_FUEL_PAPER + 1);
     refused(&train, &compute, '\0', DOM_BAD_FUEL);
     train = dom_train_default();
-    compute.precision = (enum dom_precision)(DOM_QUAD + 1);
-    refused(&train, &compute, '\0', DOM_BAD_PRECISION);
-    compute = dom_compute_default();
     compute.method = (enum dom_method)(DOM_METHOD_PAPER + 1);
     refused(&train, &compute, '\0', DOM_BAD_METHOD);
 }
@@ -329,9 +330,6 @@ TEST(rows)
     r.row.count = 0;
     row_refused(&r.row, NULL, 0, DOM_BAD_COUNT);
     row_make(&r);
-    compute.precision = (enum dom_precision)(DOM_QUAD + 1);
-    struct dom_verdict verdict;
-    assert_named(dom_row_run(&r.row, &compute, false, NULL, NULL, &verdict), DOM_BAD_PRECISION);
     const volatile sig_atomic_t now = 1;
     compute = dom_compute_default();
     compute.interrupt = &now;
@@ -386,16 +384,13 @@ TEST(placements)
 TEST(counts)
 {
     const double bad[] = {0, -1, (double)NAN, (double)INFINITY};
-    struct dom_compute compute = dom_compute_default();
     struct dom_count count = {.dominoes = -1};
     for (int k = 0; k < 4; k++) {
-        assert_named(dom_count_find(bad[k], 112, 1.5, NULL, &count), DOM_BAD_HEIGHT);
-        assert_named(dom_count_find(0.048, bad[k], 1.5, NULL, &count), DOM_BAD_HEIGHT);
-        assert_named(dom_count_find(0.048, 112, bad[k], NULL, &count), DOM_BAD_R);
+        assert_named(dom_count_find(bad[k], 112, 1.5, &count), DOM_BAD_HEIGHT);
+        assert_named(dom_count_find(0.048, bad[k], 1.5, &count), DOM_BAD_HEIGHT);
+        assert_named(dom_count_find(0.048, 112, bad[k], &count), DOM_BAD_R);
     }
-    assert_named(dom_count_find(0.048, 112, nextafter(1, 0), NULL, &count), DOM_BAD_R);
-    compute.precision = (enum dom_precision)(DOM_QUAD + 1);
-    assert_named(dom_count_find(0.048, 112, 1.5, &compute, &count), DOM_BAD_PRECISION);
+    assert_named(dom_count_find(0.048, 112, nextafter(1, 0), &count), DOM_BAD_R);
     assert_true(count.dominoes == -1);
 }
 

@@ -107,7 +107,8 @@ TEST(touch)
         assert_true(f[1].kinetic == 0 && f[1].omega == 0 && f[1].time == 0 && f[1].lost == 0);
         assert_near("tilt", (double)f[0].theta, c, 1e-14);
         const struct domq_row row = row_setup(&run.row);
-        assert_status(domq_row_touch(&row, NULL, &tilt), DOM_OK);
+        assert_status(any_row_touch(&row, (const struct any_compute[]){any_compute_default()}, &tilt),
+                      DOM_OK);
         assert_near("touch", (double)tilt, c, 1e-14);
         /* The torque of domino 1 turns domino 2 only if it is larger than that of its own weight. */
         const double d = (double)(run.domino->thickness / run.domino->height);
@@ -189,7 +190,7 @@ TEST(every_effect)
         run.row.rho = i == 3 || i == 6 ? 0.02 : 0;
         run.row.walls = i == 4 ? 1e-3 : 0;
         run.row.air = i == 5 || i == 6 ? 1.2 : 0;
-        run.row.precision = i == 0 ? DOM_QUAD : DOM_DOUBLE;
+        run.row.precision = i == 0 ? IN_QUAD : IN_DOUBLE;
         assert_status(run_whole(&run), DOM_OK);
         assert_int_equal(run.verdict.end, DOM_ROW_FALLS);
         const domq_real time = run.fall[1].time / 2;

@@ -61,7 +61,7 @@ TEST(contacts)
         train.d = random_log(&seed, 1e-3, 0.9);
         train.rho = train.d / 2 * random_log(&seed, 1e-9, 1);
         train.r = 1 + (1 / train.s - 1) * random_unit(&seed);
-        train.precision = n % 8 ? DOM_DOUBLE : DOM_QUAD;
+        train.precision = n % 8 ? IN_DOUBLE : IN_QUAD;
         if (ask_angles_find(&train, &angles) != DOM_OK)
             continue;
         domq_real theta = angles.theta_c * random_log(&seed, 1e-6, 1);
@@ -105,7 +105,7 @@ TEST(difficult_limits)
         train.d = table[i].d;
         train.q = table[i].q;
         const double in_double = rmax_of(&train);
-        train.precision = DOM_QUAD;
+        train.precision = IN_QUAD;
         train.tol = 1e-16;
         assert_near("r_max", in_double, rmax_of(&train), 1e-11);
     }
@@ -144,8 +144,8 @@ TEST(trains_anywhere)
     for (int n = 0; n < 1500; n++) {
         struct setup train = any_train(&seed);
         struct domq_barrier barrier, finer;
-        train.precision = n % 4 ? DOM_DOUBLE : DOM_FLOAT;
-        train.tol = domq_arithmetic(train.precision)->tol_default;
+        train.precision = n % 4 ? IN_DOUBLE : IN_FLOAT;
+        train.tol = any_arithmetic(train.precision).tol_default;
         const enum dom_status status = ask_barrier_find(&train, &barrier);
         goes += status == DOM_OK;
         stops += status == DOM_STOPS;
@@ -154,7 +154,7 @@ TEST(trains_anywhere)
         assert_true(rmax_of(&train) != 0); /* r_max is NaN if even equal dominoes stop */
         if (n % 32 != 1 || (status != DOM_OK && status != DOM_STOPS))
             continue;
-        train.precision = DOM_QUAD;
+        train.precision = IN_QUAD;
         train.tol = 1e-16;
         assert_status(ask_barrier_find(&train, &finer), status);
         assert_near("kinetic", (double)barrier.kinetic, (double)finer.kinetic, 1e-10);

@@ -284,7 +284,7 @@ static bool is_finite(const struct domq_fall *f, void *context)
 }
 
 /* Checks rows of any size. The result agrees with quad and has no NaN, or is an error. */
-static void sizes(enum dom_precision precision, double s, double r, double h, double mass, size_t count,
+static void sizes(enum precision precision, double s, double r, double h, double mass, size_t count,
                   bool answered)
 {
     struct domq_domino *domino = calloc(count, sizeof *domino);
@@ -300,7 +300,7 @@ static void sizes(enum dom_precision precision, double s, double r, double h, do
     struct row_setup row = {.domino = domino, .count = count, .g = g, .tol = 1e-5, .precision = precision};
     row.push = 3 * sqrt(3 * g * (hypot(1, 7.0 / 48) - 1) / (1 + pow(7.0 / 48, 2)) / h);
     enum dom_status status = ask_row_run(&row, true, is_finite, &fine, &v);
-    row.precision = DOM_QUAD;
+    row.precision = IN_QUAD;
     enum dom_status of_wide = ask_row_run(&row, true, NULL, NULL, &wide);
     free(domino);
     if (answered || status == DOM_OK) {
@@ -325,21 +325,21 @@ TEST(long_and_tall)
     struct row_setup row = row_setup_default(domino, LONG, 3);
     assert_status(ask_row_run(&row, false, NULL, NULL, &v), DOM_OK);
     assert_true(v.end == DOM_ROW_FALLS && v.domino == LONG && v.short_by == 0);
-    sizes(DOM_DOUBLE, 0.3, 2, 0.048, 0.01, 100, true);
-    sizes(DOM_DOUBLE, 0.4, 1.5, 0.048, 0.01, 100, true); /* the last domino is taller than the Earth */
-    sizes(DOM_DOUBLE, 5e-4, 1e3, 0.048, 0.01, 2000, false);
-    sizes(DOM_FLOAT, 0.4, 1.5, 0.048, 0.01, 40, true);
+    sizes(IN_DOUBLE, 0.3, 2, 0.048, 0.01, 100, true);
+    sizes(IN_DOUBLE, 0.4, 1.5, 0.048, 0.01, 100, true); /* the last domino is taller than the Earth */
+    sizes(IN_DOUBLE, 5e-4, 1e3, 0.048, 0.01, 2000, false);
+    sizes(IN_FLOAT, 0.4, 1.5, 0.048, 0.01, 40, true);
 }
 
 /* Checks rows in which m h^2 or h^2 is beyond the range of the precision. The result is right, or an
  * error. */
 TEST(beyond_the_range)
 {
-    sizes(DOM_FLOAT, 0.4, 1.5, 0.048, 0.01, 52, false); /* the last domino is only 45000 km tall */
-    sizes(DOM_DOUBLE, 0.3, 1, 1e160, 1, 20, false);
-    sizes(DOM_DOUBLE, 0.3, 1, 1e-170, 1, 20, false);
-    sizes(DOM_DOUBLE, 0.3, 1, 1e100, 1e300, 20, false);
-    sizes(DOM_DOUBLE, 0.3, 1, 1e-100, 1e-250, 20, false);
+    sizes(IN_FLOAT, 0.4, 1.5, 0.048, 0.01, 52, false); /* the last domino is only 45000 km tall */
+    sizes(IN_DOUBLE, 0.3, 1, 1e160, 1, 20, false);
+    sizes(IN_DOUBLE, 0.3, 1, 1e-170, 1, 20, false);
+    sizes(IN_DOUBLE, 0.3, 1, 1e100, 1e300, 20, false);
+    sizes(IN_DOUBLE, 0.3, 1, 1e-100, 1e-250, 20, false);
 }
 
 /* Checks that the weakest domino has the smallest margin / barrier, and that the verdict is exactly the same
@@ -426,17 +426,16 @@ TEST(precisions_agree)
         run[0].row.push = (float)run[0].row.push;
         run[0].row.mu = (float)run[0].row.mu;
         run[0].row.g = 9.8125;
-        for (int p = DOM_QUAD; p >= DOM_FLOAT; p--) {
+        for (int p = IN_QUAD; p >= IN_FLOAT; p--) {
             run[p] = run[0];
-            run[p].row.precision = (enum dom_precision)p;
-            run[p].row.tol =
-                p == DOM_QUAD ? 1e-16 : (double)domq_arithmetic(run[p].row.precision)->tol_default;
+            run[p].row.precision = (enum precision)p;
+            run[p].row.tol = p == IN_QUAD ? 1e-16 : (double)any_arithmetic(run[p].row.precision).tol_default;
             assert_status(run_whole(&run[p]), DOM_OK);
-            assert_int_equal(run[p].verdict.end, run[DOM_QUAD].verdict.end);
-            assert_int_equal(run[p].verdict.domino, run[DOM_QUAD].verdict.domino);
-            double bound = p == DOM_FLOAT ? 1e-4 : 1e-11, spare = 1;
+            assert_int_equal(run[p].verdict.end, run[IN_QUAD].verdict.end);
+            assert_int_equal(run[p].verdict.domino, run[IN_QUAD].verdict.domino);
+            double bound = p == IN_FLOAT ? 1e-4 : 1e-11, spare = 1;
             for (size_t k = 0; k < run[p].falls; k++) {
-                const struct domq_fall *f = &run[p].fall[k], *wide = &run[DOM_QUAD].fall[k];
+                const struct domq_fall *f = &run[p].fall[k], *wide = &run[IN_QUAD].fall[k];
                 assert_near("kinetic", f->kinetic, wide->kinetic, bound / spare);
                 assert_near("omega", f->omega, wide->omega, bound / spare);
                 assert_near("theta", f->theta, wide->theta, bound / spare);

@@ -80,15 +80,15 @@ TEST(short_of_the_highest_everywhere)
     int stops = 0, behind = 0;
     for (int i = 0; i < 1500; i++) {
         random_row(&run, &seed, random_log(&seed, 3, 60), 0);
-        run.row.precision = i % 25 == 0 ? DOM_QUAD : i % 3 == 0 ? DOM_FLOAT : DOM_DOUBLE;
-        run.row.tol = run.row.precision == DOM_FLOAT ? 1e-5 : 1e-12;
+        run.row.precision = i % 25 == 0 ? IN_QUAD : i % 3 == 0 ? IN_FLOAT : IN_DOUBLE;
+        run.row.tol = run.row.precision == IN_FLOAT ? 1e-5 : 1e-12;
         assert_status(run_whole(&run), DOM_OK);
         if (run.verdict.end != DOM_ROW_STOPS)
             continue;
         const struct domq_fall *last = &run.fall[run.falls - 1];
         size_t before = run.falls > 1 ? run.fall[run.falls - 2].moving : 0;
         double rise = highest_energy_change(&run, run.falls - 1, last->moving);
-        double bound = run.row.precision == DOM_FLOAT ? 2e-4 : 1e-6;
+        double bound = run.row.precision == IN_FLOAT ? 2e-4 : 1e-6;
         if (!(fabs(rise - (double)last->barrier) <= bound * fmax(rise, last->kinetic)))
             fail_msg("row %d: barrier %.10g, on a grid %.10g", i, (double)last->barrier, rise);
         assert_near("short by", run.verdict.short_by, last->barrier - last->kinetic, 1e-3);
@@ -143,11 +143,11 @@ TEST(rounded_reach_is_reached)
         train.q = 1 + i % 7;
         ask_row_of_train(&train, &scale, 1, run.domino, 6);
         run.row = row_setup_default(NULL, 6, i % 2 ? 60 : DOMQ_NAN);
-        run.row.precision = (enum dom_precision)(i % 3);
-        run.row.tol = i % 3 == DOM_FLOAT ? 1e-5 : 1e-12;
+        run.row.precision = (enum precision)(i % 3);
+        run.row.tol = i % 3 == IN_FLOAT ? 1e-5 : 1e-12;
         assert_status(run_whole(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_FALLS || run.verdict.end == DOM_ROW_STOPS);
-        train.r *= 1 - (domq_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* slightly below the reach */
+        train.r *= 1 - (domq_real)(i % 3 == IN_FLOAT ? 1e-4 : 1e-9); /* slightly below the reach */
         near = run;
         ask_row_of_train(&train, &scale, 1, near.domino, 6);
         assert_status(run_whole(&near), DOM_OK);
@@ -185,14 +185,13 @@ TEST(much_friction)
         random_row(&run, &seed, random_log(&seed, 3, 60), random_log(&seed, 0.5, 5));
         run.row.count = light ? 2 : run.row.count;
         run.domino[1].thickness *= light ? 2 : 1;
-        run.row.precision = i % 500 == 3 ? DOM_QUAD : i % 20 == 5 ? DOM_FLOAT : DOM_DOUBLE;
-        run.row.tol = run.row.precision == DOM_FLOAT ? 1e-5 : 1e-12;
+        run.row.precision = i % 500 == 3 ? IN_QUAD : i % 20 == 5 ? IN_FLOAT : IN_DOUBLE;
+        run.row.tol = run.row.precision == IN_FLOAT ? 1e-5 : 1e-12;
         enum dom_status status = run_whole(&run);
         if (status != DOM_OK)
             fail_msg("row %d, mu %g: %s", i, (double)run.row.mu, dom_status_text(status));
         const struct domq_fall *last = &run.fall[run.falls - 1];
-        bool wide = run.row.precision != DOM_FLOAT,
-             jam = run.verdict.end == DOM_ROW_LOCKS && last->margin < 0,
+        bool wide = run.row.precision != IN_FLOAT, jam = run.verdict.end == DOM_ROW_LOCKS && last->margin < 0,
              near = fabs((double)last->margin) < (wide ? 1e-6 : 1e-2) * (double)last->kinetic;
         if (near || (run.verdict.end != DOM_ROW_FALLS && run.verdict.end != DOM_ROW_STOPS && !jam))
             continue;
@@ -226,10 +225,10 @@ TEST(stops_before_a_lock)
 {
     static double size[][3] = {{0.03, 0.0034, 0}, {0.04, 0.018, 0.0034}};
     static struct run run;
-    for (int precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
+    for (int precision = IN_FLOAT; precision <= IN_QUAD; precision++) {
         blocks_row(&run, size, 2, DOMQ_NAN, 1.35);
-        run.row.precision = (enum dom_precision)precision;
-        run.row.tol = precision == DOM_FLOAT ? 1e-5 : 1e-12;
+        run.row.precision = (enum precision)precision;
+        run.row.tol = precision == IN_FLOAT ? 1e-5 : 1e-12;
         assert_status(run_whole(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2);
         assert_true(isinf((double)run.verdict.short_by) && isinf((double)run.fall[1].barrier));

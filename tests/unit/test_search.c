@@ -3,7 +3,7 @@
  * separations. */
 #include "support.h"
 
-static struct setup train_of(double s, double d, double q, double mu, enum dom_precision precision)
+static struct setup train_of(double s, double d, double q, double mu, enum precision precision)
 {
     struct setup train = setup_default();
     train.s = s;
@@ -11,7 +11,7 @@ static struct setup train_of(double s, double d, double q, double mu, enum dom_p
     train.q = q;
     train.mu = mu;
     train.precision = precision;
-    train.tol = domq_arithmetic(precision)->tol_default;
+    train.tol = any_arithmetic(precision).tol_default;
     return train;
 }
 
@@ -33,7 +33,7 @@ TEST(the_first_root_counts)
         struct domq_limit limit[2];
         for (int p = 0; p < (cases[i].mu > 0 ? 1 : 2); p++) {
             struct setup train =
-                train_of(cases[i].s, cases[i].d, cases[i].q, cases[i].mu, p == 0 ? DOM_DOUBLE : DOM_QUAD);
+                train_of(cases[i].s, cases[i].d, cases[i].q, cases[i].mu, p == 0 ? IN_DOUBLE : IN_QUAD);
             assert_status(ask_limit_rmax(&train, &limit[p]), DOM_OK);
             assert_int_equal(limit[p].ends, DOM_END_BARRIER);
             assert_near("r_max", limit[p].r_max, cases[i].r_max, cases[i].bound);
@@ -53,7 +53,7 @@ TEST(shallow_dips_are_found)
                  {0.00735522243724, 0.0244133, 0.653582, 5.222109374}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int p = 1; p < 3; p++) {
-            struct setup train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum dom_precision)p);
+            struct setup train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum precision)p);
             struct domq_limit limit;
             assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
             assert_int_equal(limit.ends, DOM_END_BARRIER);
@@ -67,7 +67,7 @@ TEST(shallow_dips_are_found)
 static double share_in_quad(struct setup train, double r)
 {
     struct domq_barrier b;
-    train.precision = DOM_QUAD;
+    train.precision = IN_QUAD;
     train.tol = (domq_real)1e-26;
     train.r = (domq_real)r;
     const enum dom_status status = ask_barrier_find(&train, &b);
@@ -96,7 +96,7 @@ static double dip_in_quad(const struct setup *train, double r)
  * last digits of s. */
 TEST(the_sign_of_a_dip_decides)
 {
-    struct setup train = train_of(0.119202042, 0.254524, 0.474363, 0, DOM_DOUBLE);
+    struct setup train = train_of(0.119202042, 0.254524, 0.474363, 0, IN_DOUBLE);
     struct domq_limit limit;
     const double dip = 4.4669;
     double stops = 0.119202042, passes = 0.12;
@@ -128,7 +128,7 @@ TEST(the_best_separation_at_a_jump)
                  {0.0124453, 0.522, 0.00274654571703, 364.044522361},
                  {0.0758594, 0.312005, 0.01063775410219, 92.855140264}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct setup train = train_of(1, cases[i].d, cases[i].q, 0, DOM_DOUBLE);
+        struct setup train = train_of(1, cases[i].d, cases[i].q, 0, IN_DOUBLE);
         struct domq_best best;
         struct domq_limit limit;
         assert_status(ask_limit_best(&train, &best), DOM_OK);
@@ -150,7 +150,7 @@ TEST(narrow_bands_of_pairs)
         {0.72, 0.565, 2, 1.10790400424}, {0.66, 0.507, 2.5, 1.09210699}, {0.12, 0.278, 0.5, 6.55740614}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int p = 0; p < 3; p++) {
-            struct setup train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum dom_precision)p);
+            struct setup train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum precision)p);
             struct domq_limit limit;
             assert_status(ask_limit_pair(&train, &limit), DOM_OK);
             assert_int_equal(limit.ends, DOM_END_BARRIER);
@@ -166,9 +166,9 @@ TEST(a_domino_at_rest_topples_nothing)
     for (int p = 0; p < 3; p++)
         for (size_t i = 0; i < sizeof d / sizeof *d; i++)
             for (int k = 0; k < 4; k++) {
-                struct setup train = train_of(0.1, d[i], 3, 0, (enum dom_precision)p);
+                struct setup train = train_of(0.1, d[i], 3, 0, (enum precision)p);
                 struct domq_limit limit;
-                train.tol = (domq_real)pow(10, k) * domq_arithmetic((enum dom_precision)p)->tol_floor;
+                train.tol = (domq_real)pow(10, k) * any_arithmetic((enum precision)p).tol_floor;
                 assert_status(ask_limit_pair(&train, &limit), DOM_OK);
                 assert_int_equal(limit.ends, DOM_END_NONE);
             }
@@ -181,7 +181,7 @@ TEST(the_best_separation_to_its_digits)
         double d, q, s;
     } cases[] = {{0.014, 3, 0.206532218328}, {0.49, 4, 0.775717721697}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct setup train = train_of(1, cases[i].d, cases[i].q, 0, DOM_DOUBLE);
+        struct setup train = train_of(1, cases[i].d, cases[i].q, 0, IN_DOUBLE);
         struct domq_best best;
         assert_status(ask_limit_best(&train, &best), DOM_OK);
         assert_near("best s", best.s, cases[i].s, 4e-12);
@@ -200,7 +200,7 @@ TEST(the_best_separation_in_quad_begins_near)
     } cases[] = {{20, 0, 538644284488, 7.46838654970e-14, 2000000},
                  {0, 1, 514185281824, 5.18853554156e-13, 200000}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct setup train = train_of(1, 0, 4, 0, DOM_QUAD);
+        struct setup train = train_of(1, 0, 4, 0, IN_QUAD);
         struct dom_work work = {0};
         struct domq_best best;
         train.d = domq_train_default().d;
@@ -219,7 +219,7 @@ TEST(the_best_separation_in_quad_begins_near)
 TEST(thick_dominoes_grow_at_wide_gaps)
 {
     for (double d = 0.665; d < 0.7486; d += 0.02) {
-        struct setup train = train_of(1, d, 3, 0, DOM_DOUBLE);
+        struct setup train = train_of(1, d, 3, 0, IN_DOUBLE);
         struct domq_best best;
         struct domq_limit limit;
         assert_status(ask_limit_best(&train, &best), DOM_OK);
@@ -234,7 +234,7 @@ TEST(thick_dominoes_grow_at_wide_gaps)
 /* Checks that the higher of two maxima is found if both are close to the same sample s = 0.9^k. */
 TEST(the_higher_of_two_tops)
 {
-    struct setup train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);
+    struct setup train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, IN_DOUBLE);
     struct domq_best best;
     train.fuel = DOM_FUEL_PAPER;
     assert_status(ask_limit_best(&train, &best), DOM_OK);
@@ -244,7 +244,7 @@ TEST(the_higher_of_two_tops)
 /* Checks that a search that would take more than the allowed work soon ends with an error. */
 TEST(too_much_work_is_refused)
 {
-    struct setup train = train_of(1, 1e-12, 1e-6, 0.57735, DOM_DOUBLE);
+    struct setup train = train_of(1, 1e-12, 1e-6, 0.57735, IN_DOUBLE);
     struct dom_work work = {0};
     struct domq_best best;
     train.work = &work;
@@ -256,7 +256,7 @@ TEST(too_much_work_is_refused)
  * a few at r_max. */
 TEST(thin_dominoes_are_quick)
 {
-    struct setup train = train_of(1e-5, 3e-6, 0.9, 0, DOM_DOUBLE);
+    struct setup train = train_of(1e-5, 3e-6, 0.9, 0, IN_DOUBLE);
     struct dom_work work = {0};
     struct domq_limit limit;
     train.work = &work;

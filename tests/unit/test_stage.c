@@ -15,7 +15,7 @@ static const double some_trains[][4] = {/* s, r, d, q */
 static enum dom_status setup_stage(const struct setup *setup, domq_real theta, struct stage *stage)
 {
     const struct domq_train train = setup_train(setup);
-    const struct domq_compute compute = setup_compute(setup);
+    const struct any_compute compute = setup_compute(setup);
     return stage_train(stage, &train, &compute, theta, 0);
 }
 

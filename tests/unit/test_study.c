@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Studies save work: they run only the part of a row that a change affects, and leave out the search for the
  * barrier. They are compared here with runs of whole rows. */
-#include "library.h" /* the names of functions that the files of the library share */
 
 #include "request.h"
 #include "support.h"
@@ -30,8 +29,7 @@ static void dominoes_make(struct random_dominoes *row, uint64_t *seed, double mu
                                         .g = 9.81,
                                         .push = uniform(seed, 3, 9),
                                         .tol = 1e-12,
-                                        .effect = {[DOM_EFFECT_friction] = mu},
-                                        .precision = DOM_DOUBLE};
+                                        .effect = {[DOM_EFFECT_friction] = mu}};
     for (size_t k = 0; k < ROW; k++, height *= r) {
         struct dom_domino *d = &row->domino[k];
         const double thickness = 0.15 * uniform(seed, 0.7, 1.4);
@@ -100,7 +98,7 @@ TEST(rows_again_end_like_whole_rows)
         dominoes_make(&row, &seed, i % 5 ? 0 : 0.2);
         if (i % 4)
             last_domino_balance(&row, &seed);
-        enum dom_status status = row_study_begin(&row.request, &study, &before);
+        enum dom_status status = study_begin(&row.request, &study, &before);
         struct dom_row copy = row_of(&row.request);
         for (int j = 0; j < 20 && status == DOM_OK; j++) {
             const size_t k = (size_t)(random_unit(&seed) * (double)row.request.count);
@@ -144,7 +142,7 @@ TEST(random_rows_end_like_whole_rows)
             row.domino[k].thickness *= thin;
             row.domino[k].lean = i % 11 || i % 5 == 1 ? 0 : uniform(&seed, -0.01, 0.02);
         }
-        assert_status(row_study_begin(&row.request, &study, NULL), DOM_OK);
+        assert_status(study_begin(&row.request, &study, NULL), DOM_OK);
         const struct dom_row copy = row_of(&row.request);
         assert_status(row_study(study, &copy, 0, row.request.count - 1, &found), DOM_OK);
         quick += study->quick && !study->doubt;
@@ -218,7 +216,7 @@ TEST(heads_that_keep_falling)
         static struct random_dominoes row;
         struct study *study;
         dominoes_make(&row, &seed, 0);
-        assert_status(row_study_begin(&row.request, &study, NULL), DOM_OK);
+        assert_status(study_begin(&row.request, &study, NULL), DOM_OK);
         study->quick = true;
         struct run run = {.request = &study->row.request,
                           .geometry = study->row.geometry,

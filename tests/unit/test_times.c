@@ -7,7 +7,7 @@
 
 static struct setup in_quad(struct setup train)
 {
-    train.precision = DOM_QUAD;
+    train.precision = IN_QUAD;
     train.tol = 1e-30;
     return train;
 }
@@ -83,14 +83,14 @@ TEST(first_moment)
     train.r = 1.7;
     assert_status(ask_launch_find(&train, &launch), DOM_OK);
     for (double theta = 1e-10; theta > 1e-30; theta /= 100)
-        for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
-            train.precision = (enum dom_precision)p;
-            train.tol = domq_arithmetic(train.precision)->tol_default;
+        for (int p = IN_FLOAT; p <= IN_QUAD; p++) {
+            train.precision = (enum precision)p;
+            train.tol = any_arithmetic(train.precision).tol_default;
             assert_status(ask_cycle_state(&train, theta, &s), DOM_OK);
             /* The angular velocity of the head decreases by about 11 theta, relative to its value at the
              * launch. */
             assert_near("time", (double)s.time, theta / sqrt((double)launch.omegasq),
-                        fmax(20 * theta, p == DOM_FLOAT ? 1e-5 : 1e-12));
+                        fmax(20 * theta, p == IN_FLOAT ? 1e-5 : 1e-12));
         }
 }
 
@@ -109,8 +109,8 @@ TEST(stops_have_times)
         train.q = i % 3 ? 3 : train.q;
         train.mu = i % 2 ? random_log(&seed, 1e-3, 1) : 0;
         train.r = i % 5 == 0 ? 1 / train.s : pow(1 / (double)train.s, random_unit(&seed));
-        train.precision = i % 7 == 0 ? DOM_QUAD : i % 3 == 0 ? DOM_FLOAT : DOM_DOUBLE;
-        train.tol = train.precision == DOM_FLOAT ? 1e-5 : 1e-12;
+        train.precision = i % 7 == 0 ? IN_QUAD : i % 3 == 0 ? IN_FLOAT : IN_DOUBLE;
+        train.tol = train.precision == IN_FLOAT ? 1e-5 : 1e-12;
         if (ask_cycle_stop(&train, &stop) != DOM_OK || isnan((double)stop))
             continue;
         enum dom_status status = ask_cycle_events(&train, events, &n);

@@ -51,9 +51,9 @@ TEST(no_room)
     assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_NO_ROOM);
     assert_int_equal(verdict.domino, 2);
     row.walls = 0.003;
-    for (row.precision = DOM_FLOAT; row.precision <= DOM_QUAD; row.precision++) {
-        row.tol = row.precision == DOM_FLOAT ? 1e-5 : 1e-12;
-        if (dom_arithmetic(row.precision)->bits)
+    for (row.precision = IN_FLOAT; row.precision <= IN_QUAD; row.precision++) {
+        row.tol = row.precision == IN_FLOAT ? 1e-5 : 1e-12;
+        if (any_arithmetic(row.precision).bits)
             assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_OK);
     }
 }
@@ -65,7 +65,7 @@ TEST(trains_move_as_without)
     for (int k = 0; k < 24; k++) {
         struct setup solid = setup_default(), box;
         solid.r = 1.2;
-        solid.precision = (enum dom_precision)(k % 3);
+        solid.precision = (enum precision)(k % 3);
         solid.tol = k % 3 == 0 ? 1e-5 : 1e-12;
         solid.mu = k & 4 ? 0.2 : 0;
         solid.alpha = k & 8 ? 0.01 : 0;
@@ -74,11 +74,11 @@ TEST(trains_move_as_without)
             solid.fuel = k % 2 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
         }
         if (k >= 20) {
-            solid.precision = DOM_DOUBLE;
+            solid.precision = IN_DOUBLE;
             solid.tol = 1e-9;
             solid.method = DOM_METHOD_GSL;
         }
-        if (!dom_arithmetic(solid.precision)->bits)
+        if (!any_arithmetic(solid.precision).bits)
             continue;
         box = solid;
         box.walls = 0.02;

@@ -102,7 +102,7 @@ static bool dominoes_fall(const struct scene *scene, double r, void *next)
                             .push = scene->push,
                             .mu = scene->mu,
                             .tol = 1e-10,
-                            .precision = DOM_DOUBLE};
+                            .precision = IN_DOUBLE};
     ask_row_of_train(&train, &unit, 1, domino, scene->count);
     enum dom_status status = ask_row_run(&row, next, next ? hit : NULL, next, &verdict);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs many rows with random errors, in batches that may run in parallel. */
 #include "chance/model/draw.h"
-#include "dispatch/dispatch.h"
+#include "entry/study.h"
 #include "numerics/quiet.h"
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -27,7 +27,7 @@ struct shared {
 
 struct batch {
     struct draw draw;
-    struct study *study; /* memory of the kernel that runs the rows, or NULL if an engine runs them */
+    struct study *study; /* memory of the model that runs the rows, or NULL if an engine runs them */
 };
 
 static size_t stops_length(const struct shared *s)
@@ -41,8 +41,8 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                                struct dom_verdict *verdict)
 {
     draw_row(&b->draw, s->row, s->placement, i, off);
-    return b->study ? dom__studies.run(b->study, &b->draw.row, 0, s->row->count - 1, verdict)
-                    : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
+    return b->study ? row_study(b->study, &b->draw.row, 0, s->row->count - 1, verdict)
+                    : dom_row_run(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
 /* Runs random row number i and adds the result to the counts. If s->causes is true, also finds out which
@@ -76,15 +76,14 @@ static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
     return DOM_OK;
 }
 
-/* Unless an engine runs the rows, checks the row and prepares the kernel to run many rows of this kind. */
+/* Unless an engine runs the rows, checks the row and prepares to run many rows of this kind. */
 static enum dom_status batch_begin(struct batch *b, const struct shared *s)
 {
     struct dom_row row = *s->row;
     if (s->row->engine)
         return DOM_OK;
     row.floor = false;
-    const struct row_question q = row_question_make(&row, &s->compute);
-    return q.status != DOM_OK ? q.status : dom__studies.begin(&q.request, &b->study, NULL);
+    return row_study_begin(&row, &s->compute, &b->study, NULL);
 }
 
 /* A dom_task that runs batch number `index` of the rows, unless another batch has failed. */
@@ -103,7 +102,7 @@ static void batch_run(size_t index, void *context)
     int none = DOM_OK;
     if (status != DOM_OK)
         atomic_compare_exchange_strong(&s->status, &none, (int)status);
-    dom__studies.end(b.study);
+    row_study_end(b.study);
     draw_end(&b.draw);
 }
 
@@ -116,15 +115,15 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
     return DOM_OK;
 }
 
-/* Checks the arguments of a study. The kernel cannot check all of them. The study changes the gaps and the
- * tolerance before the kernel sees them, and could thereby hide bad values. */
+/* Checks the arguments of a study. The model cannot check all of them. The study changes the gaps and the
+ * tolerance before the model sees them, and could thereby hide bad values. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {
-    enum dom_status status = p->rows == 0                                               ? DOM_BAD_ROWS
-                             : row->count == 0                                          ? DOM_BAD_COUNT
-                             : !(compute->tol >= dom_arithmetic(DOM_DOUBLE)->tol_floor) ? DOM_BAD_TOL
-                                                                                        : DOM_OK;
+    enum dom_status status = p->rows == 0                                     ? DOM_BAD_ROWS
+                             : row->count == 0                                ? DOM_BAD_COUNT
+                             : !(compute->tol >= dom_arithmetic()->tol_floor) ? DOM_BAD_TOL
+                                                                              : DOM_OK;
     for (int k = 0; k < DOM_ERROR_COUNT && status == DOM_OK; k++)
         if (!(p->error[k].size >= 0 && p->error[k].size < HUGE_VAL))
             status = DOM_BAD_ERROR;
@@ -164,7 +163,7 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
                                      size_t without[DOM_ERROR_COUNT], size_t *stops)
 {
     struct shared shared = {
-        .row = row, .compute = compute_in_double(compute), .placement = p, .causes = without != NULL};
+        .row = row, .compute = compute_or_default(compute), .placement = p, .causes = without != NULL};
     struct dom_work *work = shared.compute.work;
     enum dom_status status = study_check(row, &shared.compute, p);
     if (status != DOM_OK)

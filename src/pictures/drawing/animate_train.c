@@ -53,7 +53,7 @@ enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
 struct train_film {
     struct film film;
     struct domq_train train;
-    struct domq_compute compute;
+    struct any_compute compute;
     int cycles;
     /* The growth, the pitch and duration of the first cycle, and the time between two frames. */
     double r, pitch, duration, step;
@@ -120,7 +120,7 @@ static bool train_film_make(struct train_film *f)
     const struct scene *scene = f->film.query->scene;
     f->train = scene->train;
     f->compute = scene->compute;
-    f->compute.precision = DOM_DOUBLE;
+    f->compute.precision = IN_DOUBLE;
     f->compute.tol = FILM_TOL;
     f->r = (double)f->train.r;
     f->pitch = (double)(f->train.s + f->train.d);
@@ -183,7 +183,7 @@ static enum dom_status train_frame(struct train_film *f, size_t frame, bool *goe
     struct answer *a = f->film.is_data ? f->film.out : NULL;
     double time = f->step * (double)frame;
     struct place p = place_at(f, time);
-    enum dom_status status = domq_cycle_tilt(
+    enum dom_status status = any_cycle_tilt(
         &f->train, &f->compute, (domq_real)fmin((time - p.begun) / p.slower, f->duration), &theta);
     if (status == DOM_OK && a)
         answer_cells(a, cell_real((domq_real)f->step * f->tau * (domq_real)frame), cell_count(p.cycle + 1),

@@ -195,7 +195,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
     /* If the user typed no tilt, the train is drawn at the current position of the walk, with the walk's
      * tolerance. Without a walk it is drawn at the launch. */
     const struct walk *walk = options->has[DRAW_TILT] ? NULL : walk_now(query);
-    const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
+    const struct any_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
     domq_real theta = walk ? walk->theta : options->value[DRAW_TILT];
     if (options->train)

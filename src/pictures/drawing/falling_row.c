@@ -129,7 +129,7 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
     struct domq_verdict verdict;
     if (scene->row.engine)
         return row_engine->watch(&scene->row, &scene->compute, times, count, visit, context, row->slid);
-    return domq_row_watch(&scene->row, &scene->compute, times, count, visit, context, &verdict);
+    return any_row_watch(&scene->row, &scene->compute, times, count, visit, context, &verdict);
 }
 
 /* ---- Sentences ---- */

@@ -199,9 +199,9 @@ static bool train_link(const struct domq_link *link, void *context)
 }
 
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
-                            const struct domq_compute *compute, domq_real theta, double behind)
+                            const struct any_compute *compute, domq_real theta, double behind)
 {
-    struct domq_compute fine = *compute;
+    struct any_compute fine = *compute;
     struct domq_angles angles;
     struct filling f = {.stage = stage,
                         .s = (double)train->s,
@@ -212,7 +212,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     if (!stage_make(stage, DOMINOES + MORE))
         return DOM_NO_MEMORY;
     /* With the finest tolerance, the chain includes dominoes that are light, but large enough to be seen. */
-    fine.tol = domq_arithmetic(fine.precision)->tol_floor;
+    fine.tol = any_arithmetic(fine.precision).tol_floor;
     stage->unit = "h";
     stage->ruler = "x";
     stage->top = tall;
@@ -221,9 +221,9 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     /* The head must be visible, even if the next domino is far away. */
     stage->left = stage->left > -1 ? -1 : stage->left;
     train_add(&f, f.r, pitch, 0);
-    enum dom_status status = domq_angles_find(train, compute, &angles);
+    enum dom_status status = any_angles_find(train, compute, &angles);
     if (status == DOM_OK)
-        status = domq_chain_walk(train, &fine, theta, train_link, &f);
+        status = any_chain_walk(train, &fine, theta, train_link, &f);
     if (status != DOM_OK)
         return status;
     while (!train_full(stage)) {
@@ -254,7 +254,7 @@ static bool force_seen(const struct domq_force *f, void *context)
 }
 
 enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
-                             const struct domq_compute *compute, domq_real theta)
+                             const struct any_compute *compute, domq_real theta)
 {
-    return domq_cycle_forces(train, compute, theta, force_seen, stage);
+    return any_cycle_forces(train, compute, theta, force_seen, stage);
 }

@@ -6,8 +6,8 @@
 #define SHELL_STAGE_H
 
 #include "answer/measure.h"
-#include "domino_quad.h"
 #include "pictures/picture/canvas.h"
+#include "precision/any.h"
 
 enum {
     CORNERS = 4,
@@ -113,11 +113,11 @@ const struct drawn *stage_front(const struct stage *stage, size_t k);
  * can add 32 more dominoes. `behind` is the visible length behind the head, in heights of the head. If it is
  * 0, all followers that fit are visible. Even after an error, the caller must free the stage. */
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
-                            const struct domq_compute *compute, domq_real theta, double behind);
+                            const struct any_compute *compute, domq_real theta, double behind);
 
-/* Adds the contact forces to a train on a stage. Returns the status of domq_cycle_forces. */
+/* Adds the contact forces to a train on a stage. Returns the status of any_cycle_forces. */
 enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
-                             const struct domq_compute *compute, domq_real theta);
+                             const struct any_compute *compute, domq_real theta);
 
 /* Makes an empty stage for up to `room` dominoes. Returns false if memory runs out. */
 bool stage_make(struct stage *stage, size_t room);

@@ -13,8 +13,8 @@ static struct chart_curve *curve_add(struct chart *chart, const struct cost_row 
         return chart_curve(chart, CHART_MARKED, INK_RED, 1, "the paper's recipe");
     if (row->method == DOM_METHOD_GSL)
         return chart_curve(chart, CHART_MARKED, INK_GREEN, 2, "solvers of GSL");
-    return chart_curve(chart, CHART_MARKED, inks[row->precision], row->precision == DOM_DOUBLE ? 0 : 3,
-                       "this program, %s", domq_arithmetic(row->precision)->name);
+    return chart_curve(chart, CHART_MARKED, inks[row->precision], row->precision == IN_DOUBLE ? 0 : 3,
+                       "this program, %s", any_arithmetic(row->precision).name);
 }
 
 static void cost_chart(const struct query *query, const char *name, const struct cost *cost,
@@ -33,7 +33,7 @@ static void cost_chart(const struct query *query, const char *name, const struct
             curve = curve_add(chart, row);
         /* An error smaller than a quarter of the machine epsilon is luck, and an error of 0 cannot be drawn
          * on a logarithmic axis. Such errors are drawn as a quarter of the machine epsilon. */
-        double least = domq_arithmetic(row->precision)->epsilon / 4;
+        double least = any_arithmetic(row->precision).epsilon / 4;
         if (row->status == DOM_OK)
             chart_point(chart, curve, row->seconds, (double)quad_larger(row->error, (domq_real)least));
     }

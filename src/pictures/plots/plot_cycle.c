@@ -45,7 +45,7 @@ static bool cycle_find(struct cycle *c, struct problem *problem)
 {
     const struct scene *scene = c->query->scene;
     bool stops;
-    enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &c->angles);
+    enum dom_status status = any_angles_find(&scene->train, &scene->compute, &c->angles);
     if (status != DOM_OK)
         return problem_status(problem, scene, status);
     if (!cycle_events(c->query, &scene->compute, c->event, &c->events, &stops, problem))
@@ -70,7 +70,7 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
 {
     const struct scene *scene = c->query->scene;
     t->count = 0;
-    enum dom_status status = domq_chain_walk(&scene->train, &scene->compute, theta, tilts_link, t);
+    enum dom_status status = any_chain_walk(&scene->train, &scene->compute, theta, tilts_link, t);
     while (t->count < PLOT_CURVES)
         t->theta[t->count++] = c->angles.theta_f;
     return status;
@@ -113,13 +113,13 @@ static enum dom_status sample_write(const struct cycle *c, const struct domq_eve
     struct tilts tilts = {.theta = {0}};
     struct domq_energy energy = {.dH = DOMQ_NAN};
     domq_real omegasq = DOMQ_NAN;
-    enum dom_status status = domq_energy_find(&scene->train, &scene->compute, theta, &energy);
+    enum dom_status status = any_energy_find(&scene->train, &scene->compute, theta, &energy);
     if (status == DOM_OK)
         status = tilts_find(c, theta, &tilts);
     if (event && event->kind == DOM_EVENT_STOP)
         omegasq = 0;
     else if (status == DOM_OK && theta <= c->event[c->events - 1].theta)
-        status = domq_cycle_omegasq(&scene->train, &scene->compute, theta, &omegasq);
+        status = any_cycle_omegasq(&scene->train, &scene->compute, theta, &omegasq);
     status = status == DOM_STOPS ? DOM_OK : status;
     domq_real omega = quad(sqrt)(omegasq) / domq_scale_tau(&scene->scale, &scene->train);
     for (int i = 0; i < lines && status == DOM_OK; i++) {
@@ -192,7 +192,7 @@ static bool plot_climb(const struct query *query, struct answer *a, struct chart
 {
     struct cycle c = {.query = query};
     struct domq_barrier b;
-    enum dom_status status = domq_barrier_find(&query->scene->train, query_compute(query), &b);
+    enum dom_status status = any_barrier_find(&query->scene->train, query_compute(query), &b);
     if (status != DOM_OK && status != DOM_STOPS)
         return problem_status(problem, query->scene, status);
     if (!(b.theta_m > 0))

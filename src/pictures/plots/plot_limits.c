@@ -27,7 +27,7 @@ static enum dom_status limit_find(const struct query *query, const struct limit 
                                   domq_real *r)
 {
     struct domq_train train = query->scene->train;
-    const struct domq_compute *compute = &query->scene->compute;
+    const struct any_compute *compute = &query->scene->compute;
     struct domq_limit limit;
     train.s = s;
     train.r = 1;
@@ -38,7 +38,7 @@ static enum dom_status limit_find(const struct query *query, const struct limit 
     if (domq_first_effect(&train) && train.fuel == DOM_FUEL_PAPER)
         return DOM_OK;
     enum dom_status status =
-        of->pair ? domq_limit_pair(&train, compute, &limit) : domq_limit_rmax(&train, compute, &limit);
+        of->pair ? any_limit_pair(&train, compute, &limit) : any_limit_rmax(&train, compute, &limit);
     if (status == DOM_OK && limit.ends != DOM_END_NONE)
         *r = limit.r_max;
     return status == DOM_OPEN ? DOM_OK : status; /* the curve has a gap where a limit is open */

@@ -12,7 +12,7 @@
  */
 #include "planning/model/chance.h"
 #include "chance/model/draw.h"
-#include "dispatch/dispatch.h"
+#include "entry/study.h"
 #include "numerics/real.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
@@ -86,9 +86,7 @@ static enum dom_status energies_find(const struct chance *c, const struct dom_ro
     struct run run = {.margin = margin, .tips = isnan(row->push), .base = base, .from = from};
     for (size_t k = 0; k < row->count; k++)
         margin[k] = base ? base[k] : UNSEEN;
-    struct row_question q = row_question_make(row, &c->compute);
-    q.request.carries_on = true;
-    const enum dom_status status = ASK(q, row_run, false, margin_seen, &run, &verdict);
+    const enum dom_status status = row_run_on(row, &c->compute, margin_seen, &run, &verdict);
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return status;
     if (status != DOM_OK)

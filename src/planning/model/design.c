@@ -71,10 +71,8 @@ static struct planner planner_make(const struct dom_train *train, const struct d
     p.train.r = 1;
     if (wish->boxes_above > 0)
         p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
-    struct question q = question_make(&p.train, &p.compute);
-    struct dom_angles angles;
-    p.status = ASK(q, angles_find, &angles);
-    p.compute.tol = dom_arithmetic(DOM_DOUBLE)->tol_default;
+    p.status = dom_train_check(&p.train, &p.compute);
+    p.compute.tol = dom_arithmetic()->tol_default;
     return p;
 }
 
@@ -97,7 +95,7 @@ static bool enough_in_engine(struct planner *p, struct choice c)
     if (!enough(p, c))
         return false;
     const struct dom_row row = planner_row(p, c, p->wish->push, p->wish->engine);
-    enum dom_status status = row_verdict(&row, &p->compute, true, NULL, NULL, &verdict);
+    enum dom_status status = dom_row_run(&row, &p->compute, true, NULL, NULL, &verdict);
     bool falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
     p->engine_seconds = verdict.seconds;
     p->engine_refused |= !falls;
@@ -305,7 +303,7 @@ enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_w
                                const struct dom_limits *limits, const struct dom_compute *compute,
                                struct dom_design *design)
 {
-    const struct dom_compute final = compute_in_double(compute);
+    const struct dom_compute final = compute_or_default(compute);
     struct planner p = planner_make(train, wish, limits, &final);
     struct dom_design found = no_design;
     if (p.status == DOM_OK)
@@ -340,7 +338,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
                                  const struct dom_limits *limits, const struct dom_compute *compute,
                                  size_t steps, struct dom_design *design)
 {
-    const struct dom_compute final = compute_in_double(compute);
+    const struct dom_compute final = compute_or_default(compute);
     struct planner p = planner_make(train, wish, limits, &final);
     struct dom_design found = no_design;
     struct dom_wish falls = *wish;

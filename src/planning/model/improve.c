@@ -20,7 +20,7 @@
  * - The simplex method of Nelder and Mead from GSL: 4.3 % and 5.5 %.
  * - Cross-entropy, with 40 candidates of which 10 are kept: over 10 % with errors of gaps.
  */
-#include "dispatch/dispatch.h"
+#include "entry/study.h"
 #include "numerics/quiet.h"
 #include "numerics/real.h"
 #include "planning/model/chance.h"
@@ -307,7 +307,7 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
     if ((study[0].fall == study[0].rows && s.given_allowed) || n < 2)
         return DOM_OK;
     s.chance =
-        (struct chance){.shape = &s.shape, .compute = compute_in_double(compute), .placement = *placement};
+        (struct chance){.shape = &s.shape, .compute = compute_or_default(compute), .placement = *placement};
     s.chance.compute.tol = MARGIN_TOL;
     s.chance.compute.work = NULL;
     s.chance.placement.first += placement->rows;

@@ -42,8 +42,7 @@ double planner_train_ratio(struct planner *p, double s, double r)
     struct dom_compute compute = p->compute;
     enum dom_status status;
     do {
-        struct question q = question_make(&p->train, &compute);
-        status = ASK(q, barrier_find, &barrier);
+        status = dom_barrier_find(&p->train, &compute, &barrier);
     } while (tried_again(status, &compute));
     if (status == DOM_OK || status == DOM_STOPS)
         return barrier.kinetic / barrier.barrier;
@@ -138,7 +137,7 @@ double planner_row_ratio(struct planner *p, struct choice c, double push, bool t
         p->least = HUGE_VAL;
         p->weakest = 0;
         p->whole = times;
-        status = row_verdict(&row, &compute, times, ratio_seen, p, &verdict);
+        status = dom_row_run(&row, &compute, times, ratio_seen, p, &verdict);
     } while (tried_again(status, &compute));
     p->seconds = verdict.seconds;
     if (status != DOM_OK)

@@ -7,7 +7,7 @@
 #ifndef DOM_PLANNER_H
 #define DOM_PLANNER_H
 
-#include "dispatch/dispatch.h"
+#include "entry/study.h"
 #include "numerics/real.h"
 
 enum { GRID = 1000 };

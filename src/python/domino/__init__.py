@@ -11,8 +11,8 @@ Magnification"). This module asks libdomino about trains and about rows of any d
     20
 
 Questions about a train take s (separation), r (growth), d (thickness) and q (mass: 3 or "hollow", 4 or "solid"), the
-effects friction, slope, edges, walls and air, and how to compute: tol and precision ("float", "double", "quad").
-Lengths are in heights of the head, angles in radians, energies in m g h / 2, times in tau.
+effects friction, slope, edges, walls and air, and tol, the relative tolerance. All
+numbers are doubles. Lengths are in heights of the head, angles in radians, energies in m g h / 2, times in tau.
 Each of these may be a NumPy array. Arrays broadcast, and are computed on all cores:
 
     >>> import numpy as np

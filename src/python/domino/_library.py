@@ -75,17 +75,11 @@ def raise_status(status: int, where: str = "") -> None:
     raise DominoError(text, name)
 
 
-PRECISIONS = {"float": api.dom_precision.DOM_FLOAT, "double": api.dom_precision.DOM_DOUBLE,
-              "quad": api.dom_precision.DOM_QUAD}  # fmt: skip
-
-
-def computing(tol: float | None, precision: str) -> api.dom_compute:
-    """Returns a struct dom_compute. The default of the tolerance depends on the precision."""
-    if precision not in PRECISIONS:
-        raise OutOfRange(f"precision: {precision!r} is not float, double or quad", "BAD_PRECISION", "precision")
+def computing(tol: float | None) -> api.dom_compute:
+    """Returns a struct dom_compute."""
     compute = lib.dom_compute_default()
-    compute.precision = PRECISIONS[precision]
-    compute.tol = lib.dom_arithmetic(compute.precision).contents.tol_default if tol is None else tol
+    if tol is not None:
+        compute.tol = tol
     return compute
 
 

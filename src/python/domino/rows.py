@@ -145,8 +145,7 @@ class Row:
     """
 
     def __init__(self, dominoes: Iterable[Any], *, friction: float = 0.0, slope: float = 0.0, edges: float = 0.0,
-                 walls: float = 0.0, air: float = 0.0, drag: float = 0.0, push: float | None = None, g: float = 9.81, tol: float | None = None,
-                 precision: str = "double"):  # fmt: skip
+                 walls: float = 0.0, air: float = 0.0, drag: float = 0.0, push: float | None = None, g: float = 9.81, tol: float | None = None):  # fmt: skip
         self.dominoes = tuple(Domino(*map(float, domino)) for domino in dominoes)
         if any(domino.mass == 0 for domino in self.dominoes):
             self.dominoes = tuple(
@@ -155,7 +154,7 @@ class Row:
             )
         self._effects = {"mu": friction, "alpha": slope, "rho": edges, "walls": walls, "air": air, "drag": drag,
                          "push": math.nan if push is None else push, "g": g}  # fmt: skip
-        self._how = {"tol": tol, "precision": precision}
+        self._how = {"tol": tol}
 
     # ---- Where rows come from ----
 
@@ -351,7 +350,7 @@ def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: fl
     train = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls, width=width).structure()
     wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g, least=leasts[least],
                         push=math.nan if push is None else push)  # fmt: skip
-    found, compute = api.dom_design(), computing(None, "double")
+    found, compute = api.dom_design(), computing(None)
     with interruptible(compute):
         status = run(lib.dom_design_find, ctypes.byref(train), ctypes.byref(wish), ctypes.byref(compute), ctypes.byref(found))
     raise_status(status)

@@ -232,65 +232,61 @@ def _tuple(kind: type, answer: Any, fields: list[str]) -> Any:
     return kind(*[get(answer, name) for name in fields])
 
 
-def _how(tol: float | None, precision: str) -> dict[str, Any]:
-    return {"tol": tol, "precision": precision}
-
-
 ASK = api.dom_question
 
 
-def angles(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
+def angles(s: Number = 0.4, *, tol: float | None = None,
            **train: Any) -> Angles:  # fmt: skip
     """The angles that bound a cycle (2; a2), (4; b1), (40; A16), (42; A18)."""
-    a = _ask(ASK.DOM_ASK_ANGLES, api.dom_angles, Train(s, **train), None, _how(tol, precision))
+    a = _ask(ASK.DOM_ASK_ANGLES, api.dom_angles, Train(s, **train), None, {"tol": tol})
     return _tuple(Angles, a, ["theta_c", "theta_u", "theta_inf", "theta_f", "theta_leave", "detaches"])
 
 
-def theta1(theta: Number, s: Number = 0.4, *, tol: float | None = None, precision: str = "double", **train: Any) -> Contact:  # fmt: skip
+def theta1(theta: Number, s: Number = 0.4, *, tol: float | None = None, **train: Any) -> Contact:  # fmt: skip
     """The tilt of the follower of a domino that leans at theta, in rad (12; b8)."""
-    a = _ask(ASK.DOM_ASK_CONTACT, api.dom_contact, Train(s, **train), theta, _how(tol, precision))
+    a = _ask(ASK.DOM_ASK_CONTACT, api.dom_contact, Train(s, **train), theta, {"tol": tol})
     return _tuple(Contact, a, ["theta_1", "slope", "arm_a", "arm_b"])
 
 
-def energy(theta: Number, s: Number = 0.4, *, tol: float | None = None, precision: str = "double", **train: Any) -> Energy:  # fmt: skip
+def energy(theta: Number, s: Number = 0.4, *, tol: float | None = None, **train: Any) -> Energy:  # fmt: skip
     """The energy and the inertia of the train whose head leans at theta, in rad (19; c1) (20; c2)."""
-    a = _ask(ASK.DOM_ASK_ENERGY, api.dom_energy, Train(s, **train), theta, _how(tol, precision))
+    a = _ask(ASK.DOM_ASK_ENERGY, api.dom_energy, Train(s, **train), theta, {"tol": tol})
     return _tuple(Energy, a, ["dH", "J", "J0"])
 
 
-def fuel(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
+def fuel(s: Number = 0.4, *, tol: float | None = None,
          **train: Any) -> Fuel:  # fmt: skip
     """The energy that one cycle releases (25; c7)."""
-    a = _ask(ASK.DOM_ASK_FUEL, api.dom_fuels, Train(s, **train), None, _how(tol, precision))
+    a = _ask(ASK.DOM_ASK_FUEL, api.dom_fuels, Train(s, **train), None, {"tol": tol})
     return _tuple(Fuel, a, ["exact", "paper"])
 
 
-def launch(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
+def launch(s: Number = 0.4, *, tol: float | None = None,
            **train: Any) -> Launch:  # fmt: skip
     """The motion right after a collision (24; c6)."""
-    a = _ask(ASK.DOM_ASK_LAUNCH, api.dom_launch, Train(s, **train), None, _how(tol, precision))
+    a = _ask(ASK.DOM_ASK_LAUNCH, api.dom_launch, Train(s, **train), None, {"tol": tol})
     return _tuple(Launch, a, ["fuel", "J0", "velocity_ratio", "omegasq", "kinetic"])
 
 
-def barrier(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
+def barrier(s: Number = 0.4, *, tol: float | None = None,
             **train: Any) -> Barrier:  # fmt: skip
     """The barrier of a cycle, and the energy left at its top (26; c8). The train keeps falling if margin >= 0."""
-    a = _ask(ASK.DOM_ASK_BARRIER, api.dom_barrier, Train(s, **train), None, _how(tol, precision),
+    a = _ask(ASK.DOM_ASK_BARRIER, api.dom_barrier, Train(s, **train), None, {"tol": tol},
              ("STOPS", "NO_FUEL"))  # fmt: skip
     return _tuple(Barrier, a, ["theta_m", "barrier", "kinetic", "margin"])
 
 
-def omegasq(theta: Number, s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
+def omegasq(theta: Number, s: Number = 0.4, *, tol: float | None = None,
             **train: Any) -> Number:  # fmt: skip
     """tau^2 omega(theta)^2 of the head between one collision and the next (21; c3)."""
-    a = _ask(ASK.DOM_ASK_OMEGASQ, ctypes.c_double, Train(s, **train), theta, _how(tol, precision))
+    a = _ask(ASK.DOM_ASK_OMEGASQ, ctypes.c_double, Train(s, **train), theta, {"tol": tol})
     return a if hasattr(a, "dtype") else a.value
 
 
-def duration(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
+def duration(s: Number = 0.4, *, tol: float | None = None,
              **train: Any) -> Number:  # fmt: skip
     """The duration of a cycle, from one collision to the next, in tau."""
-    a = _ask(ASK.DOM_ASK_DURATION, ctypes.c_double, Train(s, **train), None, _how(tol, precision))
+    a = _ask(ASK.DOM_ASK_DURATION, ctypes.c_double, Train(s, **train), None, {"tol": tol})
     return a if hasattr(a, "dtype") else a.value
 
 
@@ -305,21 +301,21 @@ def _limit(question: int, s: Number, how: dict[str, Any], train: dict[str, Any])
     return limit._replace(ends=lib.dom_end_text(limit.ends).decode())
 
 
-def rmax(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
+def rmax(s: Number = 0.4, *, tol: float | None = None,
          **train: Any) -> Limit:  # fmt: skip
     """The largest growth of a train at the separation s; r is not used."""
-    return _limit(ASK.DOM_ASK_RMAX, s, _how(tol, precision), train)
+    return _limit(ASK.DOM_ASK_RMAX, s, {"tol": tol}, train)
 
 
-def pair(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
+def pair(s: Number = 0.4, *, tol: float | None = None,
          **train: Any) -> Limit:  # fmt: skip
     """The largest growth of two dominoes, the first of which tips over its edge from rest; r is not used."""
-    return _limit(ASK.DOM_ASK_PAIR, s, _how(tol, precision), train)
+    return _limit(ASK.DOM_ASK_PAIR, s, {"tol": tol}, train)
 
 
-def best(*, tol: float | None = None, precision: str = "double", **train: Any) -> Best:
+def best(*, tol: float | None = None, **train: Any) -> Best:
     """The separation that allows the largest growth, and the growth; s and r are not used."""
-    a = _ask(ASK.DOM_ASK_BEST, api.dom_best, Train(**train), None, _how(tol, precision))
+    a = _ask(ASK.DOM_ASK_BEST, api.dom_best, Train(**train), None, {"tol": tol})
     return _tuple(Best, a, ["s", "r_max"])
 
 
@@ -334,7 +330,7 @@ def prove(what: str = "rmax", s: float = 0.4, *, tol: float = 1e-12, **train: An
     """Proves bounds on the largest growth of a train ("rmax") or of two dominoes ("pair") by interval arithmetic."""
     functions = {"rmax": lib.dom_prove_rmax, "pair": lib.dom_prove_pair}
     function = _named(functions, what, "what")
-    t, compute, proof = Train(s, **train), computing(tol, "double"), api.dom_proof()
+    t, compute, proof = Train(s, **train), computing(tol), api.dom_proof()
     with interruptible(compute):
         status = run(function, ctypes.byref(t.structure()), ctypes.byref(compute), ctypes.byref(proof))
     raise_status(status)

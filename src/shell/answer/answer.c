@@ -156,7 +156,7 @@ struct answer answer_part(const struct answer *a, FILE *out, size_t row)
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])
 {
-    const enum dom_precision precision = a->style.precision;
+    const enum precision precision = a->style.precision;
     const char *key = NULL;
     for (int i = 0; a->columns[i].key; i++)
         if (!cell_finite(&a->style, cells[i])) {
@@ -167,8 +167,8 @@ static const char *cells_check(struct answer *a, struct cell *cells, const char 
         return reason;
     bool people = a->style.format->for_people;
     snprintf(people && !*a->late_reason ? a->late_reason : too_large, ANSWER_REASON,
-             "%s is too large for %s precision%s", key, domq_arithmetic(precision)->name,
-             precision == DOM_QUAD ? "" : "; quad precision has a wider range ('set precision quad')");
+             "%s is too large for %s precision%s", key, any_arithmetic(precision).name,
+             precision == IN_QUAD ? "" : "; quad precision has a wider range ('set precision quad')");
     return people || (reason && *reason) ? reason : too_large;
 }
 

@@ -134,16 +134,16 @@ const char *cell_text(struct cell cell, int digits, bool errors, char text[CELL_
 
 static domq_real rounded(const struct answer_style *style, domq_real value)
 {
-    return style->precision == DOM_FLOAT    ? (domq_real)(float)value
-           : style->precision == DOM_DOUBLE ? (domq_real)(double)value
-                                            : value;
+    return style->precision == IN_FLOAT    ? (domq_real)(float)value
+           : style->precision == IN_DOUBLE ? (domq_real)(double)value
+                                           : value;
 }
 
 static domq_real read_back(const struct answer_style *style, const char *text)
 {
-    return style->precision == DOM_FLOAT    ? (domq_real)strtof(text, NULL)
-           : style->precision == DOM_DOUBLE ? (domq_real)strtod(text, NULL)
-                                            : quad_read(text, NULL);
+    return style->precision == IN_FLOAT    ? (domq_real)strtof(text, NULL)
+           : style->precision == IN_DOUBLE ? (domq_real)strtod(text, NULL)
+                                           : quad_read(text, NULL);
 }
 
 /*
@@ -155,8 +155,8 @@ static domq_real read_back(const struct answer_style *style, const char *text)
  */
 static const struct answer_style *cell_style(const struct answer_style *style, struct cell cell)
 {
-    static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
-    bool is_large = cell.kind == CELL_COUNT && style->precision == DOM_FLOAT;
+    static const struct answer_style in_double = {.precision = IN_DOUBLE, .all_digits = 17};
+    bool is_large = cell.kind == CELL_COUNT && style->precision == IN_FLOAT;
     return cell.digits || is_large || cell.in_double ? &in_double : style;
 }
 

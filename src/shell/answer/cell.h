@@ -3,7 +3,7 @@
 #ifndef SHELL_CELL_H
 #define SHELL_CELL_H
 
-#include "domino_quad.h"
+#include "precision/any.h"
 #include <math.h>
 #include <stdbool.h>
 
@@ -18,7 +18,7 @@ struct answer_style {
     enum angle angle;
     unsigned header;  /* a csv table begins with the column names */
     domq_real digits; /* the maximum number of digits in a table */
-    enum dom_precision precision;
+    enum precision precision;
     double tol;      /* the tolerance to which numbers are computed */
     int all_digits;  /* the number of digits needed for an exact round trip at this precision */
     unsigned errors; /* show errors: see answer/reference.h */

@@ -54,7 +54,7 @@ static bool rows_agree(const struct cell *a, const struct cell *b, size_t column
 /* Returns the relative distance between neighbouring numbers of the style's precision. */
 static domq_real rounding(const struct answer_style *style)
 {
-    return (domq_real)domq_arithmetic(style->precision)->epsilon;
+    return (domq_real)any_arithmetic(style->precision).epsilon;
 }
 
 void reference_compare(const struct reference *r, size_t at, const struct answer_style *style,

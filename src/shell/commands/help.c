@@ -419,7 +419,7 @@ static const struct column version_columns[] = {
 
 static bool run_version(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_arithmetic *quad = domq_arithmetic(DOM_QUAD);
+    const struct domq_arithmetic quad = any_arithmetic(IN_QUAD);
     struct utsname name = {.sysname = ""};
     char system[sizeof name.sysname + sizeof name.machine], names[256] = "";
     const struct feature *f;
@@ -432,7 +432,7 @@ static bool run_version(const struct query *query, struct answer *a, struct prob
     snprintf(system, sizeof system, "%s %s", name.sysname, name.machine);
     answer_say(a, "domino %s\n", dom_version());
     return answer_cells(a, cell_word(dom_version()), cell_word(system), cell_word(COMPILER),
-                        cell_word(quad->type), cell_count(quad->bits), cell_word(gsl_version),
+                        cell_word(quad.type), cell_count(quad.bits), cell_word(gsl_version),
                         cell_word(rl_library_version), cell_word(names));
 }
 

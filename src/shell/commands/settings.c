@@ -98,7 +98,7 @@ static void missing_say(const struct query *query, struct answer *a, const struc
     if (query->run_context->script || query->run_context->sourced || !answer_for_people(a))
         return;
     if (lengths_check(query->next, &missing) && !has_row)
-        problem_status(&missing, scene, domq_angles_find(&scene->train, &scene->compute, &angles));
+        problem_status(&missing, scene, any_angles_find(&scene->train, &scene->compute, &angles));
     else if (has_row && missing.kind == PROBLEM_NONE && scene_row_list(scene, &row, &missing))
         scene_row_check(scene, &row, &missing);
     free(row.domino);
@@ -144,11 +144,11 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     /* In a script, the next line may set the parameter `moved` too, so no message is printed. */
     if (moved && parameter_get(next, moved) != was && !query->run_context->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
-    enum dom_precision precision = next->scene.compute.precision;
+    enum precision precision = next->scene.compute.precision;
     int all = state_style(next).all_digits;
     if (p == parameter_find("digits") && next->settings.style.digits > all && !query->run_context->sourced)
-        answer_say(a, "%s precision has at most %d digits%s", domq_arithmetic(precision)->name, all,
-                   precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
+        answer_say(a, "%s precision has at most %d digits%s", any_arithmetic(precision).name, all,
+                   precision == IN_QUAD ? "" : "; 'set precision quad' has more");
     if (next->scene.listed.domino && p->of_row && !query->run_context->sourced)
         change_say(query, a,
                    "%s does not change the row, whose dominoes come from %s; 'set row N' makes a row from "

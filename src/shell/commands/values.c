@@ -121,7 +121,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     else if (cell_vanishes(&a->style, cell)) {
         char reason[ANSWER_REASON];
         snprintf(reason, sizeof reason, "the value is closer to 0 than %s precision can represent",
-                 domq_arithmetic(query->scene->compute.precision)->name);
+                 any_arithmetic(query->scene->compute.precision).name);
         answer_row(a, ROW({.kind = CELL_NONE}, cell_word(unit)), reason);
     } else
         answer_cells(a, cell, cell_word(unit));

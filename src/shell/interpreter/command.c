@@ -191,12 +191,11 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     const struct answer_style *style = &query->state->settings.style;
     struct domq_angles angles;
     domq_real theta = q.angle == 1 || style->angle == ANGLE_RAD ? q.value : q.value * (QUAD_PI / 180);
-    enum dom_status status = domq_angles_find(&query->scene->train, &query->scene->compute, &angles);
+    enum dom_status status = any_angles_find(&query->scene->train, &query->scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     /* If the user has copied theta_c from an answer in degrees, the value may have been rounded up. */
-    domq_real slack =
-        2 * (domq_real)domq_arithmetic(query->scene->compute.precision)->epsilon * angles.theta_c;
+    domq_real slack = 2 * (domq_real)any_arithmetic(query->scene->compute.precision).epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
         return problem_no_answer(problem,
                                  "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "

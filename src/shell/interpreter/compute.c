@@ -2,19 +2,19 @@
 #include "interpreter/compute.h"
 #include "answer/reference.h"
 #include "language/quad.h"
-#include "session/double_row.h"
+#include "precision/any.h"
 #include "session/engine.h"
 
 /*
  * Returns the tolerance of the reference. If the session computes in quad precision, too, the reference must
  * have another tolerance, so that the sums and the iterations end elsewhere.
  */
-static domq_real reference_tol(const struct domq_compute *compute)
+static domq_real reference_tol(const struct any_compute *compute)
 {
-    const struct domq_arithmetic *quad = domq_arithmetic(DOM_QUAD);
-    if (compute->precision != DOM_QUAD || compute->tol > 100 * quad->tol_default)
-        return quad->tol_default;
-    return compute->tol >= 100 * quad->tol_floor ? compute->tol / 100 : compute->tol * 100;
+    const struct domq_arithmetic quad = any_arithmetic(IN_QUAD);
+    if (compute->precision != IN_QUAD || compute->tol > 100 * quad.tol_default)
+        return quad.tol_default;
+    return compute->tol >= 100 * quad.tol_floor ? compute->tol / 100 : compute->tol * 100;
 }
 
 /* A tilt that the session has rounded up to theta_c must not exceed theta_c in quad precision. */
@@ -25,7 +25,7 @@ static void tilts_limit(const struct command *c, const struct query *exact, cons
     for (int i = 0; i < given->count; i++) {
         const enum argument_kind kind = c->argument[i].kind;
         if ((kind == ARGUMENT_TILT || kind == ARGUMENT_PLACE) &&
-            domq_angles_find(train, query_compute(exact), &angles) == DOM_OK)
+            any_angles_find(train, query_compute(exact), &angles) == DOM_OK)
             given->number[i] = quad_smaller(given->number[i], angles.theta_c);
     }
 }
@@ -46,13 +46,13 @@ static void reference_compute(const struct command *c, const struct query *query
     struct arguments given = *query->given;
     struct answer a = *answer;
     problem_begin(&ignored, c->name);
-    if (domq_arithmetic(DOM_QUAD)->bits == 0 || !query_with(query, NULL, 0, &state, &exact, &ignored)) {
+    if (any_arithmetic(IN_QUAD).bits == 0 || !query_with(query, NULL, 0, &state, &exact, &ignored)) {
         reference->is_void = true;
         return;
     }
-    struct domq_compute *compute = &state.scene.compute;
+    struct any_compute *compute = &state.scene.compute;
     compute->tol = reference_tol(compute);
-    compute->precision = DOM_QUAD;
+    compute->precision = IN_QUAD;
     compute->method = DOM_METHOD_OURS;
     state.settings.style.errors = 0;
     state.settings.threads = 1; /* the rows come in order */
@@ -86,7 +86,7 @@ static bool double_compute(const struct command *c, const struct query *query, s
     struct scene scene = *query->scene; /* shares the memory of the original */
     struct query in_double = *query;
     scene.compute.tol = (domq_real)compute_in_double(&scene.compute).tol;
-    scene.compute.precision = DOM_DOUBLE;
+    scene.compute.precision = IN_DOUBLE;
     in_double.scene = &scene;
     answer->in_double = true;
     return command_run(c, &in_double, answer, problem);
@@ -99,7 +99,7 @@ bool command_compute(const struct command *c, const struct query *query, struct 
     const bool has_errors = c->precision == PRECISION_AS_SET && (c->train || !scene_has_engine(query->scene)),
                is_wanted =
                    has_errors && query->state->settings.style.errors && (answer->out || answer->sink.take);
-    if (query->reference && !(has_errors && query->scene->compute.precision == DOM_QUAD))
+    if (query->reference && !(has_errors && query->scene->compute.precision == IN_QUAD))
         query->reference->is_void = true;
     if (c->precision == PRECISION_DOUBLE)
         return double_compute(c, query, answer, problem);

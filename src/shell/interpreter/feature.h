@@ -29,7 +29,7 @@ struct feature {
     bool (*check)(const struct scene *scene, struct problem *problem);
     /* Computes the main answer of a row that has an effect of this feature. Returns false if it has none. */
     bool (*row_answer)(const struct scene *scene, const struct domq_row *row,
-                       const struct domq_compute *compute, enum dom_status *status);
+                       const struct any_compute *compute, enum dom_status *status);
 };
 
 /* The features of this build, each after those that it needs. The last one is NULL (features.c). */

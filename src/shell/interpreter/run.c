@@ -24,7 +24,7 @@
 /* Returns true if a command answers in another precision than that of the session. */
 static bool is_in_double(const struct command *c, const struct query *query)
 {
-    return c->precision == PRECISION_DOUBLE && query->scene->compute.precision != DOM_DOUBLE;
+    return c->precision == PRECISION_DOUBLE && query->scene->compute.precision != IN_DOUBLE;
 }
 
 /* Tells the user that the answer is about the endless train, not about the row. The note usually goes below

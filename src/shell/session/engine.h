@@ -25,10 +25,9 @@ struct engine_report {
 };
 
 struct scene_engine {
-    struct domq_engine engine;   /* engine.context points to this struct */
-    struct dom_engine in_double; /* the same engine, for searches and studies */
-    double feet;                 /* friction coefficient of the floor; infinite if feet are hinged to it */
-    double bounce;               /* coefficient of restitution between dominoes */
+    struct dom_engine engine; /* engine.context points to this struct */
+    double feet;              /* friction coefficient of the floor; infinite if feet are hinged to it */
+    double bounce;            /* coefficient of restitution between dominoes */
     /* Each run that computes times fills in this report. NULL if no report is needed, as in studies. */
     struct engine_report *report;
 };
@@ -45,11 +44,11 @@ struct engine_driver {
     bool (*make)(const struct scene *scene, size_t count, struct scene_engine *engine,
                  struct problem *problem);
     /* Runs a row once with coarse steps. The caller measures how long this takes. */
-    enum dom_status (*rough)(const struct domq_row *row, const struct domq_compute *compute);
-    /* Does the same as domq_row_watch, but in the engine. The step size comes from the report of an earlier
+    enum dom_status (*rough)(const struct domq_row *row, const struct any_compute *compute);
+    /* Does the same as any_row_watch, but in the engine. The step size comes from the report of an earlier
      * run. Before each call of `visit`, stores in feet[k] how far the foot of domino k has slid, in m. k is
      * counted from 0. */
-    enum dom_status (*watch)(const struct domq_row *row, const struct domq_compute *compute,
+    enum dom_status (*watch)(const struct domq_row *row, const struct any_compute *compute,
                              const domq_real *times, size_t count, domq_moment_visit *visit, void *context,
                              double *feet);
 };

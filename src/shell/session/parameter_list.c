@@ -90,20 +90,20 @@ static bool fuel_check(const struct state *state, domq_real fuel, struct problem
 static bool precision_check(const struct state *state, domq_real precision, struct problem *problem)
 {
     (void)state;
-    const struct domq_arithmetic *arithmetic = domq_arithmetic((enum dom_precision)precision);
-    return arithmetic->bits > 0 ||
-           problem_error(problem, "%s: %s", arithmetic->name, dom_status_text(DOM_NO_PRECISION));
+    const struct domq_arithmetic arithmetic = any_arithmetic((enum precision)precision);
+    return arithmetic.bits > 0 ||
+           problem_error(problem, "%s: %s", arithmetic.name, dom_status_text(DOM_NO_PRECISION));
 }
 
 /* The default of tol and its lower bound depend on the precision. If tol has its default, it gets the default
  * of the new precision. Any other tol is kept, unless it has to be raised to the new lower bound. */
 static void precision_before(struct state *state, domq_real precision)
 {
-    struct domq_compute *compute = &state->scene.compute;
-    const struct domq_arithmetic *old = domq_arithmetic(compute->precision),
-                                 *new = domq_arithmetic((enum dom_precision)precision);
+    struct any_compute *compute = &state->scene.compute;
+    const struct domq_arithmetic old = any_arithmetic(compute->precision),
+                                 new = any_arithmetic((enum precision)precision);
     compute->tol =
-        compute->tol == old->tol_default ? new->tol_default : quad_larger(compute->tol, new->tol_floor);
+        compute->tol == old.tol_default ? new.tol_default : quad_larger(compute->tol, new.tol_floor);
 }
 
 /* The numbers of the output formats, and the words that 'set output' takes for them. */
@@ -174,9 +174,9 @@ static const struct parameter every_parameter[] = {
      .synonyms = "energy paper",
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
      .check = fuel_check},
-    {ENTRY("precision", scene.compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
+    {ENTRY("precision", scene.compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = IN_DOUBLE),
      .synonyms = "accuracy digits float double quad",
-     .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
+     .words = WORD_LIST({"float", IN_FLOAT}, {"double", IN_DOUBLE}, {"quad", IN_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .before = precision_before},
     {ENTRY("method", scene.method, "", "how rows are computed: by the model, or by a rigid-body engine", .usual = METHOD_MODEL),
      .feature = "engine", .synonyms = "engine chipmunk simulation second opinion compare check",

@@ -155,13 +155,13 @@ domq_real parameter_get(const struct state *state, const struct parameter *p)
 domq_real parameter_fallback(const struct state *state, const struct parameter *p)
 {
     return p->effect         ? EFFECT_OFF
-           : p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_default
+           : p->of_precision ? any_arithmetic(state->scene.compute.precision).tol_default
                              : p->value->usual;
 }
 
 static domq_real parameter_lowest(const struct state *state, const struct parameter *p, int i)
 {
-    return p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_floor : p->value[i].lowest;
+    return p->of_precision ? any_arithmetic(state->scene.compute.precision).tol_floor : p->value[i].lowest;
 }
 
 #define SHARE_NAME(name) #name,
@@ -205,7 +205,7 @@ static void parameter_put(struct state *state, const struct assigned *a)
 }
 
 _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) == sizeof(unsigned) &&
-                   sizeof(enum dom_precision) == sizeof(unsigned),
+                   sizeof(enum precision) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned int");
 
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem)
@@ -354,7 +354,7 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
 {
     char meaning[96] = "";
     const struct domq_effect_argument *of = &p->value[i];
-    const struct domq_arithmetic *arithmetic = domq_arithmetic(state->scene.compute.precision);
+    const struct domq_arithmetic arithmetic = any_arithmetic(state->scene.compute.precision);
     domq_real lowest = parameter_lowest(state, p, i);
     bool broken = of->whole && value != quad(floor)(value);
     /* A bound such as 1e-15 cannot be represented exactly, so the nearest double is accepted. */
@@ -372,8 +372,8 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     if (p->of_precision && value > 0 && value < lowest)
         return problem_no_answer(
             problem, "%s = %s is too small for %s precision; %s must be in the range %s%s", p->name,
-            quad_text(value, 10), arithmetic->name, p->name, range,
-            state->scene.compute.precision == DOM_QUAD ? "" : "; a higher precision allows smaller values");
+            quad_text(value, 10), arithmetic.name, p->name, range,
+            state->scene.compute.precision == IN_QUAD ? "" : "; a higher precision allows smaller values");
     if (p->effect)
         /* what follows a ';' in a meaning would not fit into this sentence */
         snprintf(meaning, sizeof meaning, ", the %.*s,", (int)strcspn(of->meaning, ";"), of->meaning);
@@ -387,7 +387,7 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
 struct answer_style state_style(const struct state *state)
 {
     struct answer_style style = state->settings.style;
-    int bits = domq_arithmetic(state->scene.compute.precision)->bits;
+    int bits = any_arithmetic(state->scene.compute.precision).bits;
     style.format = formats[style.output];
     style.precision = state->scene.compute.precision;
     /* An exact round trip needs ceil(1 + bits log10(2)) digits, where log10(2) = 0.30103. */

@@ -18,7 +18,7 @@ struct shard {
 /* The context in which a command runs. It does not affect the numbers. */
 struct run_context {
     struct shard shard;
-    bool safe;          /* commands must not read or write files */
+    bool safe; /* commands must not read or write files */
     /* a command whose numbers suppose that its verdict is yes has no answer if it is no (sweep.needs_yes) */
     bool seeks_yes;
     bool sourced;       /* the command comes from a file that 'source' runs */
@@ -52,7 +52,7 @@ struct walk {
     /* a copy of the scene's train; when the scene's train changes, a new walk begins */
     struct domq_train train;
     /* the session's options, but with a tolerance that is small enough for the six digits of the sentences */
-    struct domq_compute compute;
+    struct any_compute compute;
     domq_real tol; /* the session's tolerance when the walk began */
     struct domq_event events[DOM_EVENTS_MAX];
     int count;               /* the number of events; 0 if no walk has begun */
@@ -76,7 +76,7 @@ struct query {
 };
 
 /* Returns the options for the library. */
-static inline const struct domq_compute *query_compute(const struct query *query)
+static inline const struct any_compute *query_compute(const struct query *query)
 {
     return &query->scene->compute;
 }

@@ -159,7 +159,7 @@ static bool row_has_room(const struct scene *scene, const struct scene_row *row,
     if (!(release > 0))
         return true;
     if (row->row.count > 1) {
-        const enum dom_status status = domq_row_touch(&row->row, &row->compute, &touch);
+        const enum dom_status status = any_row_touch(&row->row, &row->compute, &touch);
         if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
             return problem_status(problem, scene, status);
         if (status != DOM_OK) /* the run of the row reports the domino that is wrong */
@@ -192,7 +192,7 @@ domq_real scene_row_tilt(const struct scene_row *row)
     domq_real touch;
     if (isnan(row->row.push) || !(row->row.release > 0))
         return row->domino->lean;
-    if (domq_row_touch(&row->row, &row->compute, &touch) != DOM_OK)
+    if (any_row_touch(&row->row, &row->compute, &touch) != DOM_OK)
         return 0;
     return quad_smaller(row->row.release, touch);
 }
@@ -217,9 +217,7 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 
 enum dom_status scene_row_in_double(const struct scene_row *row, struct double_row *made)
 {
-    const bool done = double_row_make(&row->row, &row->compute, made);
-    made->row.engine = row->row.engine ? &row->engine.in_double : NULL;
-    return done ? DOM_OK : DOM_NO_MEMORY;
+    return double_row_make(&row->row, &row->compute, made) ? DOM_OK : DOM_NO_MEMORY;
 }
 
 domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
@@ -268,4 +266,13 @@ void scene_apply_lengths(struct scene *scene)
     effects_apply(scene);
     if (share[SHARE_push] > 0 && scene->effect[DOM_EFFECT_push].on)
         scene->effect[DOM_EFFECT_push].value[0] = scene_push(scene, scene_first_height(scene));
+}
+
+struct domq_domino domino_from_double(const struct dom_domino *domino)
+{
+#define VALUE(member) .member = quad_decimal(domino->member),
+#define NONE(...)
+    return (struct domq_domino){DOM_MEMBERS_domino(VALUE, NONE, NONE, NONE)};
+#undef VALUE
+#undef NONE
 }

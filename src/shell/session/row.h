@@ -3,14 +3,14 @@
 #ifndef SHELL_ROW_H
 #define SHELL_ROW_H
 
-#include "session/double_row.h"
+#include "precision/any.h"
 #include "session/engine.h"
 #include "session/row_change.h"
 
 /* The row of a scene. The caller frees `domino`. */
 struct scene_row {
     struct domq_row row;
-    struct domq_compute compute;
+    struct any_compute compute;
     struct domq_domino *domino;
     struct engine_report report; /* additional results of the engine, for the commands that show them */
     /* `row.engine` may point to this member, so the struct must not be copied. */
@@ -62,5 +62,8 @@ domq_real scene_row_measure(const struct scene *scene, const struct domq_domino 
 
 /* Reports that the session has no row. Returns false. */
 bool problem_no_row(struct problem *problem);
+
+/* Converts a domino that the library has computed in double to quad, with 15 digits. */
+struct domq_domino domino_from_double(const struct dom_domino *domino);
 
 #endif

@@ -10,7 +10,7 @@
 void state_init(struct state *state)
 {
     *state = (struct state){.scene = {.train = domq_train_default(),
-                                      .compute = domq_compute_default(),
+                                      .compute = any_compute_default(),
                                       .scale = domq_scale_default(),
                                       .seed = SEED_DEFAULT},
                             .settings = {.style = {.digits = DIGITS_DEFAULT, .header = true}, .hints = 1}};
@@ -199,11 +199,11 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
         return problem_no_answer(
             problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'set %s off'",
             domq_first_effect(t)->name, domq_first_effect(t)->name);
-    if (status == DOM_NOT_CONVERGED && scene->compute.precision != DOM_QUAD)
+    if (status == DOM_NOT_CONVERGED && scene->compute.precision != IN_QUAD)
         return problem_no_answer(problem,
                                  "%s of %.3g; enter 'set precision %s', or a larger tolerance with 'set tol'",
                                  dom_status_text(status), (double)scene->compute.tol,
-                                 scene->compute.precision == DOM_FLOAT ? "double" : "quad");
+                                 scene->compute.precision == IN_FLOAT ? "double" : "quad");
     if (status == DOM_BAD_AIR && scene_air(scene) > 0)
         return problem_no_answer(problem,
                                  "'set air' needs the mass of the dominoes; first enter, for example, "

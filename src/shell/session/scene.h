@@ -6,8 +6,8 @@
 #define SHELL_SCENE_H
 
 #include "answer/measure.h"
-#include "domino_quad.h"
 #include "language/variables.h"
+#include "precision/any.h"
 #include "session/effect_list.h"
 #include "session/problem.h"
 
@@ -73,7 +73,7 @@ struct typed_length {
 struct scene {
     struct domq_train train;
     /* the library's options */
-    struct domq_compute compute;
+    struct any_compute compute;
     struct domq_scale scale;
     domq_real mass;    /* the mass of the first domino in kg; 0 if it is not known */
     domq_real density; /* the density of the material in kg/m^3; 0 if it is not known */

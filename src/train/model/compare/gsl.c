@@ -194,7 +194,7 @@ static enum dom_status gsl_cycle_duration(const struct request *train, dom_real 
     return status;
 }
 
-const struct kernel dom__kernel_gsl = {
+const struct method method_gsl = {
     .barrier_find = gsl_barrier_find,
     .limit_rmax = gsl_limit_rmax,
     .cycle_duration = gsl_cycle_duration,

@@ -8,7 +8,7 @@
  * Two mistakes in the paper are corrected: here a follower detaches when its leader reaches theta_leave, and
  * the barrier is compared with J(0) tau^2 omega(0)^2; (26; c8) leaves out the factor J(0).
  */
-#include "precision/kernel.h"
+#include "entry/method.h"
 #include <math.h>
 
 enum { PAPER_LINKS_MAX = 1000000 };
@@ -178,7 +178,7 @@ static enum dom_status paper_cycle_duration(const struct request *train, dom_rea
     return p.status;
 }
 
-const struct kernel dom__kernel_paper = {
+const struct method method_paper = {
     .fuel_find = paper_fuel_find,
     .launch_find = paper_launch_find,
     .barrier_find = paper_barrier_find,

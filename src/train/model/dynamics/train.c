@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Defaults, and rows with the proportions of a train, always in dom_real. */
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
 #include "geometry/reach.h"
 #include "numerics/real.h"
 
@@ -11,11 +8,6 @@
 struct dom_train dom_train_default(void)
 {
     return (struct dom_train){DOM_TRAIN_PARAMETERS(DEFAULT).fuel = DOM_FUEL_EXACT};
-}
-
-struct dom_compute dom_compute_default(void)
-{
-    return (struct dom_compute){DOM_COMPUTE_PARAMETERS(DEFAULT).precision = DOM_DOUBLE};
 }
 
 struct dom_scale dom_scale_default(void)
@@ -36,23 +28,34 @@ dom_real dom_train_reach(const struct dom_train *train)
 /* The smallest tolerance of each precision is 4 to 10 times its epsilon. */
 #define TENTH(power) (1 / (dom_real)(power)) /* `power` is a power of ten that a double holds exactly */
 
-const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
-{
-    static const struct dom_arithmetic table[] = {
-        [DOM_FLOAT] = {"float", "float", FLT_MANT_DIG, (double)FLT_EPSILON, TENTH(1e5), TENTH(1e6), 5},
-        [DOM_DOUBLE] = {"double", "double", DBL_MANT_DIG, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10},
-#if defined DOMQ_REAL_FLOAT128
-        [DOM_QUAD] = {"quad", "__float128", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30},
+#if defined DOMF
+static const struct dom_arithmetic arithmetic = {
+    "float", "float", FLT_MANT_DIG, (double)FLT_EPSILON, TENTH(1e5F), TENTH(1e6F), 5};
+#elif !defined DOMQ
+static const struct dom_arithmetic arithmetic = {"double", "double", DBL_MANT_DIG, DBL_EPSILON, 1 / 1e12,
+                                                 1 / 1e15, 10};
+#elif defined DOMQ_REAL_FLOAT128
+static const struct dom_arithmetic arithmetic = {
+    "quad", "__float128", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30};
 #elif LDBL_MANT_DIG == 113
-        [DOM_QUAD] = {"quad", "long double", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30},
+static const struct dom_arithmetic arithmetic = {
+    "quad", "long double", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30};
 #elif LDBL_MANT_DIG > DBL_MANT_DIG
-        [DOM_QUAD] = {"quad", "long double", LDBL_MANT_DIG, (double)LDBL_EPSILON, TENTH(1e17), TENTH(1e18),
-                      17},
+static const struct dom_arithmetic arithmetic = {
+    "quad", "long double", LDBL_MANT_DIG, (double)LDBL_EPSILON, TENTH(1e17), TENTH(1e18), 17};
 #else
-        [DOM_QUAD] = {"quad", "none wider than double", 0, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10},
+static const struct dom_arithmetic arithmetic = {
+    "quad", "none wider than double", 0, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10};
 #endif
-    };
-    return precision <= DOM_QUAD ? &table[precision] : NULL;
+
+const struct dom_arithmetic *dom_arithmetic(void)
+{
+    return &arithmetic;
+}
+
+struct dom_compute dom_compute_default(void)
+{
+    return (struct dom_compute){.tol = arithmetic.tol_default};
 }
 
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,

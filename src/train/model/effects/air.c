@@ -16,8 +16,6 @@
  */
 #include "effects/effects.h"
 
-#ifdef KERNEL_SOURCE
-
 #include "dynamics/losses.h"
 #include "effects/choose.h"
 #include "effects/inertia.h"
@@ -62,8 +60,6 @@ static enum dom_status drag_apply(struct geometry *geometry, real value)
 }
 
 static const struct terms drag_terms = {.apply = drag_apply};
-
-#else
 
 const struct dom_effect dom_effect_air = {
     .name = "air",
@@ -111,5 +107,3 @@ const struct dom_effect dom_effect_drag = {
                   .usual = (dom_real)12 / 10}},
     .needs = 1U << DOM_EFFECT_air,
 };
-
-#endif

@@ -10,8 +10,6 @@
  */
 #include "effects/effects.h"
 
-#ifdef KERNEL_SOURCE
-
 #include "effects/choose.h"
 #include "geometry/law.h"
 
@@ -34,8 +32,6 @@ static enum dom_status edges_apply(struct geometry *geometry, real value)
 }
 
 static const struct terms edges_terms = {.apply = edges_apply, .of_domino = edges_of_domino};
-
-#else
 
 const struct dom_effect dom_effect_edges = {
     .name = "edges",
@@ -64,5 +60,3 @@ const struct dom_effect dom_effect_edges = {
                   .highest = (dom_real)0.49,
                   .usual = (dom_real)0.01}},
 };
-
-#endif

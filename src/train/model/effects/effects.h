@@ -4,12 +4,12 @@
  * dom_effect_name.
  *
  * Each effect has a file in this folder, which fills one table. An effect of DOM_DYNAMICS fills a second
- * one, struct terms (choose.h). The kernels include this part of its file, with KERNEL_SOURCE defined.
+ * one, struct terms (choose.h).
  */
 #ifndef DOM_EFFECTS_H
 #define DOM_EFFECTS_H
 
-#include "numerics/api.h"
+#include "numerics/real.h"
 
 static inline bool dynamics_on(dom_real value)
 {
@@ -18,13 +18,13 @@ static inline bool dynamics_on(dom_real value)
 
 /* Some effects only change the time scale tau. Returns the number of the first effect that is on and changes
  * anything else, or DOM_DYNAMICS_COUNT if there is none. */
-int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT]);
+KERNEL int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT]);
 
 /* Returns DOM_OK, or the status of the first effect whose value is outside its range. 0 (off) is always
  * allowed. */
-enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT]);
+KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT]);
 
 /* Returns true if one of the effects that are on takes energy from moving dominoes. */
-bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT]);
+KERNEL bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT]);
 
 #endif

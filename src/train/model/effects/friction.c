@@ -8,8 +8,6 @@
  */
 #include "effects/effects.h"
 
-#ifdef KERNEL_SOURCE
-
 #include "dynamics/losses.h"
 #include "effects/choose.h"
 
@@ -21,8 +19,6 @@ static enum dom_status friction_apply(struct geometry *geometry, real value)
 }
 
 static const struct terms friction_terms = {.apply = friction_apply};
-
-#else
 
 const struct dom_effect dom_effect_friction = {
     .name = "friction",
@@ -48,5 +44,3 @@ const struct dom_effect dom_effect_friction = {
                   .highest = DOM_MU_HIGHEST,
                   .usual = (dom_real)0.2}},
 };
-
-#endif

@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of the effects, which have a file each, and the units of time that depend on them. */
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
 #include "effects/effects.h"
 #include "effects/inertia.h"
 
@@ -43,7 +40,7 @@ const struct dom_effect *dom_effect(enum dom_effect_name name)
     return name < DOM_EFFECT_COUNT ? effects[name] : NULL;
 }
 
-int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT])
+KERNEL int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT])
 {
     int k = 0;
     while (k < DOM_DYNAMICS_COUNT && (!dynamics_on(effect[k]) || effects[k]->cancels))
@@ -51,7 +48,7 @@ int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT])
     return k;
 }
 
-enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
+KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
 {
 #define STATUS(effect, member, status) status,
     static const enum dom_status bad[] = {DOM_DYNAMICS(STATUS)};
@@ -64,7 +61,7 @@ enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
     return DOM_OK;
 }
 
-bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT])
+KERNEL bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT])
 {
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
         if (dynamics_on(effect[k]) && effects[k]->dissipates)
@@ -93,6 +90,8 @@ dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *tr
     const dom_real value[] = {DOM_DYNAMICS(VALUE)};
     return sqrt(solid * inertia_factor(d, train->width, value));
 }
+
+#undef VALUE
 
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)
 {

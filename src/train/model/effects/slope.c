@@ -12,8 +12,6 @@
  */
 #include "effects/effects.h"
 
-#ifdef KERNEL_SOURCE
-
 #include "effects/choose.h"
 #include "geometry/law.h"
 
@@ -31,8 +29,6 @@ static enum dom_status slope_apply(struct geometry *geometry, real value)
 }
 
 static const struct terms slope_terms = {.apply = slope_apply};
-
-#else
 
 const struct dom_effect dom_effect_slope = {
     .name = "slope",
@@ -57,5 +53,3 @@ const struct dom_effect dom_effect_slope = {
                   .highest = (dom_real)1.5,
                   .usual = (dom_real)0.0174532925199432957692}},
 };
-
-#endif

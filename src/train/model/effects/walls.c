@@ -9,8 +9,6 @@
  */
 #include "effects/effects.h"
 
-#ifdef KERNEL_SOURCE
-
 #include "effects/choose.h"
 #include "effects/inertia.h"
 
@@ -32,13 +30,6 @@ static enum dom_status walls_apply(struct geometry *geometry, real value)
 }
 
 static const struct terms walls_terms = {.apply = walls_apply, .of_domino = walls_of_domino};
-
-#else
-
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
-#include "effects/inertia.h"
 
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box)
@@ -93,5 +84,3 @@ const struct dom_effect dom_effect_walls = {
                   .optional = true}},
     .cancels = true,
 };
-
-#endif

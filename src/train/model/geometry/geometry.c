@@ -6,8 +6,7 @@ KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta
     /* If theta_c >= 0 and theta is less than c.x = sin theta_c, then theta is also less than theta_c. The
      * comparisons below give the same result with c.x instead of theta_c, and no arc tangent is needed. */
     const real theta_c = theta < geometry->c.x ? geometry->c.x : tilt_angle(geometry->c);
-    if (!(theta >= geometry->lean) ||
-        theta > theta_c + fabs(theta_c) * 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON))
+    if (!(theta >= geometry->lean) || theta > theta_c + fabs(theta_c) * 2 * REAL_EPSILON)
         return DOM_BAD_TILT;
     *tilt = theta < theta_c ? tilt_make(sin(theta), cos(theta)) : geometry->c;
     return DOM_OK;

@@ -14,19 +14,18 @@ struct request {
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_fuel fuel;
     dom_real effect[DOM_DYNAMICS_COUNT]; /* indexed by enum dom_effect_name; 0 means off */
-    enum dom_precision precision;
     enum dom_method method;
-    dom_real near; /* r_max as found by a coarser kernel, or 0 if there is none */
+    dom_real near; /* r_max as found in double, or 0 if there is none */
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };
 
-struct block; /* struct block is defined in joint.h, once for each precision */
+struct block; /* joint.h */
 
 /* A row and the options of the computation, like struct dom_row and struct dom_compute of the API. */
 struct row_request {
     const struct dom_domino *domino;
-    const struct block *block; /* the dominoes in the kernel's precision; may be NULL */
+    const struct block *block; /* what the run needs of the dominoes; may be NULL */
     size_t count;
     dom_real g, push, release;
     dom_real effect[DOM_DYNAMICS_COUNT];
@@ -36,7 +35,6 @@ struct row_request {
      * needs, and the run goes on. */
     bool carries_on;
     DOM_COMPUTE_PARAMETERS(MEMBER)
-    enum dom_precision precision;
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };

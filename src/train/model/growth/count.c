@@ -1,11 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/real.h"
 
-/* Returns r^n for an integer n >= 0, computed in dom_real, with about n rounding errors. n may be too large
- * for any integer type. */
-static dom_real power_of(dom_real r, real n)
+/* The type of powers: float is too coarse to compare them. */
+#ifdef DOMF
+typedef double power_real;
+#else
+typedef real power_real;
+#endif
+
+/* Returns r^n for an integer n >= 0, with about n rounding errors. n may be too large for any integer
+ * type. */
+static power_real power_of(power_real r, real n)
 {
-    dom_real power = 1;
+    power_real power = 1;
     while (n > 0) {
         const real half = floor(n / 2);
         power *= n > 2 * half ? r : 1;
@@ -24,14 +31,11 @@ static bool count_reaches(real first, real height, real r, real ln_r, real n)
      * `slack` is at most a millionth of ln r, so it is small compared with the relative step from one domino
      * to the next, which is at least ln r. */
     real slack = fmin(ROUNDOFF * (4 + n), (real)1e-6 * ln_r);
-    return (dom_real)first * power_of((dom_real)r, n) >= (dom_real)height * (1 - (dom_real)slack);
+    return (power_real)first * power_of((power_real)r, n) >= (power_real)height * (1 - (power_real)slack);
 }
 
-KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_,
-                                  const struct dom_compute *compute, struct dom_count *count)
+KERNEL enum dom_status count_find(real first, real height, real r, struct dom_count *count)
 {
-    (void)compute;
-    real first = (real)first_, height = (real)height_, r = (real)r_;
     if (!(first > 0 && height > 0 && isfinite(first) && isfinite(height)))
         return DOM_BAD_HEIGHT;
     if (!(r >= 1 && isfinite(r)))

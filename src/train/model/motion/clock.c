@@ -53,8 +53,7 @@ KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time_, d
     enum dom_status status = motion_begin(train, &m);
     if (status == DOM_OK)
         status = motion_time(&m, 0, m.end, &whole);
-    if (status == DOM_OK &&
-        !(time >= 0 && time <= whole * (1 + fmax(m.tol, 4 * fmax(REAL_EPSILON, DOM_REAL_EPSILON)))))
+    if (status == DOM_OK && !(time >= 0 && time <= whole * (1 + fmax(m.tol, 4 * REAL_EPSILON))))
         status = DOM_BAD_TIME;
     if (status == DOM_OK && time > 0 && time < whole)
         status = clock_find(&m, &clock, time);

@@ -2,7 +2,7 @@
 /*
  * The arithmetic of the kernels. `real` is the floating-point type. The functions of <math.h> that are listed
  * below take and return `real`, as with <tgmath.h>. The same source is compiled for each precision
- * (precision/): REAL_FLOAT is defined for float, REAL_QUAD for quad, and neither for double.
+ * (precision/). `real` is the same type as dom_real.
  */
 #ifndef DOM_REAL_H
 #define DOM_REAL_H
@@ -16,7 +16,7 @@
 #define KERNEL static __attribute__((unused))
 /* Marks functions that are called in the loops along a train. They are inlined, since a call would cost as
  * much as the arithmetic. In quad they are not inlined, since every operation is a function call anyway. */
-#ifdef REAL_QUAD
+#ifdef DOMQ
 #define KERNEL_LOOP KERNEL
 #else
 #define KERNEL_LOOP static inline __attribute__((always_inline, unused))
@@ -47,12 +47,12 @@
     Y(atan2)                                                                                                 \
     Y(pow)
 
-#if defined REAL_FLOAT
+#if defined DOMF
 typedef float real;
 #define REAL_BITS  FLT_MANT_DIG
 #define REAL_MIN   FLT_MIN
 #define MATH(name) name##f
-#elif !defined REAL_QUAD
+#elif !defined DOMQ
 typedef double real;
 #define REAL_BITS DBL_MANT_DIG
 #define REAL_MIN  DBL_MIN

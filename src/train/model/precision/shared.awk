@@ -5,12 +5,13 @@
 #   awk -f shared.awk HEADER...     reads the headers of the folders model
 BEGIN {
     print "#pragma GCC visibility push(default)"
-    print "#include \"domino_proof.h\"\n#include \"domino_quad.h\""
+    print "#include \"domino_proof.h\"\n#include \"domino_float.h\"\n#include \"domino_quad.h\""
     print "#pragma GCC visibility pop"
-    print "#ifdef DOMQ\n#define SHARED(name) domq__##name\n#else\n#define SHARED(name) dom__##name\n#endif"
+    print "#if defined DOMF\n#define SHARED(name) domf__##name\n#elif defined DOMQ\n#define SHARED(name) domq__##name"
+    print "#else\n#define SHARED(name) dom__##name\n#endif"
 }
 
-function share(name) { if (name !~ /^domq?_/ && !seen[name]++) print "#define " name " SHARED(" name ")" }
+function share(name) { if (name !~ /^dom[fq]?_/ && !seen[name]++) print "#define " name " SHARED(" name ")" }
 
 /^extern const struct/ {
     gsub(/^extern const struct [a-z_]+|const |[][;*,]/, "")

@@ -163,11 +163,11 @@ static bool positive(dom_real value)
 
 static enum dom_status settings_check(const struct row_request *row)
 {
-    return row->count == 0     ? DOM_BAD_COUNT
-           : !positive(row->g) ? DOM_BAD_G
-           : !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ? DOM_BAD_TOL
-           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push)) ? DOM_BAD_PUSH
-           : !(row->release >= 0)                                                ? DOM_BAD_RELEASE
+    return row->count == 0                                                         ? DOM_BAD_COUNT
+           : !positive(row->g)                                                     ? DOM_BAD_G
+           : !(row->tol >= dom_arithmetic()->tol_floor && (double)row->tol <= 0.1) ? DOM_BAD_TOL
+           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))   ? DOM_BAD_PUSH
+           : !(row->release >= 0)                                                  ? DOM_BAD_RELEASE
                                   : dynamics_check(row->effect);
 }
 

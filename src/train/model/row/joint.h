@@ -32,7 +32,7 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 /* A row that has been checked, with the memory that its runs need. */
 struct row {
     struct row_request request;
-    struct block *block; /* the dominoes in the kernel's precision */
+    struct block *block; /* what the run needs of the dominoes */
     /* geometry[k] describes domino k, both as a head and as the follower of domino k + 1 */
     struct geometry *geometry;
     /* number of elements of `geometry` that are filled in so far; a run fills in more when it needs them */

@@ -79,7 +79,7 @@ KERNEL bool study_passes(struct run *run, size_t k, struct start *at);
 KERNEL bool study_ends(struct run *run, size_t k, const struct run *before, const struct descent *d,
                        const struct dom_fall *fall);
 
-#if defined REAL_FLOAT || defined REAL_QUAD /* studies exist only in double */
+#if defined DOMF || defined DOMQ /* studies exist only in double */
 KERNEL bool study_passes(struct run *run, size_t k, struct start *at)
 {
     (void)run, (void)k, (void)at;

@@ -110,8 +110,8 @@ static enum dom_status study_falls(struct study *s, size_t k, struct dom_verdict
     return status;
 }
 
-KERNEL enum dom_status row_study_begin(const struct row_request *request, struct study **study,
-                                       struct dom_verdict *verdict)
+KERNEL enum dom_status study_begin(const struct row_request *request, struct study **study,
+                                   struct dom_verdict *verdict)
 {
     struct study *s = *study = calloc(1, sizeof *s);
     size_t wrong = 0;
@@ -176,8 +176,8 @@ static enum dom_status study_random(struct study *s, struct dom_verdict *verdict
     return study_falls(s, 0, verdict);
 }
 
-KERNEL enum dom_status row_study(struct study *s, const struct dom_row *row, size_t first, size_t last,
-                                 struct dom_verdict *verdict)
+enum dom_status row_study(struct study *s, const struct dom_row *row, size_t first, size_t last,
+                          struct dom_verdict *verdict)
 {
 #define VALUE(effect, member, status) row->member,
     const dom_real effect[] = {DOM_DYNAMICS(VALUE)};
@@ -189,7 +189,7 @@ KERNEL enum dom_status row_study(struct study *s, const struct dom_row *row, siz
     return s->mark ? study_change(s, first, last, verdict) : study_random(s, verdict);
 }
 
-KERNEL void row_study_end(struct study *s)
+void row_study_end(struct study *s)
 {
     if (s) {
         row_free(&s->row);

@@ -40,4 +40,8 @@ struct study {
  * sign is certain. */
 #define LEAST_CLEAR ((real)1 / 64)
 
+/* Begins a study (entry/study.h). */
+KERNEL enum dom_status study_begin(const struct row_request *request, struct study **study,
+                                   struct dom_verdict *verdict);
+
 #endif

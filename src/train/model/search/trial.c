@@ -3,7 +3,7 @@
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
 {
-    struct trial t = {.row = *row, .compute = compute_in_double(compute), .status = DOM_OK};
+    struct trial t = {.row = *row, .compute = compute_or_default(compute), .status = DOM_OK};
     t.row.floor = false;
     return t;
 }
@@ -28,17 +28,10 @@ bool trial_falls(struct trial *t)
     double last = DOM_NAN;
     t->verdict.end = DOM_ROW_STOPS;
     if (t->status == DOM_OK)
-        t->status = row_verdict(&t->row, &t->compute, false, spare_seen, &last, &t->verdict);
+        t->status = dom_row_run(&t->row, &t->compute, false, spare_seen, &last, &t->verdict);
     if (t->status == DOM_OK && t->verdict.end == DOM_ROW_STOPS)
         t->verdict.spare = last;
     return trial_judged(t);
-}
-
-/* Runs the unchanged row and stores states from which runs of changed rows can start. */
-static enum dom_status trial_study(struct trial *t)
-{
-    const struct row_question q = row_question_make(&t->row, &t->compute);
-    return q.status != DOM_OK ? q.status : dom__studies.begin(&q.request, &t->study, &t->verdict);
 }
 
 bool trial_begin(struct trial *t)
@@ -46,8 +39,8 @@ bool trial_begin(struct trial *t)
     t->verdict.end = DOM_ROW_STOPS;
     if (t->row.engine)
         (void)trial_falls(t); /* an engine cannot start in the middle of a row */
-    else
-        t->status = trial_study(t);
+    else                      /* stores states from which runs of changed rows can start */
+        t->status = row_study_begin(&t->row, &t->compute, &t->study, &t->verdict);
     if (t->status == DOM_OK) {
         t->domino = malloc(t->row.count * sizeof *t->domino);
         if (t->domino)
@@ -63,13 +56,13 @@ bool trial_again(struct trial *t, size_t first, size_t last)
 {
     t->verdict.end = DOM_ROW_STOPS;
     if (t->status == DOM_OK)
-        t->status = dom__studies.run(t->study, &t->row, first, last, &t->verdict);
+        t->status = row_study(t->study, &t->row, first, last, &t->verdict);
     return trial_judged(t);
 }
 
 void trial_end(struct trial *t)
 {
-    dom__studies.end(t->study);
+    row_study_end(t->study);
     free(t->domino);
 }
 

@@ -4,7 +4,7 @@
 #ifndef DOM_TRIAL_H
 #define DOM_TRIAL_H
 
-#include "dispatch/dispatch.h"
+#include "entry/study.h"
 #include "numerics/decimal.h"
 #include "numerics/real.h"
 #include <stdlib.h>
@@ -20,7 +20,7 @@ struct trial {
     size_t k;                  /* index of the domino that is changed, from 0 */
     /* distance from the back of the first domino to the back of domino k before the change */
     double place;
-    /* the kernel's state for running slightly changed rows, or NULL if an engine runs them */
+    /* the state for running slightly changed rows, or NULL if an engine runs them */
     struct study *study;
     dom_row_make *make; /* callback that writes the dominoes of the row for a given growth */
     void *context;

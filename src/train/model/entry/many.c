@@ -11,13 +11,13 @@ typedef enum dom_status find_tilt(const struct dom_train *train, const struct do
 /* Defines a wrapper around a function that answers a question. All wrappers take a void pointer, so they fit
  * into one table. */
 #define FINDS(find, kind)                                                                                    \
-    static enum dom_status ask_##find(const struct dom_train *train, const struct dom_compute *compute,      \
+    static enum dom_status one_##find(const struct dom_train *train, const struct dom_compute *compute,      \
                                       void *answer)                                                          \
     {                                                                                                        \
         return dom_##find(train, compute, (kind *)answer);                                                   \
     }
 #define FINDS_AT(find, kind)                                                                                 \
-    static enum dom_status ask_##find(const struct dom_train *train, const struct dom_compute *compute,      \
+    static enum dom_status one_##find(const struct dom_train *train, const struct dom_compute *compute,      \
                                       dom_real theta, void *answer)                                          \
     {                                                                                                        \
         return dom_##find(train, compute, theta, (kind *)answer);                                            \
@@ -39,17 +39,17 @@ static const struct {
     find_tilt *tilt;   /* for questions with a tilt, otherwise NULL */
     size_t size;       /* size of the result */
 } questions[] = {
-    [DOM_ASK_ANGLES] = {ask_angles_find, NULL, sizeof(struct dom_angles)},
-    [DOM_ASK_CONTACT] = {NULL, ask_contact_find, sizeof(struct dom_contact)},
-    [DOM_ASK_ENERGY] = {NULL, ask_energy_find, sizeof(struct dom_energy)},
-    [DOM_ASK_FUEL] = {ask_fuel_find, NULL, sizeof(struct dom_fuels)},
-    [DOM_ASK_LAUNCH] = {ask_launch_find, NULL, sizeof(struct dom_launch)},
-    [DOM_ASK_BARRIER] = {ask_barrier_find, NULL, sizeof(struct dom_barrier)},
-    [DOM_ASK_OMEGASQ] = {NULL, ask_cycle_omegasq, sizeof(dom_real)},
-    [DOM_ASK_DURATION] = {ask_cycle_duration, NULL, sizeof(dom_real)},
-    [DOM_ASK_RMAX] = {ask_limit_rmax, NULL, sizeof(struct dom_limit)},
-    [DOM_ASK_PAIR] = {ask_limit_pair, NULL, sizeof(struct dom_limit)},
-    [DOM_ASK_BEST] = {ask_limit_best, NULL, sizeof(struct dom_best)},
+    [DOM_ASK_ANGLES] = {one_angles_find, NULL, sizeof(struct dom_angles)},
+    [DOM_ASK_CONTACT] = {NULL, one_contact_find, sizeof(struct dom_contact)},
+    [DOM_ASK_ENERGY] = {NULL, one_energy_find, sizeof(struct dom_energy)},
+    [DOM_ASK_FUEL] = {one_fuel_find, NULL, sizeof(struct dom_fuels)},
+    [DOM_ASK_LAUNCH] = {one_launch_find, NULL, sizeof(struct dom_launch)},
+    [DOM_ASK_BARRIER] = {one_barrier_find, NULL, sizeof(struct dom_barrier)},
+    [DOM_ASK_OMEGASQ] = {NULL, one_cycle_omegasq, sizeof(dom_real)},
+    [DOM_ASK_DURATION] = {one_cycle_duration, NULL, sizeof(dom_real)},
+    [DOM_ASK_RMAX] = {one_limit_rmax, NULL, sizeof(struct dom_limit)},
+    [DOM_ASK_PAIR] = {one_limit_pair, NULL, sizeof(struct dom_limit)},
+    [DOM_ASK_BEST] = {one_limit_best, NULL, sizeof(struct dom_best)},
 };
 
 enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,

@@ -1,0 +1,448 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Public entry points: check the arguments, then call the function that answers. */
+#include "entry/other.h" /* first */
+
+#include "effects/effects.h"
+#include "entry/answers.h"
+#include "entry/method.h"
+#if !defined DOMF && !defined DOMQ
+#include "entry/study.h"
+#include "row/study.h"
+#endif
+
+/* A question about a train. */
+struct question {
+    struct request request;
+    const struct method *method; /* the method for comparison that answers it, or NULL */
+    enum dom_status status;
+};
+
+/* A question about a row. */
+struct row_question {
+    struct row_request request;
+    enum dom_status status;
+};
+
+/* Asks a question: calls a function of this library's own method, unless the question has an error, or has
+ * another method. The value of the macro is the status. ASK_METHOD calls the function of another method, if
+ * it has one. */
+#define ASK(question, find, ...)                                                                             \
+    ((question).status != DOM_OK ? (question).status                                                         \
+     : (question).method         ? DOM_NO_METHOD                                                             \
+                                 : find(&(question).request, __VA_ARGS__))
+#define ASK_METHOD(question, find, ...)                                                                      \
+    ((question).status == DOM_OK && (question).method && (question).method->find                             \
+         ? (question).method->find(&(question).request, __VA_ARGS__)                                         \
+         : ASK(question, find, __VA_ARGS__))
+
+#if defined DOMF || defined DOMQ
+static struct dom_compute compute_or_default(const struct dom_compute *compute)
+{
+    return compute ? *compute : dom_compute_default();
+}
+#endif
+
+/* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */
+#define BAD_s     DOM_BAD_S
+#define BAD_r     DOM_BAD_R
+#define BAD_d     DOM_BAD_D
+#define BAD_q     DOM_BAD_Q
+#define BAD_width DOM_BAD_WIDTH
+#define BAD_tol   DOM_BAD_TOL
+
+/* Sets `status` to an error if the parameter is outside its range and no earlier check failed. */
+#define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
+    if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
+        status = BAD_##name;
+
+static enum dom_status request_check(const struct request *q)
+{
+    enum dom_status status = DOM_OK;
+    DOM_TRAIN_PARAMETERS(CHECK)
+    if (status == DOM_OK)
+        status = dynamics_check(q->effect);
+    if (status == DOM_OK && q->fuel > DOM_FUEL_PAPER)
+        status = DOM_BAD_FUEL;
+    if (status == DOM_OK && q->method > DOM_METHOD_PAPER)
+        status = DOM_BAD_METHOD;
+    if (status == DOM_OK && dom_arithmetic()->bits == 0)
+        status = DOM_NO_PRECISION;
+    DOM_COMPUTE_PARAMETERS(CHECK)
+    if (status == DOM_OK && q->tol < dom_arithmetic()->tol_floor)
+        status = DOM_BAD_TOL;
+    return status == DOM_OK && dynamics_first(q->effect) < DOM_DYNAMICS_COUNT && q->method != DOM_METHOD_OURS
+               ? DOM_NO_METHOD
+               : status;
+}
+#undef CHECK
+
+/* DOM_DYNAMICS(TRAIN_VALUE) and DOM_DYNAMICS(ROW_VALUE) list the values of all effects. */
+#define TRAIN_VALUE(effect, member, status) train->member,
+#define ROW_VALUE(effect, member, status)   row->member,
+
+static struct question question_make(const struct dom_train *train, const struct dom_compute *given)
+{
+    struct dom_compute compute = compute_or_default(given);
+#define COPY(name, default_, lowest, highest, unit, meaning)         .name = train->name,
+#define COPY_COMPUTE(name, default_, lowest, highest, unit, meaning) .name = compute.name,
+    struct question q = {
+        .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
+                    .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .method = compute.method, .work = compute.work,
+                    .interrupt = compute.interrupt}};
+#undef COPY
+#undef COPY_COMPUTE
+    q.status = request_check(&q.request);
+    if (q.status == DOM_OK && compute.method != DOM_METHOD_OURS)
+        q.status = method_find(compute.method, &q.method);
+    return q;
+}
+
+static struct row_question row_question_make(const struct dom_row *row, const struct dom_compute *given)
+{
+    struct dom_compute compute = compute_or_default(given);
+    struct row_question q = {.request = {.domino = row->domino,
+                                         .count = row->count,
+                                         .g = row->g,
+                                         .push = row->push,
+                                         .release = row->release,
+                                         .effect = {DOM_DYNAMICS(ROW_VALUE)},
+                                         .boxes_above = row->boxes_above,
+                                         .floor = row->floor,
+                                         .tol = compute.tol,
+                                         .work = compute.work,
+                                         .interrupt = compute.interrupt},
+                             .status = dom_arithmetic()->bits == 0 ? DOM_NO_PRECISION : DOM_OK};
+    return q;
+}
+
+/* Makes a question about a limit of growth. The search chooses r, so train->r need not be valid. */
+static struct question question_of_limit(const struct dom_train *train, const struct dom_compute *compute)
+{
+    struct dom_train t = *train;
+    t.r = 1;
+    return question_make(&t, compute);
+}
+
+enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute)
+{
+    struct dom_angles angles;
+    struct question q = question_make(train, compute);
+    return ASK(q, angles_find, &angles);
+}
+
+enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_angles *angles)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, angles_find, angles);
+}
+
+enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
+                                 dom_real theta, struct dom_contact *contact)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, contact_find, theta, contact);
+}
+
+enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real theta, dom_visit *visit, void *context)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, chain_walk, theta, visit, context);
+}
+
+enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
+                                dom_real theta, struct dom_energy *energy)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, energy_find, theta, energy);
+}
+
+enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
+                              struct dom_fuels *fuels)
+{
+    struct question q = question_make(train, compute);
+    return ASK_METHOD(q, fuel_find, fuels);
+}
+
+enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_launch *launch)
+{
+    struct question q = question_make(train, compute);
+    return ASK_METHOD(q, launch_find, launch);
+}
+
+enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_barrier *barrier)
+{
+    struct question q = question_make(train, compute);
+    return ASK_METHOD(q, barrier_find, barrier);
+}
+
+enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
+                                  dom_real theta, dom_real *omegasq)
+{
+    struct question q = question_make(train, compute);
+    *omegasq = DOM_NAN;
+    return ASK(q, cycle_omegasq, theta, omegasq);
+}
+
+enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real *theta)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_stop, theta);
+}
+
+enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
+                                   dom_real *duration)
+{
+    struct question q = question_make(train, compute);
+    return ASK_METHOD(q, cycle_duration, duration);
+}
+
+enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_event *events, int *count)
+{
+    *count = 0;
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_events, events, count);
+}
+
+enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
+                                dom_real theta, struct dom_state *state)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_state, theta, state);
+}
+
+enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real time, dom_real *theta)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_tilt, time, theta);
+}
+
+enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t count,
+                               enum dom_spacing by, dom_state_visit *visit, void *context)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_walk, count, by, visit, context);
+}
+
+enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
+                                 dom_real theta, dom_force_visit *visit, void *context)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_forces, theta, visit, context);
+}
+
+enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
+                                      struct dom_least_force *least)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_least_force, least);
+}
+
+enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_floor *floor)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_floor, floor);
+}
+
+/* ---- Limits, which more than one precision may find ---- */
+
+/* These functions find a limit in this arithmetic alone. `near` is r_max as double has found it, or 0. */
+static enum dom_status rmax_near(const struct dom_train *train, const struct dom_compute *compute,
+                                 dom_real near, struct dom_limit *limit)
+{
+    struct question q = question_of_limit(train, compute);
+    q.request.near = near;
+    return ASK_METHOD(q, limit_rmax, limit);
+}
+
+enum dom_status OWN(_rmax_alone)(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_limit *limit)
+{
+    return rmax_near(train, compute, 0, limit);
+}
+
+enum dom_status OWN(_pair_alone)(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_limit *limit)
+{
+    struct question q = question_of_limit(train, compute);
+    return ASK(q, limit_pair, limit);
+}
+
+#ifdef DOMQ
+
+enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *given,
+                               struct dom_limit *limit)
+{
+    const struct dom_compute compute = compute_or_default(given);
+    return rmax_near(train, &compute, near_rmax(train, &compute), limit);
+}
+
+enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_limit *limit)
+{
+    return OWN(_pair_alone)(train, compute, limit);
+}
+
+#else
+
+/* Finds a limit. One that is open in this arithmetic is computed again in quad, where fewer minima of the
+ * margin are open. */
+static enum dom_status limit_surely(OWN(_find_limit) * alone, domq__find_limit *in_quad,
+                                    const struct dom_train *train, const struct dom_compute *given,
+                                    struct dom_limit *limit)
+{
+    const struct dom_compute compute = compute_or_default(given);
+    const enum dom_status status = alone(train, &compute, limit);
+    const enum dom_status then =
+        status == DOM_OPEN ? limit_in_quad(in_quad, train, &compute, limit) : DOM_OPEN;
+    return then == DOM_OK || then == DOM_INTERRUPTED ? then : status;
+}
+
+enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_limit *limit)
+{
+    return limit_surely(OWN(_rmax_alone), domq__rmax_alone, train, compute, limit);
+}
+
+enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_limit *limit)
+{
+    return limit_surely(OWN(_pair_alone), domq__pair_alone, train, compute, limit);
+}
+
+#endif
+
+enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *given,
+                               struct dom_best *best)
+{
+    struct dom_train anywhere = *train;
+    anywhere.s = 1;
+    struct question q = question_of_limit(&anywhere, given);
+#ifdef DOMQ
+    const struct dom_compute compute = compute_or_default(given);
+    if (q.status == DOM_OK && !near_best(&anywhere, &compute, &q.request.s, &q.request.near))
+        q.request.near = 0;
+#endif
+    return ASK(q, limit_best, best);
+}
+
+/* ---- Rows and counts ---- */
+
+enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *given, bool times,
+                            dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
+{
+    const struct row_question q = row_question_make(row, given);
+    if (q.status != DOM_OK || !row->engine)
+        return q.status == DOM_OK ? row_run(&q.request, times, visit, context, verdict) : q.status;
+#if defined DOMF || defined DOMQ
+    return DOM_NO_METHOD;
+#else
+    const struct dom_compute compute = compute_or_default(given);
+    for (size_t k = 0; k < row->count; k++)
+        if (row->domino[k].lean != 0)
+            return DOM_NO_LEAN;
+    if (row->release > 0 && isfinite(row->release)) {
+        double touch;
+        const enum dom_status status = dom_row_touch(row, given, &touch);
+        if (status == DOM_OK && row->release > touch)
+            *verdict = (struct dom_verdict){.end = DOM_ROW_SKEWED, .domino = 1, .seconds = DOM_NAN};
+        if (status != DOM_OK || row->release > touch)
+            return status;
+    }
+    return row->engine->run(row, &compute, times, visit, context, verdict);
+#endif
+}
+
+static bool tilt_seen(const struct dom_fall *fall, void *context)
+{
+    *(dom_real *)context = fall->theta;
+    return false;
+}
+
+enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt)
+{
+    struct dom_verdict verdict;
+    struct dom_row two = *row;
+    two.count = row->count < 2 ? row->count : 2;
+    two.engine = NULL;
+    two.floor = false;
+    two.push = 0;
+    two.release = (dom_real)HUGE_VAL;
+    return dom_row_run(&two, compute, false, tilt_seen, tilt, &verdict);
+}
+
+enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
+                              const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
+                              struct dom_verdict *verdict)
+{
+    const struct row_question q = row_question_make(row, compute);
+    return q.status != DOM_OK ? q.status
+           : row->engine      ? DOM_NO_METHOD
+                              : row_watch(&q.request, times, count, visit, context, verdict);
+}
+
+#if !defined DOMF && !defined DOMQ /* entry/study.h */
+
+enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,
+                           dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
+{
+    struct row_question q = row_question_make(row, compute);
+    q.request.carries_on = true;
+    return row_run(&q.request, false, visit, context, verdict);
+}
+
+enum dom_status row_study_begin(const struct dom_row *row, const struct dom_compute *compute,
+                                struct study **study, struct dom_verdict *verdict)
+{
+    const struct row_question q = row_question_make(row, compute);
+    return study_begin(&q.request, study, verdict);
+}
+
+#endif
+
+enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count)
+{
+    return dom_arithmetic()->bits == 0 ? DOM_NO_PRECISION : count_find(first, height, r, count);
+}
+
+/* ---- Simple API ---- */
+
+dom_real dom_rmax(dom_real s, dom_real d, dom_real q)
+{
+    struct dom_train train = dom_train_default();
+    struct dom_limit limit;
+    train.s = s;
+    train.d = d;
+    train.q = q;
+    return dom_limit_rmax(&train, NULL, &limit) == DOM_OK ? limit.r_max : DOM_NAN;
+}
+
+dom_real dom_dominoes(dom_real first, dom_real height, dom_real r)
+{
+    struct dom_count count;
+    return dom_count_find(first, height, r, &count) == DOM_OK ? count.dominoes : DOM_NAN;
+}
+
+dom_real dom_speed(dom_real h, dom_real s, dom_real d)
+{
+    struct dom_train train = dom_train_default();
+    struct dom_scale scale = dom_scale_default();
+    dom_real duration;
+    train.s = s;
+    train.d = d;
+    train.r = 1;
+    scale.h = h;
+    return h > 0 && dom_cycle_duration(&train, NULL, &duration) == DOM_OK
+               ? dom_scale_speed(&scale, &train, duration)
+               : DOM_NAN;
+}
+
+#undef ASK
+#undef ASK_METHOD
