@@ -121,8 +121,8 @@ static real segment_short(real theta, void *context)
     st->status = barrier_up_to(&st->geometry, st->start.from, &st->barrier, theta, &b);
     /* A motion that starts at rest may lose height first. All tilts that it passes need no energy, and are no
      * roots. */
-    return st->status == DOM_OK ? b.height - fmax(st->start.kinetic, REAL_EPSILON * st->barrier.height)
-                                : REAL_NAN;
+    const real kinetic = st->start.omegasq == 0 ? REAL_EPSILON * st->barrier.height : st->start.kinetic;
+    return st->status == DOM_OK ? b.height - kinetic : REAL_NAN;
 }
 
 KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
@@ -181,7 +181,8 @@ static enum dom_status segment_from_rest(struct segment *st, real from, real to,
 {
     struct from_rest rest = {st, st->hi - st->lo};
     const real a = sqrt(fmax(from - st->lo, 0) / rest.span), b = sqrt(fmin((to - st->lo) / rest.span, 1));
-    return model_status(st->status, num_integral(slowness_from_rest, &rest, a, b, tol, time, NULL));
+    const enum num_status solver = num_integral(slowness_from_rest, &rest, a, b, tol, time, NULL);
+    return model_status(st->status, solver);
 }
 
 KERNEL enum dom_status segment_integral(struct segment *st, num_function *f, real from, real to, real tol,
