@@ -15,8 +15,8 @@ struct direct_row {
     size_t n;
     const double *height, *thickness, *gap, *mass;
     double mu, g;
-    /* Angular velocity given to the first domino at time 0. If it is 0, the first domino falls only if its lean
-     * makes it fall. */
+    /* Angular velocity given to the first domino at time 0. If it is 0, the first domino falls only if its
+     * lean makes it fall. */
     double omega;
     double slope; /* angle in rad by which the floor descends towards the later dominoes */
     double walls,

@@ -55,8 +55,8 @@ struct argument {
     const char *noun;
     bool optional;
     names_list *choices;
-    /* For an ARGUMENT_CHOICE: how to get what a command's name seems to stand for, if it is typed in place of a
-     * choice. The first word is one of the choices, and the name follows the text. May be NULL. */
+    /* For an ARGUMENT_CHOICE: how to get what a command's name seems to stand for, if it is typed in place of
+     * a choice. The first word is one of the choices, and the name follows the text. May be NULL. */
     const char *for_answers;
     /* Some arguments have a syntax of their own: the kinds from ARGUMENT_GRID to ARGUMENT_UNIT. The function
      * `parse` reads such an argument and stores its result in question->parsed. The function `bind` computes

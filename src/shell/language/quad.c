@@ -55,8 +55,10 @@ const char *quad_limit_write(domq_real limit, int digits, char text[WIDE_TEXT])
 {
     quad_write(limit, digits, text);
     if (limit > 0 && quad_read(text, NULL) > limit * (1 + (domq_real)1e-13)) {
-        const domq_real unit = quad(pow)(10, quad(floor)(quad(log10)(limit)) - digits + 1);
-        quad_write(limit - unit / 2, digits, text);
+        char half[24]; /* half a unit of the last digit; powers in quad would take most of the time of a sweep
+                        */
+        snprintf(half, sizeof half, "5e%d", (int)floor(log10((double)limit)) - digits);
+        quad_write(limit - quad_read(half, NULL), digits, text);
     }
     return text;
 }
