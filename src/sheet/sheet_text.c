@@ -293,10 +293,10 @@ static void effects_write(const struct class_row *class, struct page *page)
         if (!scene->effect[k].on || k == DOM_EFFECT_row)
             continue;
         random = random || effect_is_random(k);
-        const char *name = domq_effect(k)->name;
+        const char *name = effect_at(k)->name;
         const int share = parameter_share(parameter_find(name));
         text_add(text, sizeof text, "%s%s ", *text ? ", " : "", name);
-        if (strcmp(domq_effect(k)->argument[0].unit, "rad") == 0)
+        if (strcmp(effect_at(k)->argument[0].unit, "rad") == 0)
             text_add(text, sizeof text, "%.4g deg", degrees(scene->effect[k].value[0]));
         else if (share >= 0 && share != SHARE_push && scene->length[share].m > 0)
             text_add(text, sizeof text, "%s", length_of(class, (double)scene->length[share].m).text);
