@@ -141,8 +141,9 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
         status = dom_row_rmax(&made.row, &made.compute, reach, grow_in_double, &grown, &growth);
     free(made.domino);
     free(scene.domino);
-    if (status == DOM_OK)
-        status = any_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
+    if (status != DOM_OK)
+        return row_status(query, problem, status);
+    status = any_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
     if (status == DOM_OPEN)
         return problem_limit(problem, query->scene, status, &limit);
     const bool has_train = status != DOM_NO_AIR;

@@ -29,8 +29,7 @@ static const char *const column_words[] = {
     "gap,spacing,distance,separation,abstand,lucke,luecke,afstand,tussenruimte,ecart,espacement,intervalle",
     "pitch,period,centre to centre,center to center,teilung,raster,rastermass,steek,pas,entraxe",
     "position,positions,pos,lage,ort,positie,plaats,emplacement",
-    "dominoes,dominos,n,count,number of dominoes,no. of dominoes,anzahl,anzahl steine,aantal,aantal "
-    "stenen,nombre",
+    "dominoes,dominos,n,count,number of dominoes,no. of dominoes,anzahl,anzahl steine,aantal,nombre",
     "mass,weight,masse,gewicht,massa,poids",
     "density,dichte,dichtheid,densite",
     "width,breite,breedte,largeur",
@@ -38,17 +37,16 @@ static const char *const column_words[] = {
     "lean,plumb,tilt,neigung,helling,inclinaison",
     "relative,relativ,relatief,relatif",
     "domino,#,nr,nr.,no,no.,number,domino #,domino nr,domino no,domino no.,nummer,stein,steen,numero",
-    "time,t,times,hit,zeit,tijd,temps,total time,total,gesamtzeit,totale tijd,temps "
-    "total,duration,dauer,duur,duree",
+    ("time,t,times,hit,zeit,tijd,temps,total time,total,gesamtzeit,totale tijd,temps total,"
+     "duration,dauer,duur,duree"),
     "angle,theta,tilt,rotation,thetar,winkel,hoek",
     "speed,velocity,v,geschwindigkeit,durchschnittsgeschwindigkeit,snelheid,vitesse",
     "frame,frames,frame number,step,bild,beeld,image",
     "rate,frame rate,framerate,fps",
     "run,trial,video,versuch,proef,essai",
     "error,errors,sigma,uncertainty,time error,angle error,speed error,fehler,fout,erreur",
-    "error %,errors %,sigma %,uncertainty %,relative error,relative error %,speed error %,time error "
-    "%,fehler %,"
-    "relativer fehler,fout %,erreur %",
+    ("error %,errors %,sigma %,uncertainty %,relative error,relative error %,speed error %,time error %,"
+     "fehler %,relativer fehler,fout %,erreur %"),
 };
 
 /* Words of headings that number a trial, or that say that a value is the mean of several trials. */

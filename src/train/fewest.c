@@ -232,17 +232,17 @@ static bool row_find(const struct query *query, domq_real q, bool moves, bool ha
     return problem->kind == PROBLEM_NONE && (s.status == DOM_OK || query_status(query, problem, s.status));
 }
 
-enum { KINDS_MOST = 8 };
+enum { KINDS_MOST = 8, FOUND_MOST = 2 * KINDS_MOST };
 
 /* Finds the rows for the session's kind of domino and for every kind that has a name. Returns their number,
  * or 0 after a problem. */
-static size_t rows_find(const struct query *query, bool has_engine, struct found found[2 * KINDS_MOST],
+static size_t rows_find(const struct query *query, bool has_engine, struct found found[FOUND_MOST],
                         struct problem *problem)
 {
     const domq_real own = query->scene->train.q;
     const struct word *w = parameter_find("q")->words;
     size_t count = 0;
-    for (domq_real q = own; count + 2 <= 2 * KINDS_MOST; q = w++->value) {
+    for (domq_real q = own; count + 2 <= FOUND_MOST; q = w++->value) {
         struct domq_train train = query->scene->train;
         train.q = q;
         if (any_train_check(&train, query_compute(query)) != DOM_NO_AIR) /* it is self-similar */
@@ -317,7 +317,7 @@ static void rows_say(const struct query *query, struct answer *a, const struct f
 
 bool run_fewest(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct found found[2 * KINDS_MOST];
+    struct found found[FOUND_MOST];
     struct scene_row made;
     if (query->given->number[0] <= query->scene->scale.h) {
         answer_say(a, "No other domino is needed: the first is already %s tall.",
