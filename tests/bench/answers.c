@@ -44,7 +44,7 @@ static enum dom_status ask_quad(const struct dom_train *train, const struct dom_
     const struct domq_train in_quad = domq_train_default();
     struct domq_limit limit;
     (void)train, (void)compute;
-    return any_limit_rmax(&in_quad, NULL, &limit);
+    return domq_limit_rmax(&in_quad, NULL, &limit);
 }
 
 /* Computes r_max for s from 0.02 to 0.9, with both values of q, as the benchmark does. */
