@@ -307,12 +307,14 @@ static void rows_say(const struct query *query, struct answer *a, const struct f
     char q[48] = "";
     if (first->train.q != query->scene->train.q)
         snprintf(q, sizeof q, " q %s", quad_text(first->train.q, 6));
-    answer_say(
-        a,
-        "These are the fewest dominoes that topple one that is %s tall. Each row was run with exactly this "
-        "growth r and gap s, and falls; 'count %s m %s with s %s%s' explains one.",
-        measured(query->given->number[0], "m", 6).text, quad_text(query->given->number[0], ROUNDED),
-        quad_text(first->train.r, ROUNDED), quad_text(first->train.s, ROUNDED), q);
+    answer_say(a,
+               "%s topple one that is %s tall. Each row was run with exactly this "
+               "growth r and gap s, and falls; 'count %s m %s with s %s%s' explains one.",
+               has_errors
+                   ? "With another gap, even fewer dominoes may be enough in spite of the errors. These rows"
+                   : "These are the fewest dominoes that",
+               measured(query->given->number[0], "m", 6).text, quad_text(query->given->number[0], ROUNDED),
+               quad_text(first->train.r, ROUNDED), quad_text(first->train.s, ROUNDED), q);
 }
 
 bool run_fewest(const struct query *query, struct answer *a, struct problem *problem)

@@ -367,7 +367,8 @@ END
     all_fail <<END
 draw tower|works only if the last answer was a count; first enter 'count 112 m'
 count 1 cm; draw tower|the last 'count' needs no dominoes
-count 112 m 1; draw tower|the last 'count' needs more dominoes than a row can have
+count 112 m 1; draw tower|the last 'count' does not reach its height
+count 112 m with s 0.3; draw tower|the last count was made 'with' settings that the session does not have; first set them, and count again
 count 112 m; draw tower 3|one argument too many
 END
 }

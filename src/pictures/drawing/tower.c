@@ -52,11 +52,17 @@ bool tower_make(const struct query *query, struct tower *tower, struct problem *
     if (!ans->command || ans->command->run != run_count)
         return problem_error(problem,
                              "'tower' works only if the last answer was a count; first enter 'count 112 m'");
+    if (ans->with)
+        return problem_error(problem,
+                             "the last count was made 'with' settings that the session does not have; "
+                             "first set them, and count again");
     const domq_real dominoes = ans->cells[COUNT_DOMINOES].number,
                     most = domq_effect(DOM_EFFECT_row)->argument[0].highest;
     if (!isfinite(dominoes) || dominoes < 1 || dominoes >= most)
-        return problem_no_answer(problem, "there is no row to draw: the last 'count' needs %s",
-                                 dominoes == 0 ? "no dominoes" : "more dominoes than a row can have");
+        return problem_no_answer(problem, "there is no row to draw: the last 'count' %s",
+                                 dominoes == 0         ? "needs no dominoes"
+                                 : !isfinite(dominoes) ? "does not reach its height"
+                                                       : "needs more dominoes than a row can have");
     const struct assigned assigned[] = {
         {.parameter = parameter_find("r"), .value = ans->cells[COUNT_GROWTH].number},
         {.parameter = parameter_find("row"), .value = dominoes + 1}};

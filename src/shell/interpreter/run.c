@@ -94,8 +94,8 @@ static void rest_keep(struct session *session, const struct command *c, const st
 }
 
 /* Keeps the answer for 'ans'. */
-static void answer_remember(struct session *session, const struct command *c, const struct answer *answer,
-                            const struct cell kept[ANSWER_CELLS])
+static void answer_remember(struct session *session, const struct command *c, const struct query *query,
+                            const struct answer *answer, const struct cell kept[ANSWER_CELLS])
 {
     if (answer->is_value || c->principal)
         session->ans.printed = answer->is_value;
@@ -103,6 +103,7 @@ static void answer_remember(struct session *session, const struct command *c, co
         session->ans.value = answer->value;
     else if (c->principal) {
         session->ans.command = c;
+        session->ans.with = query->state != &session->state;
         memcpy(session->ans.cells, kept, ANSWER_CELLS * sizeof *kept);
     }
 }
@@ -183,7 +184,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     end->answered = end->answered || (done && c->columns) || answer.progress.wrote_text;
     end->error = answer.error ? answer.error : end->error;
     if (done)
-        answer_remember(session, c, &answer, kept);
+        answer_remember(session, c, query, &answer, kept);
     if (done && session->state.settings.timing && c->columns) {
         /* Programs may read csv, json and files, so the time must not appear there. */
         bool is_for_people = answer.style.format->for_people && !answer.path;

@@ -43,6 +43,7 @@ enum { ANSWER_CELLS = 16 };
 struct last_answer {
     const struct command *command; /* the command that gave the answer; NULL if there is no answer */
     struct cell cells[ANSWER_CELLS];
+    bool with;    /* it was computed 'with' other settings than those of the session */
     bool printed; /* the last answer was the value of an expression, which is stored in `value` */
     struct quantity value;
 };
