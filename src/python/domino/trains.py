@@ -322,7 +322,7 @@ def best(*, tol: float | None = None, **train: Any) -> Best:
 def count(height: float, r: float = 1.5, *, first: float = 0.048) -> Count:
     """How many dominoes topple one of this height in m, each r times as tall as the one before."""
     c = api.dom_count()
-    raise_status(lib.dom_count_find(first, height, r, None, ctypes.byref(c)))
+    raise_status(lib.dom_count_find(first, height, r, ctypes.byref(c)))
     return Count(int(c.dominoes) if math.isfinite(c.dominoes) else c.dominoes, c.exact, c.last)
 
 
