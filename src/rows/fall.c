@@ -82,13 +82,27 @@ static const char *end_reason(const struct row_run *run)
     return dom_row_end_text(v->end);
 }
 
-/* Says from which tilt on a first domino that falls back would tip over. */
+/* Returns the tilt in rad at which the first domino balances. Its centre is then straight above the line on
+ * which it rests. A foot with rounded edges rolls there, and downhill on a slope, so this is not the largest
+ * lean at which the domino stands on the flat part of its foot. */
+static domq_real balance_tilt(const struct domq_row *row)
+{
+    const struct domq_domino *d = row->domino;
+    const domq_real rho = row->rho == 0   ? 0
+                          : d->radius > 0 ? d->radius
+                                          : row->rho * d->height,
+                    wide = d->thickness - 2 * rho, tall = d->height - 2 * rho;
+    return quad(atan2)(wide, tall) - row->alpha -
+           quad(asin)(2 * rho * quad(sin)(row->alpha) / quad(hypot)(wide, tall));
+}
+
+/* Says from which tilt on a first domino that falls back would tip over. Rounds it up, so that this tilt is
+ * enough. */
 static void back_say(struct answer *a, const struct scene_row *scene)
 {
-    domq_real lean[2];
-    domq_lean_limits(scene->domino, scene->row.alpha, scene->row.rho, lean);
-    answer_say(a, "Released at rest, domino 1 tips over only if its tilt is more than %s deg.",
-               quad_text(lean[1] * (180 / QUAD_PI), 4));
+    const domq_real most = balance_tilt(&scene->row) * (180 / QUAD_PI);
+    answer_say(a, "Released at rest, domino 1 tips over if its tilt is %s deg or more.",
+               quad_text(round_digits(most, 4, true), 4));
 }
 
 /* Says how the fall ends. The weakest domino is left to the details beside the table of 'fall', and if the

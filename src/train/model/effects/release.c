@@ -11,7 +11,7 @@ const struct dom_effect dom_effect_release = {
         "domino against the second one, just at the contact: then both start at rest, and the weight of "
         "the first domino alone has to push the second one over. ANGLE must not be larger than the tilt "
         "at which the two touch. If ANGLE is smaller than the tilt at which the domino tips over "
-        "(tan theta_u = d on a level floor), it falls back.",
+        "(tan theta_u = d with sharp edges on a level floor), it falls back.",
     .source = "energy balance from a first domino at rest, as in (9; b5)",
     .plan = "height of the first domino at its tilt",
     .argument = {{.name = "ANGLE",
