@@ -62,6 +62,11 @@ check=$root/tests/derivations/check.py
     "$DOMINO" -e 'effect edges 0.01; explain theta1 0.2' | grep -q "with rounded edges the contact is found by iteration"
     "$DOMINO" -e 'effect slope 1 deg; explain fuel' | grep -q 'cos(start_i + alpha)'
     "$DOMINO" -e 'effect slope 1 deg; explain thetac' | grep -q 'theta_u = asin(d/sqrt(1 + d^2)) - alpha    (4; b1)'
+    # on a slope, a round edge rolls: the balance of its centre above the line of contact
+    "$DOMINO" -e 'set d 0.16; set s 0.4; set r 1; set edges 0.03; set slope 2 deg; explain thetac' >have
+    grep -qxF '    theta_u = atan((d - 2*rho)/(1 - 2*rho)) - alpha - asin(2*rho*sin(alpha)/sqrt((1 - 2*rho)^2 + (d - 2*rho)^2))' have
+    grep -qx "      = $(awk 'BEGIN { alpha = 2 * atan2(0, -1) / 180; s = 0.06 * sin(alpha) / sqrt(0.94^2 + 0.1^2)
+        printf "%.6g", atan2(0.1, 0.94) - alpha - atan2(s, sqrt(1 - s * s)) }') rad" have
     "$DOMINO" -e 'set fuel paper; explain fuel' | grep -q 'P = 1 - cos(theta_f) - d\*sin(theta_f)    (25; c7)'
     "$DOMINO" -e 'set s 0.6; set r 1.6; set q hollow; explain theta1 0.9' | grep -q 'slid off the head'
     "$DOMINO" -e 'explain barrier' | grep -q 'found by a search over all tilts'
