@@ -5,6 +5,7 @@
 #include "session/parameters.h"
 #include "sheet/sheet.h"
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void add(struct page *page, enum line_kind kind, const char *format, ...)
@@ -37,12 +38,29 @@ static struct length length_of(const struct class_row *class, double m)
     return length;
 }
 
-/* A stopwatch shows hundredths of a second. */
+/* A stopwatch shows hundredths of a second. They are too coarse for a time below 0.1 s. */
 static struct length time_of(double seconds)
 {
     struct length time;
-    snprintf(time.text, sizeof time.text, seconds < 100 ? "%.2f s" : "%.0f s", seconds);
+    snprintf(time.text, sizeof time.text,
+             seconds < 0.1   ? "%.2g s"
+             : seconds < 100 ? "%.2f s"
+                             : "%.0f s",
+             seconds);
     return time;
+}
+
+/* Returns the time that the sheet shows, so that what is computed from times agrees with those on the paper.
+ */
+static double time_shown(double seconds)
+{
+    return strtod(time_of(seconds).text, NULL);
+}
+
+/* Returns the length of the row that the sheet shows, in m. */
+static double length_shown(const struct class_row *class)
+{
+    return strtod(length_of(class, class->length).text, NULL) * class->size;
 }
 
 static struct length speed_of(const struct class_row *class, double speed)
@@ -114,6 +132,32 @@ static void dominoes_list(const struct class_row *class, struct page *page)
         add(page, LINE_TEXT, "The other dominoes are in the file of the row ('row > FILE.csv' writes it).");
 }
 
+/* Says how the class starts the row. */
+static void start_write(const struct class_row *class, struct page *page)
+{
+    const struct scene_row *scene = &class->row.run.scene;
+    const double tilt = degrees(scene_row_tilt(scene)),
+                 speed = 100 * (double)(scene->row.push * scene->domino->height);
+    const char *clock = "and stop it when the last domino lies on the table.";
+    char hold[120] = "";
+    if (isinf(scene->row.release))
+        snprintf(hold, sizeof hold, "Lean domino 1 against domino 2 (with a gap of %s, at %.3g degrees). ",
+                 length_of(class, (double)scene->domino[1].gap).text, tilt);
+    else if (scene->row.release > 0)
+        snprintf(hold, sizeof hold, "Hold domino 1 at a tilt of %.3g degrees. ", tilt);
+    if (!has_push(class))
+        add(page, LINE_TEXT,
+            "Tilt domino 1 slowly, until it tips over by itself. Start the clock when it hits domino 2, %s",
+            clock);
+    else if (speed > 0)
+        add(page, LINE_TEXT,
+            "%sPush the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. Start the clock "
+            "with the push, %s",
+            hold, speed, clock);
+    else
+        add(page, LINE_TEXT, "%sStart the clock when you let it go, %s", hold, clock);
+}
+
 static void setup_write(const struct class_row *class, struct page *page)
 {
     const struct domq_domino *first = domino_of(class, 0);
@@ -135,23 +179,7 @@ static void setup_write(const struct class_row *class, struct page *page)
         add(page, LINE_TEXT, "The floor slopes %s, by %.4g degrees.",
             slope->value[0] > 0 ? "down in the direction of the fall" : "up in the direction of the fall",
             fabs(degrees(slope->value[0])));
-    if (class->row.run.scene.row.release > 0)
-        add(page, LINE_TEXT,
-            "Hold domino 1 at a tilt of %.3g degrees. Start the clock when you let it go, and stop it when "
-            "the last "
-            "domino lies on the table.",
-            degrees(class->row.run.scene.row.release));
-    else if (has_push(class))
-        add(page, LINE_TEXT,
-            "Push the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. Start the clock "
-            "with the push, and "
-            "stop it when the last domino lies on the table.",
-            100 * (double)(class->row.run.scene.row.push * first->height));
-    else
-        add(page, LINE_TEXT,
-            "Tilt domino 1 slowly, until it tips over by itself. Start the clock when it hits domino 2, and "
-            "stop it when the "
-            "last domino lies on the table.");
+    start_write(class, page);
 }
 
 static void measure_write(const struct class_row *class, struct page *page)
@@ -250,13 +278,13 @@ static void times_write(const struct class_row *class, struct page *page)
     if (!class->is_equal)
         add(page, LINE_TEXT, "The %zu dominoes: %s", first->dominoes, time_of(first->seconds).text);
     add(page, LINE_TEXT, "The clock runs from %s until the last domino lies on the floor.",
-        class->row.run.scene.row.release > 0 ? "the release"
-        : has_push(class)                    ? "the push"
-                                             : "the hit of domino 1 on domino 2");
+        !has_push(class)                    ? "the hit of domino 1 on domino 2"
+        : class->row.run.scene.row.push > 0 ? "the push"
+                                            : "the release");
     add(page, LINE_HEADING, "Answers");
     add(page, LINE_TEXT, "%d. %s / %s = %s.%s", n++, length_of(class, class->length).text,
-        measured((domq_real)first->seconds, "s", 3).text,
-        speed_of(class, class->length / first->seconds).text, class->is_equal ? front_words(class).text : "");
+        time_of(first->seconds).text, speed_of(class, length_shown(class) / time_shown(first->seconds)).text,
+        class->is_equal ? front_words(class).text : "");
     if (class->is_equal && class->trials > 1) {
         add(page, LINE_TEXT, "%d. %s.%s", n++, length_of(class, class->trial[fastest].gap).text,
             is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
@@ -264,7 +292,7 @@ static void times_write(const struct class_row *class, struct page *page)
             add(page, LINE_TEXT,
                 "%d. It takes %.2f times as long. The start is slow, and there is only one start; later the "
                 "front has a constant speed.",
-                n++, last->seconds / first->seconds);
+                n++, time_shown(last->seconds) / time_shown(first->seconds));
     }
     if (!class->is_equal && class->row.run.verdict.weakest > 0)
         add(page, LINE_TEXT, "%d. Domino %zu: it has the least energy to spare.", n++,
@@ -296,7 +324,8 @@ static void effects_write(const struct class_row *class, struct page *page)
         const char *name = effect_at(k)->name;
         const int share = parameter_share(parameter_find(name));
         text_add(text, sizeof text, "%s%s ", *text ? ", " : "", name);
-        if (strcmp(effect_at(k)->argument[0].unit, "rad") == 0)
+        const bool touches = k == DOM_EFFECT_release && isinf(class->row.run.scene.row.release);
+        if (strcmp(effect_at(k)->argument[0].unit, "rad") == 0 && !touches)
             text_add(text, sizeof text, "%.4g deg", degrees(scene->effect[k].value[0]));
         else if (share >= 0 && share != SHARE_push && scene->length[share].m > 0)
             text_add(text, sizeof text, "%s", length_of(class, (double)scene->length[share].m).text);

@@ -19,7 +19,7 @@ seconds() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_
         close "$row" "$(seconds "$n" "$gap")" "$(json "$block set row 28; sheet" | jq "select(.dominoes == $n and .gap > $gap - 1e-9 and .gap < $gap + 1e-9).seconds")" 1e-6
     done
     # The row is 28*7 mm + 27*20 mm long.
-    grep -qF "1. 736 mm / $(seconds 28 0.02 | awk '{ printf "%.3g s = %.3g", $1, 736/$1 }') mm/s." sheet || same 'the speed' '736 mm / ...' "$(grep '736 mm' sheet)"
+    grep -qF "1. 736 mm / $(seconds 28 0.02 | awk '{ t = sprintf("%.2f", $1); printf "%s s = %.3g", t, 736/t }') mm/s." sheet || same 'the speed' '736 mm / ...' "$(grep '736 mm' sheet)"
     for words in 'Name ____' 'From the' 'it is 27 mm' 'it begins to move at about 22 cm/s' "'fit friction class.csv'" 'gap (mm), dominoes, trial 1 (s)' 'push 5 rad/s'; do
         grep -qF "$words" sheet || same 'the sheet' "$words" "$(cat sheet)"
     done
@@ -43,6 +43,18 @@ seconds() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_
     for words in 'Hold domino 1 at a tilt of 20 degrees. Start the clock when you let it go' 'The clock runs from the release'; do
         tr '\n' ' ' <sheet | grep -qF "$words" || same 'the sheet' "$words" "$(cat sheet)"
     done
+    # A first domino that leans: asin(20/50) for sharp edges.
+    "$DOMINO" -e "set h 5 cm; set d 8 mm; set r 1; set s 20 mm; set row 6; set release touch; sheet" | tr '\n' ' ' >sheet
+    for words in 'Lean domino 1 against domino 2 (with a gap of 20 mm, at 23.6 degrees). Start the clock when you let it go' \
+        'The clock runs from the release' 'The settings of the session: release touch.'; do
+        grep -qF "$words" sheet || same 'the sheet' "$words" "$(cat sheet)"
+    done
+    # A push from a tilt: the upper edge, 44 mm above the foot, at 2 rad/s.
+    "$DOMINO" -e "set h 44 mm; set d 7 mm; set r 1; set s 20 mm; set release 12 deg; set push 2; set row 9; sheet" | tr '\n' ' ' >sheet
+    for words in 'Hold domino 1 at a tilt of 12 degrees. Push the upper edge of domino 1 gently: it begins to move at about 8.8 cm/s. Start the clock with the push' \
+        'The clock runs from the push'; do
+        grep -qF "$words" sheet || same 'the sheet' "$words" "$(cat sheet)"
+    done
     # A row from a file: the places of the front faces, by a sum of my own; no other gaps.
     "$DOMINO" -e "set row $root/examples/measured/tape.csv; set push 4; sheet" >sheet
     grep -qE "^ +8 \\| +27\\.94 cm \\| +3\\.81 cm \\| +10\\.16 cm \\| +$(awk 'BEGIN { printf "%.4g", (42.5 - 13 + 1)*2.54 }') cm \\|" sheet
@@ -52,6 +64,20 @@ seconds() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_
     for effects in 'set edges 0.02' 'set density 650 kg/m^3; set air 1.2' 'set floor 0.6' 'set edges 0.02; set friction 0.2; set density 650 kg/m^3; set air 1.2' 'set q 3' 'change 3 thickness 9 mm' 'set r 1.1'; do
         "$DOMINO" -e "$block set row 10; $effects; sheet" >sheet
         grep -qE '(gaps of 20 mm|The 10 dominoes): [0-9.]+ s$' sheet || same "$effects" 'a time' "$(cat sheet)"
+    done
+}
+
+@test "what is computed from times agrees with the times on the paper" {
+    for row in 'set h 5 cm; set d 8 mm; set s 20 mm; set row 30; set push 3' 'set h 5 cm; set d 8 mm; set s 20 mm; set row 20; set push 3' \
+        'set h 44 mm; set d 7 mm; set s 15 mm; set row 9; set push 4' 'set h 1 cm; set d 1 mm; set s 4 mm; set row 2; set push 20'; do
+        "$DOMINO" -e "set r 1; $row; sheet" >sheet
+        read -r length unit _ time _ _ speed _ <<<"$(sed -n 's/^1\. \([0-9.]* [a-z]* \/ .*\/s\)\. At.*/\1/p; s/^1\. \([0-9.]* [a-z]* \/ .*\/s\)\.$/\1/p' sheet)"
+        same "$row: $length $unit / $time s" "$(awk "BEGIN { v = $length/$time; printf v < 100 ? \"%.3g\" : \"%.0f\", v }")" "$speed"
+        # The list has the same time, first for the row of the session.
+        same "$row: the list" "$time" "$(sed -n 's/.* with gaps of .*: \([0-9.]*\) s$/\1/p' sheet | head -n 1)"
+        twice=$(sed -n 's/.* It takes \([0-9.]*\) times as long.*/\1/p' sheet)
+        [ -z "$twice" ] || same "$row: twice as many" \
+            "$(sed -n 's/.* with gaps of .*: \([0-9.]*\) s$/\1/p' sheet | awk 'NR == 1 { first = $1 } END { printf "%.2f", $1/first }')" "$twice"
     done
 }
 
@@ -76,7 +102,16 @@ seconds() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_
     squeeze() { tr -s ' \n' '\n'; }
     sed '1,/^\f*Set up/d; s/|//g; s/______*//g' class.txt | squeeze | sed 's/\f//; /^$/d' | sort -u >words
     same 'words that the printer lacks' '(nothing)' "$(squeeze <pages | sed 's/\f//; s/______*//g' | sort -u | comm -23 words -)"
-    # A long row, and a row with a long list, which takes a third page.
+    # A list of up to 12 dominoes leaves room for the questions.
+    for row in 'set row 8; set release touch; set s 0.5; set r 1.2' 'set row 12; set push 3; set r 1.1' \
+        'set row 5; set push 3; set r 1.3' "set row $root/examples/measured/tape.csv; set push 4"; do
+        "$DOMINO" -e "$row; sheet > listed.pdf"
+        same "$row: pages" 2 "$(pdftotext listed.pdf - | tr -cd '\f' | wc -c)"
+    done
+    # A longer list takes a third page, and no part of the sheet is torn.
+    "$DOMINO" -e 'set row 19; set push 3; set r 1.05; sheet > listed.pdf'
+    same 'the top of the second page' Questions "$(pdftotext -layout -f 2 -l 2 listed.pdf - | grep . | head -n 1)"
+    # A long row, and a row with a long list.
     "$DOMINO" -e "$block set row 3000; sheet > long.pdf; set row 19; set r 1.05; sheet > list.pdf"
     for file in long list; do
         pdftotext -layout $file.pdf - | grep -q 'The answers' || same "$file" 'answers' "$(pdftotext $file.pdf -)"
