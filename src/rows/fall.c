@@ -100,9 +100,17 @@ static domq_real balance_tilt(const struct domq_row *row)
  * enough. */
 static void back_say(struct answer *a, const struct scene_row *scene)
 {
-    const domq_real most = balance_tilt(&scene->row) * (180 / QUAD_PI);
-    answer_say(a, "Released at rest, domino 1 tips over if its tilt is %s deg or more.",
-               quad_text(round_digits(most, 4, true), 4));
+    const domq_real degree = QUAD_PI / 180, most = balance_tilt(&scene->row);
+    domq_real touch = most;
+    if (scene->row.count > 1 && any_row_touch(&scene->row, &scene->compute, &touch) == DOM_OK && touch < most)
+        answer_say(
+            a,
+            "Released at rest, domino 1 cannot tip over: it touches domino 2 at %s deg, and it balances "
+            "at %s deg.",
+            quad_text(touch / degree, 4), quad_text(most / degree, 4));
+    else
+        answer_say(a, "Released at rest, domino 1 tips over if its tilt is %s deg or more.",
+                   quad_text(round_digits(most / degree, 4, true), 4));
 }
 
 /* Says how the fall ends. The weakest domino is left to the details beside the table of 'fall', and if the

@@ -33,6 +33,9 @@ Released at rest, domino 1 tips over if its tilt is 8.298 deg or more.' "$output
     same "a push of $push" 'all fall' "$(json "$scene; set release 5 deg; set push $push; verdict" | values verdict)"
     less=$(awk -v push="$push" 'BEGIN { print 0.998 * push }')
     same "a push of $less" 'falls back' "$(json "$scene; set release 5 deg; set push $less; verdict" | values verdict)"
+    # asin(6/50) is less than atan(8/50): no tilt is enough
+    run -0 "$DOMINO" -n -e 'set h 5 cm; set d 8 mm; set r 1; set s 6 mm; set row 6; set release 6 deg; verdict'
+    same narrow 'Released at rest, domino 1 cannot tip over: it touches domino 2 at 6.892 deg, and it balances at 9.09 deg.' "${lines[1]}"
     # downhill it tips over earlier
     same slope 'all fall' "$(json "$scene; set slope 4 deg; set release 5 deg; verdict" | values verdict)"
 }
