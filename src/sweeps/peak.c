@@ -113,11 +113,29 @@ static struct spot whole_find(const struct search *s, struct spot best, double l
     return best;
 }
 
+/* Looks for a place between `top` and `next`, whose value is not larger, that is better than both. The
+ * maximum can lie there if `top` is at the end of the values, or if both are equally high on its two sides.
+ * Then the values rise beside `top`, and halving comes close enough to it. */
+static bool rise_find(const struct search *s, struct spot top, struct spot next, struct spot *found)
+{
+    enum { HALVINGS = 16 };
+    double part = ldexp(1, -HALVINGS);
+    if (!(value_at(s, top.x + part * (next.x - top.x)) > top.value))
+        return false;
+    for (part = 0.5; part >= ldexp(1, -HALVINGS) && !dom_raised(s->slope->interrupt); part /= 2) {
+        const double x = top.x + part * (next.x - top.x);
+        *found = (struct spot){x, value_at(s, x)};
+        if (found->value > top.value)
+            return true;
+    }
+    return false;
+}
+
 /* Looks for the maximum between a and b, among which m has the largest value. Either may be m itself. */
 static struct spot between(struct search *s, struct spot a, struct spot m, struct spot b)
 {
     enum { SIDE = 4, ALL = 2 * SIDE + 3 };
-    struct spot p[ALL], best = {m.x, m.value};
+    struct spot p[ALL], best = {m.x, m.value}, inside;
     int count = 0, top = 0;
     p[count++] = a;
     for (int side = 0; side < 2; side++) {
@@ -136,6 +154,12 @@ static struct spot between(struct search *s, struct spot a, struct spot m, struc
     }
     if (top > 0 && top + 1 < count && p[top].value > p[top - 1].value && p[top].value > p[top + 1].value)
         return brent(s, p[top - 1], p[top], p[top + 1]);
+    if (top > 0 && (top + 1 == count || p[top - 1].value == p[top].value) &&
+        rise_find(s, p[top], p[top - 1], &inside))
+        return brent(s, p[top - 1], inside, p[top]);
+    if (top + 1 < count && (top == 0 || p[top + 1].value == p[top].value) &&
+        rise_find(s, p[top], p[top + 1], &inside))
+        return brent(s, p[top], inside, p[top + 1]);
     return best;
 }
 
@@ -206,6 +230,22 @@ static double plateau_end(const struct search *s, int side)
     return good;
 }
 
+/* Finds the plateau around the best place, and returns false if there is none: all values on a plateau are
+ * alike, which some places within it confirm. */
+static bool plateau_find(const struct search *s, struct peak *p, bool before, bool after)
+{
+    enum { PARTS = 8 };
+    const double low = before ? plateau_end(s, -1) : p->x, high = after ? plateau_end(s, 1) : p->x;
+    for (int i = 1; i < PARTS && !s->slope->whole; i++) {
+        const double x = low + (high - low) * i / PARTS;
+        if (!(fabs(value_at(s, x) - p->value) <= alike(s)))
+            return false;
+    }
+    p->low = low;
+    p->high = high;
+    return low < high;
+}
+
 /* Finds the plateau around the best place, if there is one, or how far this place may be off. */
 static void around(const struct search *s, struct peak *p)
 {
@@ -215,9 +255,7 @@ static void around(const struct search *s, struct peak *p)
     const double before = f->from <= p->x - step ? value_at(s, p->x - step) : (double)NAN,
                  after = p->x + step <= f->to ? value_at(s, p->x + step) : (double)NAN,
                  worst = p->value - alike(s);
-    if (before >= worst || after >= worst) {
-        p->low = before >= worst ? plateau_end(s, -1) : p->x;
-        p->high = after >= worst ? plateau_end(s, 1) : p->x;
+    if ((before >= worst || after >= worst) && plateau_find(s, p, before >= worst, after >= worst)) {
         double middle = (p->low + p->high) / 2;
         middle = f->whole ? floor(middle) : middle;
         if (is_best(s, middle))
@@ -262,6 +300,16 @@ static enum peak_end plateau_ends(const struct search *s, const struct peak *p)
     return high == PEAK_BEFORE_HOLE ? high : low == PEAK_AFTER_HOLE ? low : PEAK_INSIDE;
 }
 
+/* Returns true if the values fall between a place and the best one, so that it is a maximum of its own. */
+static bool is_separate(const struct search *s, const struct peak *p, const struct spot *t)
+{
+    const double from = t->x < p->low ? t->x : p->high, to = t->x < p->low ? p->low : t->x;
+    for (size_t k = 0; k < s->count; k++)
+        if (x_of(s, k) > from && x_of(s, k) < to && !(s->value[k] >= t->value - alike(s)))
+            return true;
+    return false;
+}
+
 /* Lists the other places whose value is as large. The values of two equal maxima differ by what their places
  * are off. */
 static void ties_find(const struct search *s, struct peak *p)
@@ -273,7 +321,7 @@ static void ties_find(const struct search *s, struct peak *p)
         bool is_new = t->value >= s->best.value - off && (t->x < p->low - cell || t->x > p->high + cell);
         for (int j = 0; j < p->ties; j++)
             is_new = is_new && fabs(t->x - p->tie[j]) > 2 * cell;
-        if (is_new)
+        if (is_new && is_separate(s, p, t))
             p->tie[p->ties++] = t->x;
     }
 }

@@ -63,6 +63,35 @@ END
     same best "$(json best | values s | cut -c 1-8)" "$(json 'maximize s : rmax' | values value | cut -c 1-8)"
 }
 
+# The first two of the points that are tried are nearly equally high, and the maximum lies between them.
+@test "a smooth maximum near an end of the range is no plateau" {
+    local scene='set h 5 cm; set d 8 mm; set r 1' place
+    place=$(csv "$scene; sweep s 0.02 0.021 1001 : duration.speed" | awk -F, 'NR > 1 && $2 > top { top = $2; at = $1 } END { print at }')
+    while IFS='|' read -r line expected; do
+        best=$(json "$line")
+        same "$line: low and high" "$(values value <<<"$best") $(values value <<<"$best")" "$(values low <<<"$best") $(values high <<<"$best")"
+        within "$line" "$expected" "$(values value <<<"$best")" 'd < 3e-5 && d > -3e-5'
+        same "$line: end" inside "$(values end <<<"$best")"
+    done <<END
+$scene; maximize s : duration.speed|$place
+$scene; minimize s 0.02 1 : 1/duration.speed|$place
+maximize s 0.02 1 : -(s-0.0204)^2|0.0204
+maximize s 0.02 0.8 : -(s-0.7996)^2|0.7996
+maximize s 0.02 1 : -abs(s-0.0202)|0.0202
+END
+    best=$(json 'set r 1; set d 0.16; maximize s 0.0201 1 : duration.speed')
+    within 'another thickness' 0.0204 "$(values value <<<"$best")" 'd < 1e-4 && d > -1e-4'
+    run -0 "$DOMINO" -e "$scene; maximize s : duration.speed"
+    same say 'duration.speed is largest, 2.09617 m/s, at s = 0.0204 (1.02 mm).' "$output"
+}
+
+# The sum is cut off where the rest no longer matters, so that it falls in steps, of which the first are tiny.
+@test "a step below the best values is no other maximum" {
+    run -0 "$DOMINO" -e 'maximize s 0.02 0.6 : sum(chain(0).weight)'
+    grep -q '^sum(chain(0).weight) is largest, 1.24615, for every s from 0.02 ' <<<"$output"
+    run ! grep -q 'same value' <<<"$output"
+}
+
 # With growth r, ln(20 m/h) / ln r dominoes are needed, rounded up.
 @test "a plateau: all places with the best number, which is a whole one" {
     best=$(json 'minimize r 1.2 1.45 : count(20 m)')
