@@ -92,6 +92,9 @@ END
     same sweep "$(json "$scene; set release 20 deg; verdict; set release touch; verdict" | values seconds)" \
         "$(json "$scene; sweep release 20 deg, touch : verdict" | values seconds)"
     same complete 'off on touch' "$(completed 'set release ')"
+    wrong 'set release 5' "in the range 0 \.\. 1\.5708 rad; enter degrees as in '20 deg'$"
+    wrong 'set release 1.8' "in the range 0 \.\. 1\.5708 rad$"
+    wrong 'set release -3' "in the range 0 \.\. 1\.5708 rad$"
     wrong 'set release 20' "in the range 0 \.\. 1\.5708 rad; enter degrees as in '20 deg'$"
     wrong 'set release 20 cm' "ANGLE is an angle, not a length; enter a value such as '10 deg'$"
     wrong 'set release toch' "did you mean 'touch'"

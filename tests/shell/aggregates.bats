@@ -78,8 +78,8 @@ END
 7|print chain|'chain' has no value: its answer is a table.*'sum.chain.T..theta_i.'
 7|print chain(0)|'chain' has no value: its answer is a table
 11|print sum(chain(0))|'chain' has no value: .*, as in 'sum.chain.0..theta_i.'
-11|print sum(chain(0).foo)|unknown key of chain 'foo'
-11|print sum(chain.weight)|'chain T' does not take 0 values
+11|print sum(chain(0).foo)|unknown key of chain 'foo'; its keys are i, theta_i, slope_i, arm_a, arm_b, weight$
+11|print sum(chain.weight)|'chain' needs a value in parentheses: 'chain.T.\.weight'$
 11|print sum(chain(0, 1).weight)|'chain T' does not take 2 values
 7|print sum(3)|'sum' takes a column of a table, as in 'sum.chain.0..weight.'
 7|print sum|'sum' takes a column of a table

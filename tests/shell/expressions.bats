@@ -220,7 +220,7 @@ END
 7|print sin(1,2)|^print:.*sin takes 1 value
 7|print atan2(1)|^print:.*atan2 takes 2 values
 7|print rmax(1,2)|^print:.*'rmax \[S\]' does not take 2 values
-7|print theta1|^print:.*'theta1 T' does not take 0 values
+7|print theta1|^print:.*'theta1' needs a value in parentheses: 'theta1.T.'
 12|print rmax(foo)|^print:.*'foo' has no value
 7|print output|^print:.*'output' has no value
 7|print set|^print:.*'set' has no value
@@ -229,7 +229,7 @@ END
 7|print inf|^print:.*'inf' has no value
 7|print 0x10|^print:.*decimal number
 7|print "1" + 1|^print:.*'"1"'
-7|print rmax.foo|^print:.*unknown key of rmax 'foo'
+7|print rmax.foo|^print:.*unknown key of rmax 'foo'; its keys are s, r_max, 
 7|print rmax.ends_by|^print:.*rmax.ends_by is the word 'barrier'
 7|print pair(0.1)|^print:.*has no value here: no growth possible
 11|print 2 + thetac.theta_leave|^print:.*has no value here; enter 'thetac' to see why

@@ -107,6 +107,23 @@ static bool routine_resolve(struct resolver *r, struct tree *t, const struct var
 
 /* ---- Commands and their keys ---- */
 
+/* Reports a name that is no key, and lists the keys, as far as there is room. */
+static bool key_wrong(struct resolver *r, const struct tree *t, names_list *list, const struct command *c,
+                      const char *message)
+{
+    enum { ROOM = 150 };
+    char keys[ROOM] = "";
+    const char *key;
+    for (int k = 0; (key = list(c, k)) != NULL; k++) {
+        if (strlen(keys) + strlen(key) + strlen(", ...") >= ROOM - 1) {
+            text_add(keys, sizeof keys, ", ...");
+            break;
+        }
+        text_add(keys, sizeof keys, "%s%s", k ? ", " : "", key);
+    }
+    return fail(r, t, "%s; its keys are %s", message, keys);
+}
+
 /* Returns the index of the column that a name such as "ans.margin" or "rmax.r" stands for. A name without a
  * key, such as "rmax", stands for the principal column. Stores the unit of the column in the tree. Returns -1
  * after an error. */
@@ -121,8 +138,10 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
                     "'%s', and then 'ans.%s'",
                     c->name, t->key, c->name, t->key) -
                1;
-    int index = t->key ? names_find(is_ans ? answer_keys : command_keys, c, what, t->key, message)
-                       : command_principal(c);
+    names_list *const list = is_ans ? answer_keys : command_keys;
+    int index = t->key ? names_find(list, c, what, t->key, message) : command_principal(c);
+    if (index == NAMES_UNKNOWN)
+        return key_wrong(r, t, list, c, message) - 1;
     if (index < 0)
         return fail(r, t, "%s", message) - 1;
     t->value = expression_unit(c->columns[index].unit);
@@ -187,6 +206,9 @@ static bool command_resolve(struct resolver *r, struct tree *t, const struct com
     if (!t->called && !t->key && fewest == 1 && isdigit((unsigned char)next[*next == '.']))
         return fail(r, t, "in an expression, the argument of '%s' stands in parentheses: '%s(%.*s)'", c->name,
                     c->name, (int)strcspn(next, " \t;,)"), next);
+    if (t->count == 0 && fewest == 1)
+        return fail(r, t, "'%s' needs a value in parentheses: '%s(%s)%s%s'", c->name, c->name,
+                    c->argument[0].name, t->key ? "." : "", t->key ? t->key : "");
     if (t->count < fewest || t->count > most)
         return fail(r, t, "'%s' does not take %d value%s", command_usage(c), t->count,
                     t->count == 1 ? "" : "s");

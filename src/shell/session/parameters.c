@@ -362,9 +362,12 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
         value <= of->highest)
         return true;
     const char *range = parameter_range(state, p, i);
-    /* a number without a unit is in radians, but may be meant in degrees */
-    const bool is_degrees = strcmp(of->unit, "rad") == 0 && quad(fabs)(value) > 2 * QUAD_PI &&
-                            quad(fabs)(value) * (QUAD_PI / 180) <= of->highest;
+    /* A number without a unit is in radians, but may be meant in degrees: if it is too large for an angle, or
+     * a whole number. */
+    const domq_real degrees = value * (QUAD_PI / 180);
+    const bool is_degrees = strcmp(of->unit, "rad") == 0 &&
+                            (quad(fabs)(value) > 2 * QUAD_PI || value == quad(floor)(value)) &&
+                            degrees >= lowest && degrees <= of->highest;
     if (broken)
         return problem_no_answer(problem,
                                  "%s = %s is not a whole number; %s must be a whole number in the range %s",
