@@ -62,6 +62,26 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
     return true;
 }
 
+/* Says what to do if a row that fell does not fall in the scene. */
+static const char *push_advice(const struct fit *f, char text[192])
+{
+    bool is_fitted = false;
+    char names[64] = "";
+    for (int i = 0; i < f->unknowns; i++) {
+        is_fitted = is_fitted || strcmp(f->unknown[i].parameter->name, "push") == 0;
+        text_add(names, sizeof names, "%.24s, ", f->unknown[i].parameter->name);
+    }
+    if (!f->query->scene->effect[DOM_EFFECT_push].on)
+        snprintf(text, 192, "if the row was pushed, enter 'set push'%s",
+                 is_fitted ? "" : ", or fit push as well");
+    else if (is_fitted)
+        snprintf(text, 192, "the push may be too weak to begin with; enter a larger one with 'set push'");
+    else
+        snprintf(text, 192, "the push may be too weak; enter a larger one with 'set push', or 'fit %spush'",
+                 names);
+    return text;
+}
+
 /* Fills in how long each row takes to fall, as 'verdict' says. */
 static bool totals_compute(struct fit *f, const double *value, double *computed)
 {
@@ -76,10 +96,10 @@ static bool totals_compute(struct fit *f, const double *value, double *computed)
         if (verdict.end != DOM_ROW_FALLS || !isfinite((double)verdict.seconds))
             return problem_no_answer(&f->problem,
                                      "%s:%ld: %zu dominoes with gaps of %s fell in %g s, but in the scene "
-                                     "such a row ends at domino %zu; if "
-                                     "the row was pushed, enter 'set push'",
+                                     "such a row ends at domino %zu; %s",
                                      names_shown(f->query->given->word[1]), p->line, p->domino,
-                                     measured((domq_real)p->gap, "m", 4).text, p->measured, verdict.domino);
+                                     measured((domq_real)p->gap, "m", 4).text, p->measured, verdict.domino,
+                                     push_advice(f, (char[192]){""}));
         computed[k] = (double)verdict.seconds;
     }
     return true;
@@ -103,8 +123,8 @@ static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t las
     return problem_no_answer(
         &f->problem,
         "domino %zu was measured in run %g, but in the scene the fall ends at domino %zu: 'fall' "
-        "shows why; if the row was pushed, enter 'set push', or fit push as well",
-        run->dominoes, run->number, last);
+        "shows why; %s",
+        run->dominoes, run->number, last, push_advice(f, (char[192]){""}));
 }
 
 static bool hits_compute(struct fit *f, const double *value, const struct fit_run *run, double *computed)

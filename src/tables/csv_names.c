@@ -28,7 +28,8 @@ static const char *const column_words[] = {
     "thickness,depth,thick,dicke,starke,staerke,tiefe,dikte,diepte,epaisseur,profondeur",
     "gap,spacing,distance,separation,abstand,lucke,luecke,afstand,tussenruimte,ecart,espacement,intervalle",
     "pitch,period,centre to centre,center to center,teilung,raster,rastermass,steek,pas,entraxe",
-    "position,positions,pos,lage,ort,positie,plaats,emplacement",
+    "position,positions,pos,front,front face,position of the front face,position of front "
+    "face,lage,ort,positie,plaats,emplacement",
     "dominoes,dominos,n,count,number of dominoes,no. of dominoes,anzahl,anzahl steine,aantal,nombre",
     "mass,weight,masse,gewicht,massa,poids",
     "density,dichte,dichtheid,densite",
@@ -74,6 +75,20 @@ static void name_fold(const char *text, size_t length, char name[NAMES_SHOWN])
     name[n] = '\0';
 }
 
+/* The words for per cent, which follow the name of a column or stand in its brackets. */
+static const char percent_words[] = "%,percent,per cent,pct,prozent";
+
+/* Cuts a word for per cent off the end of a folded name. Returns false if there is none. */
+static bool percent_cut(char *name)
+{
+    for (char *blank = strchr(name, ' '); blank; blank = strchr(blank + 1, ' '))
+        if (names_index(percent_words, ',', blank + 1) >= 0) {
+            *blank = '\0';
+            return true;
+        }
+    return false;
+}
+
 const char *csv_name_split(const char *text, char name[NAMES_SHOWN])
 {
     char last[CSV_UNIT];
@@ -90,9 +105,14 @@ const char *csv_name_split(const char *text, char name[NAMES_SHOWN])
     size_t n = strlen(name);
     if (n > 3 && strcmp(name + n - 3, " in") == 0)
         name[n -= 3] = '\0';
-    if (unit[strspn(unit, "([ ")] == '%')
+    const char *inside = unit + strspn(unit, "([ ");
+    char share[NAMES_SHOWN];
+    name_fold(inside, strcspn(inside, ")]"), share);
+    const bool is_word = names_index(percent_words, ',', share) >= 0 || (*unit == '\0' && percent_cut(name));
+    n = strlen(name);
+    if (is_word || *inside == '%')
         snprintf(name + n, NAMES_SHOWN - n, " %%");
-    return unit;
+    return is_word ? "%" : unit;
 }
 
 /* Returns true if a file may call the column by this name. */
@@ -160,4 +180,27 @@ int csv_column_find(const struct csv_kind *kind, const char *name, const char *u
 bool csv_is_average(const char *name)
 {
     return repeat_read(name).is_average;
+}
+
+const char *csv_percent_advice(const struct csv_kind *kind, int k, char text[CSV_ADVICE])
+{
+    char share[NAMES_SHOWN];
+    snprintf(share, sizeof share, "%.32s %%", kind->column[k].name);
+    *text = '\0';
+    for (int i = 0; i < kind->columns; i++)
+        if (strcmp(kind->column[i].name, share) == 0)
+            snprintf(text, CSV_ADVICE, "; for a percentage, write '%.32s (%%)' in the first line",
+                     kind->column[k].name);
+    return text;
+}
+
+const char *csv_single_advice(const struct csv_kind *kind, char text[CSV_ADVICE])
+{
+    while (kind && strchr(kind->example, ','))
+        kind = kind->otherwise;
+    *text = '\0';
+    if (kind)
+        snprintf(text, CSV_ADVICE, "if it lists %.20s, write '%.24s' above it; otherwise ", kind->items,
+                 kind->example);
+    return text;
 }

@@ -68,7 +68,7 @@ bool csv_unit_copy(const char *text, char unit[CSV_UNIT]);
 
 /* Splits the heading of a column into a name and a unit. Folds the name and returns the unit. The unit
  * follows a bracket or a comma, as in "height (mm)", or it is the last word, as in "height in mm", or it
- * follows a '/', as in "height/mm". If the unit is per cent, the name ends in " %". */
+ * follows a '/', as in "height/mm". If the unit is per cent, as a sign or a word, the name ends in " %". */
 const char *csv_name_split(const char *text, char name[NAMES_SHOWN]);
 
 /* Finds the column of a kind that a file calls by this folded name. A column that may occur several times may
@@ -77,5 +77,12 @@ int csv_column_find(const struct csv_kind *kind, const char *name, const char *u
 
 /* Returns true for a folded name such as "average speed". */
 bool csv_is_average(const char *name);
+
+enum { CSV_ADVICE = 128 };
+
+/* Advice for messages, or "" if it does not apply: how to name a column in per cent that can take the place
+ * of column k, and how to head a file that has only one column. */
+const char *csv_percent_advice(const struct csv_kind *kind, int k, char text[CSV_ADVICE]);
+const char *csv_single_advice(const struct csv_kind *kind, char text[CSV_ADVICE]);
 
 #endif

@@ -214,11 +214,11 @@ static bool head_read(struct csv_table *csv)
         return csv_wrong(&csv->file, csv->head.at, "this is not a table but a session; 'source %s' runs it",
                          names_shown(csv->path));
     if (csv->head.cells == 1 && !kind_fits(csv, kind))
-        return csv_wrong(
-            &csv->file, csv->head.at,
-            "there is only one column; the first line must name %s, separated by ',', ';' or tabs; delete a "
-            "title above it, or begin the title with '#'",
-            kind->names);
+        return csv_wrong(&csv->file, csv->head.at,
+                         "there is only one column; %sthe first line must name %s, separated by ',', ';' or "
+                         "tabs; delete a "
+                         "title above it, or begin the title with '#'",
+                         csv_single_advice(kind, (char[CSV_ADVICE]){""}), kind->names);
     if (kind->headless && isdigit((unsigned char)*csv->head.cell[0].text)) {
         csv->row = csv->head;
         csv->is_read_ahead = true;
@@ -318,7 +318,8 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
         return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q), c->advice);
     const bool percent = strchr(text->line, '%');
     if (percent && *c->unit)
-        return csv_wrong(&csv->file, cell, "%s: this is a percentage; %s", c->name, c->advice);
+        return csv_wrong(&csv->file, cell, "%s: this is a percentage; %s%s", c->name, c->advice,
+                         csv_percent_advice(csv->kind, k, (char[CSV_ADVICE]){""}));
     domq_real unit = csv->unit[k] > 0 && !percent ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
     if (bare && unit == 0 && q.value != 0)
         return unit_missing(csv, k, text->line);

@@ -200,6 +200,11 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     same 'the columns' '28 0.01' "$(json "$block set push 4; fit push plain.csv" | jq -r 'select(.dominoes == 28) | "\(.dominoes) \(.gap)"' | head -n 1)"
     wrong "$block set push 4; fit push bare.csv" "bare.csv:1:1: how many dominoes fell in this time\? Add a column 'dominoes', or enter, for example, 'set row 28'"
     wrong "$block fit friction plain.csv" "plain.csv:2: 15 dominoes with gaps of 1 cm fell in .* s, but in the scene such a row ends at domino 2; if the row was pushed, enter 'set push'"
+    wrong "$block set push 0.1; fit friction plain.csv" "such a row ends at domino [0-9]+; the push may be too weak; enter a larger one with 'set push', or 'fit friction, push'$"
+    printf 'domino,time (s)\n2,0.1\n3,0.2\n5,0.3\n6,0.4\n' >hits.csv
+    wrong "$block set row 6; set push 0.1; fit friction hits.csv" "the fall ends at domino 1: 'fall' shows why; the push may be too weak; enter a larger one with 'set push', or 'fit friction, push'$"
+    printf '0.1\n0.2\n0.3\n' >single.csv
+    wrong "$block fit friction single.csv" "single.csv:1:1: there is only one column; if it lists hits, write 'time .s.' above it; otherwise the first line must name gap .mm., speed"
     wrong "$block set d 17 mm; set push 4; fit push pitch.csv" "pitch.csv:2:1: the pitch 1.7 cm is not longer than a domino is thick, d h = 1.7 cm"
     wrong "$block set push 4; fit d pitch.csv" 'pitch.csv has pitches, from which the gaps follow only if the thickness is known'
     printf 'gap (mm),pitch (mm),n,time (s)\n10,17,20,0.6\n' >both.csv
@@ -210,6 +215,10 @@ block='set h 44 mm; set d 7 mm; set r 1; '
 @test "errors in per cent, trials in columns of their own, and averages" {
     printf 'gap (mm),speed (m/s),error (m/s)\n9,1.3,0.026\n15,1.1,0.022\n21,1.05,0.021\n' >plain.csv
     printf 'gap (cm);Average speed (cm/s);error (%%)\n0,9;130;2\n1,5;110;2 %%\n2,1;105;2\n' >share.csv
+    local words=('(percent)' '[per cent]' Percent pct)
+    for k in 0 1 2 3; do
+        sed "1s/(%)/${words[k]}/" share.csv >words$k.csv
+    done
     printf 'Gap in cm,Mean velocity (mm/s),Relative error\n0.9,1300,0.02\n1.5,1100,2 %%\n2.1,1050,2 %%\n' >relative.csv
     # The deviations are +-3 %, +-1 % and +-2 %, in 6 trials at 3 gaps: the spread is sqrt(28/3) %, and a mean of two has
     # the error sqrt(14/3) %.
@@ -227,7 +236,7 @@ block='set h 44 mm; set d 7 mm; set r 1; '
             close "$file: its error" "${expected[1]}" "$(fitted "$file" | cut -d ' ' -f 2)" 1e-4
         done
     }
-    like plain share relative
+    like plain share relative words0 words1 words2 words3
     like spread trials letters numbers alike
     run -0 "$DOMINO" -e 'set r 1; set d 7.5/48; fit friction trials.csv'
     [[ $output == *'Single trials differ from their mean by 3.1 %'* ]]
@@ -239,6 +248,7 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     try '1:31: both repeated measurements, whose spread is their error, and a column of errors are given' 'gap (mm), v1 (m/s), v2 (m/s), error (%)\n9, 1.3, 1.2, 2\n'
     try '1:25: .\(m/s\). differs from the unit of speed in the first line; use one unit in all its columns' 'gap (mm), v1 (cm/s),    v2 (m/s)\n9, 130, 1.2\n'
     try '2:7: speed is missing' 'gap (mm), v1 (m/s), v2 (m/s)\n9,    , -\n'
+    try '2:9: error: this is a percentage; write a speed such as 1.3 m/s; for a percentage, write .error \(%\). in the first line' 'gap (mm), speed (m/s), error\n9, 1.3, 2 %\n'
     try '2:9: error: this is a percentage; write a speed' 'gap (mm), speed (m/s), error (m/s)\n9, 1.3, 2 %\n'
     try '2:9: error % = 2 is too large; the range of error % is more than 0, up to 100 %' 'gap (mm), speed (m/s), relative error\n9, 1.3, 2\n'
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 50 %%, 20\n' >share.csv

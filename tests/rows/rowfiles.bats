@@ -279,6 +279,13 @@ END
         "$DOMINO" -e "set row $file.csv; change 2 thickness 9 mm; row > saved.csv" >changed
         close "$file: saved" 0.02 "$(json 'set row saved.csv; row' | values gap | sed -n 2p)" 1e-15
     done
+    for head in front 'front face' 'position of the front face'; do
+        sed "1s/position/$head/; 1s/Position/$head/" position.csv >front.csv
+        [ "$(head -n 1 front.csv)" != "$(head -n 1 position.csv)" ] || same "$head" 'another head' "$(head -n 1 front.csv)"
+        same "$head" "$(json 'set row position.csv; print sum(row.gap)')" "$(json 'set row front.csv; print sum(row.gap)')"
+    done
+    printf 'height (mm),front face (in)\n48,0\n' >front.csv
+    wrong 'set row front.csv' "'front face \(in\)' \(position\)$"
     # The examples: the last position minus the first, 42.5 in - 13 in, and the sum of the pitches.
     length() { jq -s '[.[1:][] | .gap + .thickness] | add*1000' <<<"$1"; }
     close tape "$(awk 'BEGIN { print 29.5*25.4 }')" "$(length "$(json "set row $root/examples/measured/tape.csv; row")")" 1e-5
