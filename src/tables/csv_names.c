@@ -28,8 +28,8 @@ static const char *const column_words[] = {
     "thickness,depth,thick,dicke,starke,staerke,tiefe,dikte,diepte,epaisseur,profondeur",
     "gap,spacing,distance,separation,abstand,lucke,luecke,afstand,tussenruimte,ecart,espacement,intervalle",
     "pitch,period,centre to centre,center to center,teilung,raster,rastermass,steek,pas,entraxe",
-    "position,positions,pos,front,front face,position of the front face,position of front "
-    "face,lage,ort,positie,plaats,emplacement",
+    ("position,positions,pos,front,front face,position of the front face,position of front face,"
+     "lage,ort,positie,plaats,emplacement"),
     "dominoes,dominos,n,count,number of dominoes,no. of dominoes,anzahl,anzahl steine,aantal,nombre",
     "mass,weight,masse,gewicht,massa,poids",
     "density,dichte,dichtheid,densite",
@@ -104,7 +104,7 @@ const char *csv_name_split(const char *text, char name[NAMES_SHOWN])
     name_fold(text, length, name);
     size_t n = strlen(name);
     if (n > 3 && strcmp(name + n - 3, " in") == 0)
-        name[n -= 3] = '\0';
+        name[n - 3] = '\0';
     const char *inside = unit + strspn(unit, "([ ");
     char share[NAMES_SHOWN];
     name_fold(inside, strcspn(inside, ")]"), share);
