@@ -196,7 +196,7 @@ const char *csv_percent_advice(const struct csv_kind *kind, int k, char text[CSV
 
 const char *csv_single_advice(const struct csv_kind *kind, char text[CSV_ADVICE])
 {
-    while (kind && strchr(kind->example, ','))
+    while (kind && (!kind->example || strchr(kind->example, ',')))
         kind = kind->otherwise;
     *text = '\0';
     if (kind)
