@@ -323,4 +323,4 @@ dist:
 clean:
 	rm -rf $(B)
 
--include $(shell find $(B)/obj $(B)/objq -name '*.d' 2>/dev/null)
+-include $(shell find $(B)/obj -name '*.d' 2>/dev/null)
