@@ -199,7 +199,7 @@ $(P)/libdomino.a: $(LIB_OBJ) $(P)/feature_list.h
 # If a structure or a function changes, the major version must increase. It is the number in the soname.
 MAJOR  := $(firstword $(subst ., ,$(VERSION)))
 SONAME := libdomino.so.$(MAJOR)
-# The library exports the functions that begin with dom_ or domq_.
+# The library exports the functions that begin with dom_, domf_ or domq_.
 ifeq ($(DARWIN),)
 EXPORTS  = 'DOMINO_$(MAJOR) { global: dom_*; domf_*; domq_*; local: *; };'
 SHARED   = -shared -Wl,-soname,$(SONAME) -Wl,--version-script=$(B)/libdomino.map

@@ -38,45 +38,36 @@ static enum precision precision_of(const struct any_compute *compute)
     return compute->method == DOM_METHOD_OURS ? compute->precision : IN_DOUBLE;
 }
 
-/* Asks in float or double, or goes on with the settings for quad. */
-#define ANY(find, precision, ...)                                                                            \
-    switch (precision) {                                                                                     \
-    case IN_FLOAT:                                                                                           \
-        return float_##find(__VA_ARGS__);                                                                    \
-    case IN_DOUBLE:                                                                                          \
-        return double_##find(__VA_ARGS__);                                                                   \
-    case IN_QUAD:                                                                                            \
-        break;                                                                                               \
-    }                                                                                                        \
-    const struct domq_compute quad = quad_compute(compute);
+/* Asks about `subject`, a train or a row, in a precision. The value of the macro is the status. */
+#define ANY(find, precision, subject, compute, ...)                                                          \
+    ((precision) == IN_FLOAT ? float_##find(subject, compute, __VA_ARGS__)                                   \
+     : (precision) == IN_DOUBLE                                                                              \
+         ? double_##find(subject, compute, __VA_ARGS__)                                                      \
+         : domq_##find(subject, (const struct domq_compute[]){quad_compute(compute)}, __VA_ARGS__))
 
 #define ANY_FIND(find, structure)                                                                            \
     enum dom_status any_##find(const struct domq_train *train, const struct any_compute *compute,            \
                                struct domq_##structure *found)                                               \
     {                                                                                                        \
-        ANY(find, precision_of(compute), train, compute, found)                                              \
-        return domq_##find(train, &quad, found);                                                             \
+        return ANY(find, precision_of(compute), train, compute, found);                                      \
     }
 #define ANY_FIND_AT(find, structure)                                                                         \
     enum dom_status any_##find(const struct domq_train *train, const struct any_compute *compute,            \
                                domq_real at, struct domq_##structure *found)                                 \
     {                                                                                                        \
-        ANY(find, precision_of(compute), train, compute, at, found)                                          \
-        return domq_##find(train, &quad, at, found);                                                         \
+        return ANY(find, precision_of(compute), train, compute, at, found);                                  \
     }
 #define ANY_NUMBER(find)                                                                                     \
     enum dom_status any_##find(const struct domq_train *train, const struct any_compute *compute,            \
                                domq_real *found)                                                             \
     {                                                                                                        \
-        ANY(find, precision_of(compute), train, compute, found)                                              \
-        return domq_##find(train, &quad, found);                                                             \
+        return ANY(find, precision_of(compute), train, compute, found);                                      \
     }
 #define ANY_NUMBER_AT(find)                                                                                  \
     enum dom_status any_##find(const struct domq_train *train, const struct any_compute *compute,            \
                                domq_real at, domq_real *found)                                               \
     {                                                                                                        \
-        ANY(find, precision_of(compute), train, compute, at, found)                                          \
-        return domq_##find(train, &quad, at, found);                                                         \
+        return ANY(find, precision_of(compute), train, compute, at, found);                                  \
     }
 DOM_FINDS(ANY_FIND)
 DOM_FINDS_AT(ANY_FIND_AT)
@@ -85,36 +76,35 @@ DOM_NUMBERS_AT(ANY_NUMBER_AT)
 
 enum dom_status any_train_check(const struct domq_train *train, const struct any_compute *compute)
 {
-    ANY(train_check, precision_of(compute), train, compute)
-    return domq_train_check(train, &quad);
+    const struct domq_compute quad = quad_compute(compute);
+    const enum precision precision = precision_of(compute);
+    return precision == IN_FLOAT    ? float_train_check(train, compute)
+           : precision == IN_DOUBLE ? double_train_check(train, compute)
+                                    : domq_train_check(train, &quad);
 }
 
 enum dom_status any_cycle_events(const struct domq_train *train, const struct any_compute *compute,
                                  struct domq_event *events, int *count)
 {
-    ANY(cycle_events, precision_of(compute), train, compute, events, count)
-    return domq_cycle_events(train, &quad, events, count);
+    return ANY(cycle_events, precision_of(compute), train, compute, events, count);
 }
 
 enum dom_status any_chain_walk(const struct domq_train *train, const struct any_compute *compute,
                                domq_real theta, domq_visit *visit, void *context)
 {
-    ANY(chain_walk, precision_of(compute), train, compute, theta, visit, context)
-    return domq_chain_walk(train, &quad, theta, visit, context);
+    return ANY(chain_walk, precision_of(compute), train, compute, theta, visit, context);
 }
 
 enum dom_status any_cycle_forces(const struct domq_train *train, const struct any_compute *compute,
                                  domq_real theta, domq_force_visit *visit, void *context)
 {
-    ANY(cycle_forces, precision_of(compute), train, compute, theta, visit, context)
-    return domq_cycle_forces(train, &quad, theta, visit, context);
+    return ANY(cycle_forces, precision_of(compute), train, compute, theta, visit, context);
 }
 
 enum dom_status any_cycle_walk(const struct domq_train *train, const struct any_compute *compute,
                                size_t count, enum dom_spacing by, domq_state_visit *visit, void *context)
 {
-    ANY(cycle_walk, precision_of(compute), train, compute, count, by, visit, context)
-    return domq_cycle_walk(train, &quad, count, by, visit, context);
+    return ANY(cycle_walk, precision_of(compute), train, compute, count, by, visit, context);
 }
 
 enum dom_status any_count_find(domq_real first, domq_real height, domq_real r,
@@ -134,23 +124,21 @@ enum dom_status any_count_find(domq_real first, domq_real height, domq_real r,
 enum dom_status any_row_run(const struct domq_row *row, const struct any_compute *compute, bool times,
                             domq_fall_visit *visit, void *context, struct domq_verdict *verdict)
 {
-    ANY(row_run, row->engine ? IN_DOUBLE : compute->precision, row, compute, times, visit, context, verdict)
-    return domq_row_run(row, &quad, times, visit, context, verdict);
+    return ANY(row_run, row->engine ? IN_DOUBLE : compute->precision, row, compute, times, visit, context,
+               verdict);
 }
 
 enum dom_status any_row_touch(const struct domq_row *row, const struct any_compute *compute, domq_real *tilt)
 {
-    ANY(row_touch, row->engine ? IN_DOUBLE : compute->precision, row, compute, tilt)
-    return domq_row_touch(row, &quad, tilt);
+    return ANY(row_touch, row->engine ? IN_DOUBLE : compute->precision, row, compute, tilt);
 }
 
 enum dom_status any_row_watch(const struct domq_row *row, const struct any_compute *compute,
                               const domq_real *times, size_t count, domq_moment_visit *visit, void *context,
                               struct domq_verdict *verdict)
 {
-    ANY(row_watch, row->engine ? IN_DOUBLE : compute->precision, row, compute, times, count, visit, context,
-        verdict)
-    return domq_row_watch(row, &quad, times, count, visit, context, verdict);
+    return ANY(row_watch, row->engine ? IN_DOUBLE : compute->precision, row, compute, times, count, visit,
+               context, verdict);
 }
 
 /* Returns the power of ten that is nearest to a number between 1e-40 and 1, to the last digit of the widest

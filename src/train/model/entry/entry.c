@@ -35,13 +35,6 @@ struct row_question {
          ? (question).method->find(&(question).request, __VA_ARGS__)                                         \
          : ASK(question, find, __VA_ARGS__))
 
-#if defined DOMF || defined DOMQ
-static struct dom_compute compute_or_default(const struct dom_compute *compute)
-{
-    return compute ? *compute : dom_compute_default();
-}
-#endif
-
 /* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */
 #define BAD_s     DOM_BAD_S
 #define BAD_r     DOM_BAD_R

@@ -3,12 +3,7 @@
 #ifndef DOM_ENTRY_STUDY_H
 #define DOM_ENTRY_STUDY_H
 
-#include "domino_row.h"
-
-static inline struct dom_compute compute_or_default(const struct dom_compute *compute)
-{
-    return compute ? *compute : dom_compute_default();
-}
+#include "geometry/request.h"
 
 /* Runs a row. At a domino that would stop, the run does not end: the domino gets the energy that it needs. */
 enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,

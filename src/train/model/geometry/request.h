@@ -6,6 +6,11 @@
 #include "numerics/api.h"
 #include "numerics/interrupt.h"
 
+static inline struct dom_compute compute_or_default(const struct dom_compute *compute)
+{
+    return compute ? *compute : dom_compute_default();
+}
+
 #define MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
 
 /* A train and the options of the computation, like struct dom_train and struct dom_compute of the API. */

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes library.h, which is included before each source of the library. The library shows only the functions of its
-# public headers. The functions and tables that its files share are hidden, and get names that begin with dom__ or
-# domq__, so that they do not clash with functions of a program that links the archive.
+# public headers. The functions and tables that its files share are hidden, and get names that begin with dom__,
+# domf__ or domq__, so that they do not clash with functions of a program that links the archive.
 #   awk -f shared.awk HEADER...     reads the headers of the folders model
 BEGIN {
     print "#pragma GCC visibility push(default)"
