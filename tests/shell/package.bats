@@ -210,28 +210,30 @@ C
 }
 
 @test "the interface is compatible with the first library of this soname, and the check reports incompatible changes" {
-    kept=$root/tests/abi/$soname.py
+    kept=$root/tests/abi/$soname.txt
     now=$PWD/now.py
     python3 "$root/src/python/header.py" "$soname" cc "$root/include/domino_row.h" "$root/include/domino_proof.h" >"$now"
     run -0 "$root/tests/abi/check" "$kept" "$now"
     while read -r status edit; do
-        sed -E "$edit" "$kept" >edited.py
-        ! cmp -s "$kept" edited.py || same "$edit" 'a change' 'none'
+        sed -E "$edit" "$now" >edited.py
+        ! cmp -s "$now" edited.py || same "$edit" 'a change' 'none'
         run -"$status" "$root/tests/abi/check" "$kept" edited.py
     done <<'END'
 1 s/DOM_BAD_R = 2/DOM_BAD_R = 3/
 1 s/\("mu", c_double\)/("mu", c_int)/
 1 /^ *"dom_limit_rmax":/d
 1 s/(dom_rmax": \(c_double, \[)c_double, /\1/
+0 s/^( *)DOM_EVENT_HIT = 4/&\n\1DOM_EVENT_NEW = 5/
 0 s/^FUNCTIONS = \{/class dom_new(Structure):\n    pass\nFUNCTIONS = {/
 END
     # Another effect adds a member, and the check says what to do.
-    sed -E 's/\("mu", c_double\),/& ("drag", c_double),/' "$kept" >effect.py
+    sed -E 's/\("mu", c_double\),/& ("drag", c_double),/' "$now" >effect.py
     run -1 "$root/tests/abi/check" "$kept" effect.py
-    for words in 'size of dom_train: was [0-9]+, is [0-9]+' 'size of dom_row: was' "needs a new major version in domino.h; before the release of a version, 'make abi KEEP=1' accepts it"; do
+    for words in 'dom_train: has changed' 'dom_row: has changed' "needs a new major version in domino.h; before the release of a version, 'make abi KEEP=1' accepts it"; do
         grep -qE "$words" <<<"$output" || same 'a new effect' "$words" "$output"
     done
-    run -0 "$root/tests/abi/check" effect.py effect.py
+    "$root/tests/abi/check" effect.py >kept
+    run -0 "$root/tests/abi/check" kept effect.py
 }
 
 @test "the shared library has a versioned soname, and the file has this name" {
