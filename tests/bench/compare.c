@@ -39,19 +39,22 @@ static double ask_newton(const struct question *q)
 {
     struct domq_domino domino[DOMINOES_MAX];
     struct domq_scale scale = domq_scale_default();
-    double height[DOMINOES_MAX], thickness[DOMINOES_MAX], gap[DOMINOES_MAX], mass[DOMINOES_MAX];
+    double height[DOMINOES_MAX], thickness[DOMINOES_MAX], width[DOMINOES_MAX], gap[DOMINOES_MAX],
+        mass[DOMINOES_MAX];
     struct direct_hit hits[DOMINOES_MAX];
     struct direct_result result;
     ask_row_of_train(&q->train, &scale, 1, domino, q->dominoes);
     for (size_t i = 0; i < q->dominoes; i++) {
         height[i] = (double)domino[i].height;
         thickness[i] = (double)domino[i].thickness;
+        width[i] = (double)domino[i].width;
         gap[i] = (double)domino[i].gap;
         mass[i] = (double)domino[i].mass;
     }
     struct direct_row row = {.n = q->dominoes,
                              .height = height,
                              .thickness = thickness,
+                             .width = width,
                              .gap = gap,
                              .mass = mass,
                              .g = (double)scale.g,

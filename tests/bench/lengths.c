@@ -58,7 +58,8 @@ static bool times_fall(const struct line *line)
 /* Integrates Newton's laws for all dominoes of the row with GSL. */
 static bool direct_falls(const struct line *line)
 {
-    double height[DIRECT_MOST], thickness[DIRECT_MOST], gap[DIRECT_MOST], mass[DIRECT_MOST];
+    double height[DIRECT_MOST], thickness[DIRECT_MOST], width[DIRECT_MOST], gap[DIRECT_MOST],
+        mass[DIRECT_MOST];
     struct direct_hit hits[DIRECT_MOST];
     struct direct_result result;
     if (line->count > DIRECT_MOST)
@@ -66,12 +67,14 @@ static bool direct_falls(const struct line *line)
     for (size_t i = 0; i < line->count; i++) {
         height[i] = (double)line->domino[i].height;
         thickness[i] = (double)line->domino[i].thickness;
+        width[i] = (double)line->domino[i].width;
         gap[i] = (double)line->domino[i].gap;
         mass[i] = (double)line->domino[i].mass;
     }
     struct direct_row row = {.n = line->count,
                              .height = height,
                              .thickness = thickness,
+                             .width = width,
                              .gap = gap,
                              .mass = mass,
                              .g = (double)domq_scale_default().g,
