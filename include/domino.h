@@ -40,6 +40,10 @@
  * Errors: to learn how accurate a number is, compute it again with a function of <domino_quad.h> and the
  * tolerance 1e-30. The two numbers differ by the error of the first one.
  *
+ * Versions: struct dom_train, struct dom_row and struct dom_compute have room for members of later versions,
+ * which are off at 0. A program that sets such a member gets DOM_NEWER from a library that does not know it.
+ * The structures of results do not grow: a new result has a new function.
+ *
  * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
  *
  * Equations: "(24; c6)" in a comment is an equation of the paper. 24 is its printed number, and c6 is its
@@ -100,7 +104,7 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 
 /*
  * A self-similar train. Start from dom_train_default() and change the members that differ. The last six
- * members are the effects of DOM_DYNAMICS. They are off (0) by default.
+ * members before `later` are the effects of DOM_DYNAMICS. They are off (0) by default.
  *
  * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. With friction, energy is
  * not conserved. The equation of motion is then solved in place of equations (21; c3) and (24; c6).
@@ -127,6 +131,7 @@ struct dom_train {
     dom_real s, r, d, q, width; /* see DOM_TRAIN_PARAMETERS */
     enum dom_fuel fuel;         /* default DOM_FUEL_EXACT */
     dom_real mu, alpha, walls, rho, air, drag;
+    dom_real later[DOM_LATER]; /* must be 0, see "Versions" */
 };
 
 #define DOM_SCALE_PARAMETERS(X)                                                                              \
@@ -158,6 +163,7 @@ struct dom_compute {
     struct dom_work *work; /* counters to which the work is added; may be NULL */
     /* A long computation returns DOM_INTERRUPTED soon after *interrupt becomes non-zero. May be NULL. */
     const volatile sig_atomic_t *interrupt;
+    size_t later[DOM_LATER]; /* must be 0, see "Versions" */
 };
 
 /* Returns the defaults. */
@@ -304,12 +310,16 @@ struct dom_barrier {
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
+    /* The tilt at which a train that stops comes to rest: the smallest tilt at which the climb H(theta) -
+     * H(0) has used up the kinetic energy of the launch. NaN unless the status is DOM_STOPS, and with the
+     * methods for comparison. */
+    dom_real stop;
 };
 
 /*
  * Determines whether the train keeps falling, and computes the energies that decide this. The status is the
  * verdict:
- * - DOM_OK: the train keeps falling (margin >= 0). All members are written.
+ * - DOM_OK: the train keeps falling (margin >= 0).
  * - DOM_STOPS: the train stops. All members are written.
  * - DOM_NO_FUEL: a cycle releases no energy. Only theta_m and barrier are computed, and the other members are
  *   NaN.
@@ -331,16 +341,6 @@ enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom
  */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, dom_real *omegasq);
-
-/*
- * Finds the tilt at which a train that stops comes to rest. It is the smallest tilt at which the climb
- * H(theta) - H(0) has used up the kinetic energy of the launch.
- *
- * If the train keeps falling, the value is NaN and the status is DOM_OK. If the train does not start, the
- * status is DOM_NO_FUEL.
- */
-enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
-                               dom_real *theta);
 
 /*
  * Finds the duration t_f of a cycle, in tau. It is the integral of 1/(tau omega) over the tilts from 0 to

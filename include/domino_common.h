@@ -70,6 +70,7 @@ extern "C" {
     X(UNDERFLOW, "r^(2q+1) is too large for this precision; use a smaller r or q")                           \
     X(NO_PRECISION, "this machine has no floating-point type that is wider than double")                     \
     X(NO_METHOD, "the requested method cannot compute this answer")                                          \
+    X(NEWER, "the program asks for something that came with a later version of this library")                \
     X(NOT_FINITE, "an intermediate value is not finite")                                                     \
     X(NOT_CONVERGED, "the iteration did not reach the tolerance")                                            \
     X(NO_MEMORY, "out of memory")                                                                            \
@@ -131,6 +132,10 @@ enum dom_effect_name {
 /* The number of effects in DOM_DYNAMICS. */
 enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_drag + 1 };
 
+/* The number of members that later versions can add to struct dom_train, struct dom_row and struct
+ * dom_compute. */
+enum { DOM_LATER = 4 };
+
 /* The largest number of arguments that an effect has. */
 enum { DOM_EFFECT_ARGUMENTS = 3 };
 
@@ -179,10 +184,10 @@ enum dom_question {
 
 /* Counters of the work done. Every call adds to the counters, which the caller initializes with {0}. */
 struct dom_work {
-    size_t passes;                    /* number of passes down the chain of dominoes */
-    size_t dominoes;                  /* number of dominoes visited in all passes */
-    size_t longest;                   /* number of dominoes visited in the longest pass */
-    size_t entered[DOM_EFFECT_COUNT]; /* how often the code of each effect has run */
+    size_t passes;      /* number of passes down the chain of dominoes */
+    size_t dominoes;    /* number of dominoes visited in all passes */
+    size_t longest;     /* number of dominoes visited in the longest pass */
+    size_t entered[16]; /* how often the code of each effect has run; DOM_EFFECT_COUNT are used */
 };
 
 /* Returns true if flag is not NULL and *flag is not 0. Reads *flag atomically, since another thread may set

@@ -94,6 +94,7 @@ struct dom_row {
     const struct dom_engine *engine;
     /* The height, in m, above which dominoes have walls. 0 if all have walls. */
     dom_real boxes_above;
+    dom_real later[DOM_LATER]; /* must be 0, see "Versions" in <domino.h> */
 };
 
 /* Returns a row with g = 9.81 m/s^2, without a push, effects or an engine. The caller adds the dominoes. */

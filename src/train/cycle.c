@@ -147,12 +147,12 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
 
 static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 {
-    domq_real stop;
+    struct domq_barrier b;
     char place[64] = "";
     struct answer_style style = state_style(query->state);
     int digits = (int)fmin((double)style.digits, style_tol_digits(&style));
-    if (any_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK && isfinite(stop))
-        snprintf(place, sizeof place, " at theta = %s %s,", quad_text(style_angle(&style, stop), digits),
+    if (any_barrier_find(&query->scene->train, &query->scene->compute, &b) == DOM_STOPS && isfinite(b.stop))
+        snprintf(place, sizeof place, " at theta = %s %s,", quad_text(style_angle(&style, b.stop), digits),
                  style_angle_unit(&style));
     snprintf(reason, ANSWER_REASON,
              "no domino effect: the train has too little energy and stops%s before the top of the barrier",

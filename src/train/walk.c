@@ -373,22 +373,23 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
 
 bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta)
 {
-    domq_real omegasq, stop = DOMQ_NAN;
+    domq_real omegasq;
+    struct domq_barrier b = {.stop = DOMQ_NAN};
     enum dom_status status = any_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
         return problem_error(problem,
                              "no domino effect: the fuel P is not positive, so nothing moves; 'fuel' "
                              "explains why, and 'rmax' shows how large r may be");
     if (status == DOM_STOPS)
-        status = any_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
-    if (status != DOM_OK)
+        status = any_barrier_find(&query->scene->train, &query->scene->compute, &b);
+    if (status != DOM_OK && status != DOM_STOPS)
         return query_status(query, problem, status);
     /* A tilt copied from a table has 6 digits, so it may be slightly too large. A picture does not show the
      * difference. */
-    if (stop < theta * (1 - (domq_real)1e-5))
+    if (b.stop < theta * (1 - (domq_real)1e-5))
         return problem_error(problem,
                              "the train does not reach T = %s: it stops at %s, before the top of the barrier",
-                             angle_text(query, theta, 10).text, angle_text(query, stop, 10).text);
+                             angle_text(query, theta, 10).text, angle_text(query, b.stop, 10).text);
     return true;
 }
 

@@ -87,9 +87,14 @@ union found {
 static void ask_cycle(const struct domq_train *train, const struct any_compute *compute, domq_real tilt,
                       enum ref_quantity quantity, union found *f, struct answers *answers)
 {
-    enum dom_status status = quantity == REF_OMEGASQ ? any_cycle_omegasq(train, compute, tilt, &f->value)
-                             : quantity == REF_STOP  ? any_cycle_stop(train, compute, &f->value)
-                                                     : any_cycle_duration(train, compute, &f->value);
+    enum dom_status status;
+    if (quantity == REF_STOP) {
+        status = any_barrier_find(train, compute, &f->barrier);
+        status = status == DOM_STOPS ? DOM_OK : status;
+        f->value = f->barrier.stop;
+    } else
+        status = quantity == REF_OMEGASQ ? any_cycle_omegasq(train, compute, tilt, &f->value)
+                                         : any_cycle_duration(train, compute, &f->value);
     note(answers, quantity, status, f->value);
 }
 

@@ -94,9 +94,17 @@ ASK(limit_rmax, limit, , )
 ASK(limit_pair, limit, , )
 ASK(limit_best, best, , )
 ASK_NUMBER(cycle_omegasq, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
-ASK_NUMBER(cycle_stop, , )
 ASK_NUMBER(cycle_duration, , )
 /* clang-format on */
+
+/* Finds where a train comes to rest: NaN if it keeps falling. */
+static inline enum dom_status ask_cycle_stop(const struct setup *setup, domq_real *theta)
+{
+    struct domq_barrier barrier = {.stop = DOMQ_NAN};
+    const enum dom_status status = ask_barrier_find(setup, &barrier);
+    *theta = barrier.stop;
+    return status == DOM_STOPS ? DOM_OK : status;
+}
 
 /* Functions with several results, and walks along a chain or a cycle. */
 #define ask_train_check(a)            any_train_check(ASKED(a))

@@ -61,7 +61,7 @@ union result {
 };
 
 /* Numbers of the functions. The last three choose r themselves, and the last one chooses s, too. */
-enum { LIMITS = 18, BEST = 20, FUNCTIONS };
+enum { LIMITS = 17, BEST = 19, FUNCTIONS };
 
 static enum dom_status ask(int function, const struct dom_train *t, const struct dom_compute *c,
                            union result *to)
@@ -88,26 +88,24 @@ static enum dom_status ask(int function, const struct dom_train *t, const struct
     case 8:
         return dom_cycle_omegasq(t, c, 0.1, &to->value);
     case 9:
-        return dom_cycle_stop(t, c, &to->value);
-    case 10:
         return dom_cycle_duration(t, c, &to->value);
-    case 11:
+    case 10:
         return dom_cycle_events(t, c, to->events, &count);
-    case 12:
+    case 11:
         return dom_cycle_state(t, c, 0.1, &to->state);
-    case 13:
+    case 12:
         return dom_cycle_tilt(t, c, 0.1, &theta);
-    case 14:
+    case 13:
         return dom_cycle_walk(t, c, 3, DOM_BY_TIME, never_state, NULL);
-    case 15:
+    case 14:
         return dom_cycle_forces(t, c, 0.1, never_force, NULL);
-    case 16:
+    case 15:
         return dom_cycle_least_force(t, c, &to->least);
-    case 17:
+    case 16:
         return dom_cycle_floor(t, c, &to->floor);
-    case 18:
+    case 17:
         return dom_limit_rmax(t, c, &to->limit);
-    case 19:
+    case 18:
         return dom_limit_pair(t, c, &to->limit);
     default:
         return dom_limit_best(t, c, &to->best);
@@ -192,6 +190,23 @@ TEST(choices)
     train = dom_train_default();
     compute.method = (enum dom_method)(DOM_METHOD_PAPER + 1);
     refused(&train, &compute, '\0', DOM_BAD_METHOD);
+}
+
+/* Checks that a member of a later version is refused, whatever is asked. */
+TEST(members_of_later_versions)
+{
+    for (int place = 0; place < DOM_LATER; place++)
+        for (int k = 0; k < FUNCTIONS; k++) {
+            struct dom_train train = dom_train_default();
+            struct dom_compute compute = dom_compute_default();
+            union result result;
+            assert_true(train.later[place] == 0 && compute.later[place] == 0);
+            train.later[place] = 1e-9;
+            assert_named(ask(k, &train, &compute, &result), DOM_NEWER);
+            train.later[place] = 0;
+            compute.later[place] = 1;
+            assert_named(ask(k, &train, &compute, &result), DOM_NEWER);
+        }
 }
 
 /* ---- Tilts and times ---- */
@@ -326,6 +341,11 @@ TEST(rows)
         row_refused(&r.row, NULL, 0, status);                                                                \
     }
     DOM_DYNAMICS(ROW_EFFECT)
+    for (int place = 0; place < DOM_LATER; place++) {
+        row_make(&r);
+        r.row.later[place] = 1;
+        row_refused(&r.row, NULL, 0, DOM_NEWER);
+    }
     row_make(&r);
     r.row.count = 0;
     row_refused(&r.row, NULL, 0, DOM_BAD_COUNT);

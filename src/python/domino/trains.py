@@ -63,12 +63,16 @@ class Launch(NamedTuple):
 
 
 class Barrier(NamedTuple):
-    """The barrier of a cycle. The train keeps falling if margin = kinetic - barrier is not negative."""
+    """The barrier of a cycle. The train keeps falling if margin = kinetic - barrier is not negative.
+
+    stop is the tilt in rad at which a train that stops comes to rest.
+    """
 
     theta_m: Number
     barrier: Number
     kinetic: Number
     margin: Number
+    stop: Number
 
 
 class Limit(NamedTuple):
@@ -273,7 +277,7 @@ def barrier(s: Number = 0.4, *, tol: float | None = None,
     """The barrier of a cycle, and the energy left at its top (26; c8). The train keeps falling if margin >= 0."""
     a = _ask(ASK.DOM_ASK_BARRIER, api.dom_barrier, Train(s, **train), None, {"tol": tol},
              ("STOPS", "NO_FUEL"))  # fmt: skip
-    return _tuple(Barrier, a, ["theta_m", "barrier", "kinetic", "margin"])
+    return _tuple(Barrier, a, ["theta_m", "barrier", "kinetic", "margin", "stop"])
 
 
 def omegasq(theta: Number, s: Number = 0.4, *, tol: float | None = None,

@@ -29,7 +29,10 @@ struct visitor {
 
 static struct domq_compute quad_compute(const struct any_compute *compute)
 {
-    return (struct domq_compute){compute->tol, compute->method, compute->work, compute->interrupt};
+    return (struct domq_compute){.tol = compute->tol,
+                                 .method = compute->method,
+                                 .work = compute->work,
+                                 .interrupt = compute->interrupt};
 }
 
 /* Returns the precision in which a question is asked. */

@@ -4,7 +4,7 @@
 #   #define DOM_MEMBERS_limit(NUMBER, PART, POINTER, OTHER) NUMBER(r_max) OTHER(ends) OTHER(why) NUMBER(open)
 # And the functions that ask a question about a train, by the type of the answer, and by whether they take a number:
 #   #define DOM_FINDS(X) X(angles_find, angles) ...       DOM_FINDS_AT(X): the same, at a tilt
-#   #define DOM_NUMBERS(X) X(cycle_stop) ...              DOM_NUMBERS_AT(X): the same, at a tilt or a time
+#   #define DOM_NUMBERS(X) X(cycle_duration) ...             DOM_NUMBERS_AT(X): the same, at a tilt or a time
 #   awk -f lists.awk HEADER...
 
 FNR == 1 { typed = 0 }
@@ -24,6 +24,7 @@ FNR == 1 { typed = 0 }
 
 /^struct dom_[a-z_]+ \{/ { structure = substr($2, 5); members = ""; next }
 structure && /^};/ {
+    sub(/[a-z_]+ later\[DOM_LATER\];/, "", members) # room that a version does not use is not copied
     if (members !~ /[[(]|\*const/) print "#define DOM_MEMBERS_" structure "(NUMBER, PART, POINTER, OTHER)" list_of(members)
     structure = ""
 }

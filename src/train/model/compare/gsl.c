@@ -104,8 +104,11 @@ static enum dom_status gsl_barrier_find(const struct request *train, struct dom_
         return status;
     if (!(c.kinetic > 0))
         c.kinetic = (double)DOM_NAN;
-    *barrier = (struct dom_barrier){
-        .theta_m = b.theta_m, .barrier = b.height, .kinetic = c.kinetic, .margin = c.kinetic - b.height};
+    *barrier = (struct dom_barrier){.theta_m = b.theta_m,
+                                    .barrier = b.height,
+                                    .kinetic = c.kinetic,
+                                    .margin = c.kinetic - b.height,
+                                    .stop = DOM_NAN};
     return isnan(c.kinetic) ? DOM_NO_FUEL : c.kinetic >= b.height ? DOM_OK : DOM_STOPS;
 }
 

@@ -126,8 +126,11 @@ static enum dom_status paper_barrier_find(const struct request *train, struct do
         status = paper_barrier(&p, &theta_m, &height);
     if (status != DOM_OK)
         return status;
-    *barrier = (struct dom_barrier){
-        .theta_m = theta_m, .barrier = height, .kinetic = p.kinetic, .margin = p.kinetic - height};
+    *barrier = (struct dom_barrier){.theta_m = theta_m,
+                                    .barrier = height,
+                                    .kinetic = p.kinetic,
+                                    .margin = p.kinetic - height,
+                                    .stop = DOM_NAN};
     return p.kinetic >= height ? DOM_OK : DOM_STOPS;
 }
 

@@ -16,7 +16,6 @@ KERNEL enum dom_status fuel_find(const struct request *train, struct dom_fuels *
 KERNEL enum dom_status launch_find(const struct request *train, struct dom_launch *launch);
 KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier);
 KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta, dom_real *omegasq);
-KERNEL enum dom_status cycle_stop(const struct request *train, dom_real *theta);
 KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *duration);
 KERNEL enum dom_status cycle_events(const struct request *train, struct dom_event *events, int *count);
 KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state);

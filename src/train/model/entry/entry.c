@@ -48,6 +48,10 @@ struct row_question {
     if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
         status = BAD_##name;
 
+/* Returns true if a member is set that this version of the library does not have. */
+#define IS_NEWER(given) ((given)->later[0] || (given)->later[1] || (given)->later[2] || (given)->later[3])
+_Static_assert(DOM_LATER == 4, "IS_NEWER");
+
 static enum dom_status request_check(const struct request *q)
 {
     enum dom_status status = DOM_OK;
@@ -84,7 +88,7 @@ static struct question question_make(const struct dom_train *train, const struct
                     .interrupt = compute.interrupt}};
 #undef COPY
 #undef COPY_COMPUTE
-    q.status = request_check(&q.request);
+    q.status = IS_NEWER(train) || IS_NEWER(&compute) ? DOM_NEWER : request_check(&q.request);
     if (q.status == DOM_OK && compute.method != DOM_METHOD_OURS)
         q.status = method_find(compute.method, &q.method);
     return q;
@@ -104,7 +108,9 @@ static struct row_question row_question_make(const struct dom_row *row, const st
                                          .tol = compute.tol,
                                          .work = compute.work,
                                          .interrupt = compute.interrupt},
-                             .status = dom_arithmetic()->bits == 0 ? DOM_NO_PRECISION : DOM_OK};
+                             .status = dom_arithmetic()->bits == 0           ? DOM_NO_PRECISION
+                                       : IS_NEWER(row) || IS_NEWER(&compute) ? DOM_NEWER
+                                                                             : DOM_OK};
     return q;
 }
 
@@ -178,13 +184,6 @@ enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct do
     struct question q = question_make(train, compute);
     *omegasq = DOM_NAN;
     return ASK(q, cycle_omegasq, theta, omegasq);
-}
-
-enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
-                               dom_real *theta)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, cycle_stop, theta);
 }
 
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
@@ -388,14 +387,14 @@ enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *
 {
     struct row_question q = row_question_make(row, compute);
     q.request.carries_on = true;
-    return row_run(&q.request, false, visit, context, verdict);
+    return q.status != DOM_OK ? q.status : row_run(&q.request, false, visit, context, verdict);
 }
 
 enum dom_status row_study_begin(const struct dom_row *row, const struct dom_compute *compute,
                                 struct study **study, struct dom_verdict *verdict)
 {
     const struct row_question q = row_question_make(row, compute);
-    return study_begin(&q.request, study, verdict);
+    return q.status != DOM_OK ? q.status : study_begin(&q.request, study, verdict);
 }
 
 #endif

@@ -55,7 +55,10 @@ KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barr
     const struct barrier *b = &cycle.segment.barrier;
     enum dom_status status = cycle_begin(train, &cycle);
     bool fuelled = status != DOM_NO_FUEL;
+    real stop = REAL_NAN;
     status = fuelled ? status : DOM_OK;
+    if (status == DOM_OK && fuelled && cycle_stops(&cycle))
+        status = segment_rest(&cycle.segment, &stop);
     cycle_free(&cycle);
     if (status != DOM_OK)
         return status;
@@ -65,6 +68,7 @@ KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barr
         .barrier = b->height,
         .kinetic = fuelled ? kinetic : REAL_NAN,
         .margin = fuelled ? kinetic - b->height : REAL_NAN,
+        .stop = stop,
     };
     return barrier_verdict(&cycle.launch, b);
 }
@@ -98,20 +102,6 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
     }
     *omegasq = w;
     return DOM_OK;
-}
-
-KERNEL enum dom_status cycle_stop(const struct request *train, dom_real *theta)
-{
-    struct cycle cycle;
-    real stop = REAL_NAN;
-    enum dom_status status = cycle_begin(train, &cycle);
-    bool stops = status == DOM_OK && cycle_stops(&cycle);
-    if (stops)
-        status = segment_rest(&cycle.segment, &stop);
-    if (status == DOM_OK)
-        *theta = stop;
-    cycle_free(&cycle);
-    return status;
 }
 
 static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration)
