@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Derivations show where a number comes from. Most quantities have an equation, which the user sees, and an
- * expression with which the library computes the same number. The program shows the number that the library
- * computes. A test checks that the equation gives the same number. */
+/* Derivations show where a number comes from. A quantity has an equation, which the user sees, or an
+ * expression with which the library computes it, or both. The program then shows the number that the library
+ * computes, and a test checks that the equation gives the same number. */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
@@ -46,9 +46,8 @@ struct derived {
      * How to find the number:
      * - '$' and the name of a parameter or effect,
      * - '#' and a name that fall_value accepts, or
-     * - an expression for the library, where '@' is the value that the user typed, '@t2' and '@s2' are the
-     *   tilt and the slope of domino 2 at this tilt of the head, and '@S2' is its slope at the tilt 0.
-     * NULL for a quantity that is different in each term of a sum.
+     * - an expression for the library, where '@' is the value that the user typed.
+     * NULL for a quantity whose number the equation gives, or that is different in each term of a sum.
      */
     const char *library;
     const char *unit;
@@ -133,6 +132,11 @@ bool derivation_make(struct derivation *derivation, const struct query *query,
                      struct state *state, struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
+/* Evaluates an expression of the calculator, such as "launch.J0", in the state of a query. Sets *value to NaN
+ * if it has no value. Returns false on an error. */
+bool expression_value(const struct query *query, const char *expression, domq_real *value,
+                      struct problem *problem);
+
 /* Writes the equation of a step with numbers instead of names. A sum can have many terms: only the first ones
  * are written, and the others are added up. */
 void step_numbers(const struct derivation *derivation, const struct step *step, const struct formula *formula,
@@ -149,5 +153,11 @@ struct explain_arguments {
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_arguments *bound,
                    const char *verdict, struct problem *problem);
+
+/* ---- Comparisons with the paper ---- */
+
+extern const struct column recipe_columns[], paper_columns[];
+bool run_recipe(const struct query *query, struct answer *a, struct problem *problem);
+bool run_paper(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

@@ -11,32 +11,13 @@
 
 /* ---- The numbers of the library ---- */
 
-static enum dom_status chains_fill(struct derivation *d, domq_real tilt);
-
-/* Returns the tilt ('t') or the slope ('s') of domino k at the tilt of the head, or its slope at 0 ('S'). */
-static domq_real chain_value(const struct derivation *d, char what, size_t k)
-{
-    return what == 't' ? d->at.link[k].theta : what == 's' ? d->at.link[k].slope : d->launch.link[k].slope;
-}
-
-/* Copies a text and replaces '@' by the number that the user typed, and '@t2' and the like by the numbers of
- * a domino. */
+/* Copies a text and replaces '@' by the number that the user typed. */
 static void fill_in(const struct derivation *d, const char *text, char *filled, size_t size)
 {
     char digits[WIDE_TEXT];
-    for (filled[0] = '\0'; *text; text++) {
-        const bool of_domino = *text == '@' && text[1] && strchr("tsS", text[1]);
-        if (*text != '@') {
-            text_add(filled, size, "%c", *text);
-            continue;
-        }
-        quad_exact(of_domino          ? chain_value(d, text[1], (size_t)(text[2] - '0'))
-                   : isnan(d->height) ? d->theta
-                                      : d->height,
-                   WIDE_DIGITS, digits);
-        text_add(filled, size, "(%s)", digits);
-        text += of_domino ? 2 : 0;
-    }
+    quad_exact(isnan(d->height) ? d->theta : d->height, WIDE_DIGITS, digits);
+    for (filled[0] = '\0'; *text; text++)
+        text_add(filled, size, *text == '@' ? "(%s)" : "%.1s", *text == '@' ? digits : text);
 }
 
 /* Returns a quantity of a hit by its name, such as "margin". */
@@ -49,39 +30,44 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
                                           : fall->kinetic + fall->lost;
 }
 
-/* Evaluates `expression`, which is written like derived.library. Sets *value to NaN if the train has no such
- * number. Returns false on an error. */
-static bool library_value(struct derivation *d, const char *expression, domq_real *value)
+bool expression_value(const struct query *query, const char *expression, domq_real *value,
+                      struct problem *problem)
+{
+    const struct last_answer none = {.command = NULL};
+    struct arena arena = {.block = NULL};
+    struct expression_error error = {.at = NULL};
+    struct parse parse = {.text = expression, .error = &error, .arena = &arena};
+    struct resolver resolver = {.state = query->state, .ans = &none, .arena = &arena, .error = &error};
+    struct quantity result;
+    struct tree *tree = expression_parse(&parse);
+    bool done = tree && resolve(&resolver, tree);
+    *value = DOMQ_NAN;
+    if (!done)
+        problem_error(problem, "%s: %s", expression, error.message);
+    else if (query_evaluate(query, tree, &result, &error, problem))
+        *value = result.value;
+    else
+        done = error.message[0];
+    arena_free(&arena);
+    return done;
+}
+
+/* Finds the number of a quantity by its derived.library. Sets *value to NaN if the train has no such number.
+ * Returns false on an error. */
+static bool library_value(struct derivation *d, const char *library, domq_real *value)
 {
     char text[512];
-    const struct last_answer none = {.command = NULL};
-    if (*expression == '#') {
-        *value = fall_value(d->fall, expression + 1);
+    if (*library == '#') {
+        *value = fall_value(d->fall, library + 1);
         return true;
     }
-    if (*expression == '$') {
-        *value = parameter_get(d->state, parameter_find(expression + 1));
+    if (*library == '$') {
+        *value = parameter_get(d->state, parameter_find(library + 1));
         *value = *value == EFFECT_OFF ? 0 : *value;
         return true;
     }
-    const bool of_dominoes = strstr(expression, "@t") || strstr(expression, "@s") || strstr(expression, "@S");
-    const enum dom_status status = of_dominoes ? chains_fill(d, isnan(d->theta) ? 0 : d->theta) : DOM_OK;
-    if (status != DOM_OK)
-        return problem_status(d->problem, &d->state->scene, status);
-    fill_in(d, expression, text, sizeof text);
-    struct expression_error error;
-    struct parse parse = {.text = text, .error = &error, .arena = &d->arena};
-    struct resolver resolver = {.state = d->state, .ans = &none, .arena = &d->arena, .error = &error};
-    struct quantity result;
-    struct tree *tree = expression_parse(&parse);
-    if (!tree || !resolve(&resolver, tree))
-        return problem_error(d->problem, "%s: %s", expression, error.message);
-    *value = DOMQ_NAN;
-    if (query_evaluate(&d->query, tree, &result, &error, d->problem))
-        *value = result.value;
-    else if (!error.message[0])
-        return false;
-    return true;
+    fill_in(d, library, text, sizeof text);
+    return expression_value(&d->query, text, value, d->problem);
 }
 
 /* ---- Sums ---- */
@@ -100,8 +86,8 @@ static domq_real term_value(const struct derivation *d, const char *name)
 static bool name_value(struct evaluation *e, const struct tree *t, struct quantity *result)
 {
     const struct step *step = t->refers;
-    *result =
-        (struct quantity){.value = step->derived->library ? step->value : term_value(e->context, step->name)};
+    const bool of_term = step->derived->is_given && !step->derived->library;
+    *result = (struct quantity){.value = of_term ? term_value(e->context, step->name) : step->value};
     return true;
 }
 
@@ -142,6 +128,15 @@ static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
     return status == DOM_OK && (d->at.failed || d->launch.failed) ? DOM_NO_MEMORY : status;
 }
 
+/* Returns the value of the equation of a step, or NaN if it has none. */
+static domq_real equation_value(struct derivation *d, const struct step *s)
+{
+    struct quantity result;
+    struct expression_error error;
+    struct evaluation e = {.error = &error, .symbol = name_value, .context = d, .angle = 1};
+    return expression_evaluate(&e, s->tree, &result) ? result.value : DOMQ_NAN;
+}
+
 /* Computes the terms of a sum, without the zeros at its end. */
 static bool sum_value(struct derivation *d, struct step *s)
 {
@@ -157,12 +152,8 @@ static bool sum_value(struct derivation *d, struct step *s)
     s->term = status == DOM_OK ? arena_take(&d->arena, s->terms * sizeof *s->term) : NULL;
     if (!s->term)
         return problem_status(d->problem, &d->state->scene, status == DOM_OK ? DOM_NO_MEMORY : status);
-    struct expression_error error;
-    struct evaluation e = {.error = &error, .symbol = name_value, .context = d, .angle = 1};
-    for (d->i = 0; d->i < s->terms; d->i++) {
-        struct quantity result;
-        s->term[d->i] = expression_evaluate(&e, s->tree, &result) ? result.value : DOMQ_NAN;
-    }
+    for (d->i = 0; d->i < s->terms; d->i++)
+        s->term[d->i] = equation_value(d, s);
     while (s->terms > 1 && s->term[s->terms - 1] == 0)
         s->terms--;
     return true;
@@ -269,7 +260,11 @@ static struct step *step_add(struct derivation *d, const char *name, int depth)
         return NULL;
     }
     s->tree = tree;
-    return names_add(d, s, tree) && (!s->derived->sum || sum_value(d, s)) ? s : NULL;
+    if (!names_add(d, s, tree) || (s->derived->sum && !sum_value(d, s)))
+        return NULL;
+    if (!s->derived->library)
+        s->value = equation_value(d, s);
+    return s;
 }
 
 /* ---- Derivations ---- */

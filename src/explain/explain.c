@@ -2,7 +2,6 @@
 /* The command 'explain', which shows where a number comes from. */
 #include "answer/extension.h"
 #include "explain/derivation.h"
-#include "explain/paper.h"
 #include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "language/quad.h"

@@ -1,7 +1,59 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'paper', which recomputes numbers and figures of the paper. */
-#include "explain/paper.h"
+/* The commands 'paper' and 'recipe', which compare the paper's numbers with those of the program. Each row of
+ * their tables is an expression that is evaluated twice. */
+#include "explain/derivation.h"
 #include "language/quad.h"
+#include "train/falling.h"
+#include <stdlib.h>
+
+static const char weights[] = "(25; c7) leaves out the weights r^(-q i)";
+
+/* The state in which expressions are evaluated. */
+struct table {
+    struct answer *answer;
+    struct query query;
+    struct state state;
+    struct domq_train *train; /* that of the state */
+    struct problem *problem;  /* its kind is PROBLEM_NONE until an evaluation fails */
+};
+
+/* Begins a table about a copy of the state of the query or, if `is_default` is true, about the paper's own
+ * dominoes. Returns NULL if memory runs out. */
+static struct table *table_begin(const struct query *query, bool is_default, struct answer *a,
+                                 struct problem *problem)
+{
+    struct table *t = malloc(sizeof *t);
+    if (!t || !query_with(query, NULL, 0, &t->state, &t->query, problem)) {
+        if (!t)
+            problem_status(problem, query->scene, DOM_NO_MEMORY);
+        free(t);
+        return NULL;
+    }
+    if (is_default) {
+        state_init(&t->state);
+        t->state.scene.compute = query->scene->compute;
+    }
+    t->state.variables = (struct variables){.list = NULL}; /* a variable must not hide a command */
+    t->state.settings.style.angle = ANGLE_RAD;
+    t->answer = a;
+    t->train = &t->state.scene.train;
+    t->problem = problem;
+    return t;
+}
+
+/* Returns the value of an expression with one of the two formulas for the fuel, or NaN if it has none. */
+static domq_real value_at(struct table *t, enum dom_fuel fuel, const char *expression)
+{
+    domq_real value = DOMQ_NAN;
+    struct problem problem = {.kind = PROBLEM_NONE};
+    t->train->fuel = fuel;
+    if (t->problem->kind == PROBLEM_NONE && !expression_value(&t->query, expression, &value, &problem) &&
+        (problem.kind != PROBLEM_NO_ANSWER || dom_raised(t->query.scene->compute.interrupt)))
+        *t->problem = problem;
+    return value;
+}
+
+/* ---- paper ---- */
 
 const struct column paper_columns[] = {
     {"where", "", "the figure, the equation or the section of the paper", 13},
@@ -16,145 +68,95 @@ const struct column paper_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The data that all rows of the table share. `train` is the paper's train, with d = 7/48. */
-struct table {
-    struct answer *answer;
-    struct domq_train train;
-    struct any_compute compute;
-    enum dom_status status;
-};
-
-static const char weights[] = "(25; c7) leaves out the weights r^(-q i)";
-
-/* Writes a row, unless the computation of an earlier row has failed. */
 static void paper_row(struct table *t, const char *where, const char *what, domq_real s, domq_real paper,
                       domq_real exact, const char *why)
 {
     domq_real difference = paper / exact - 1;
     bool differs = quad(fabs)(difference) > (domq_real)1e-9;
-    if (t->status == DOM_OK && !answer_lost(t->answer))
+    if (t->problem->kind == PROBLEM_NONE && !answer_lost(t->answer))
         answer_row(t->answer,
-                   ROW(cell_word(where), cell_word(what), cell_real(t->train.q), cell_real(s),
+                   ROW(cell_word(where), cell_word(what), cell_real(t->train->q), cell_real(s),
                        cell_without_error(paper), cell_without_error(exact),
                        cell_without_error(differs ? difference : 0), cell_word(differs ? why : "")),
                    NULL);
 }
 
-/* Returns r_max at a separation with one of the two formulas for the fuel, and what limits r_max. */
-static struct domq_limit limit_at(struct table *t, domq_real s, enum dom_fuel fuel)
+/* Writes a row for an expression, with both formulas for the fuel. */
+static void fuels_row(struct table *t, const char *where, const char *what, domq_real s,
+                      const char *expression)
 {
-    struct domq_limit limit = {.r_max = DOMQ_NAN, .ends = DOM_END_NONE};
-    t->train.s = s;
-    t->train.fuel = fuel;
-    if (t->status == DOM_OK)
-        t->status = any_limit_rmax(&t->train, &t->compute, &limit);
-    return limit;
+    const domq_real paper = value_at(t, DOM_FUEL_PAPER, expression);
+    paper_row(t, where, what, s, paper, value_at(t, DOM_FUEL_EXACT, expression), weights);
+}
+
+/* Returns true if the reach limits this growth. */
+static bool is_reach(const struct table *t, domq_real r)
+{
+    return r * t->train->s >= 1 - (domq_real)1e-12;
 }
 
 /* Finds the smallest separation at which the growth is limited by the reach, r = 1/s. */
 static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
 {
+    const struct any_compute *compute = &t->state.scene.compute;
     domq_real low = (domq_real)3 / 10, high = (domq_real)9 / 10;
-    while (high - low > high * quad_larger(t->compute.tol, (domq_real)1e-9) && t->status == DOM_OK) {
-        domq_real middle = (low + high) / 2;
-        *(limit_at(t, middle, fuel).ends == DOM_END_REACH ? &high : &low) = middle;
+    enum dom_status status = DOM_OK;
+    t->train->fuel = fuel;
+    while (high - low > high * quad_larger(compute->tol, (domq_real)1e-9) && status == DOM_OK) {
+        struct domq_limit limit;
+        t->train->s = (low + high) / 2;
+        status = any_limit_rmax(t->train, compute, &limit);
+        *(status == DOM_OK && limit.ends == DOM_END_REACH ? &high : &low) = t->train->s;
     }
+    (void)query_status(&t->query, t->problem, status);
     return high;
 }
 
-/* Writes the rows for the paper's growth figure: points of the curve, the maximum, and the separation at
- * which the growth begins to fall as 1/s. */
-static void growth_rows(struct table *t)
+/* Writes the rows for one kind of domino: the paper's figures, its equations, and the quiz: how many dominoes
+ * are needed to topple the Domtoren, a tower of 112 m. */
+static void paper_rows(struct table *t)
 {
-    struct domq_best best[2] = {{.s = DOMQ_NAN}, {.s = DOMQ_NAN}};
+    const char *figure = "Fig. growth";
     for (int k = 1; k <= 9; k++) {
-        const domq_real s = (domq_real)k / 10;
-        const struct domq_limit paper = limit_at(t, s, DOM_FUEL_PAPER),
-                                exact = limit_at(t, s, DOM_FUEL_EXACT);
-        paper_row(t, "Fig. growth",
-                  paper.ends == DOM_END_REACH ? "largest growth: the reach 1/s" : "largest growth", s,
-                  paper.r_max, exact.r_max, weights);
+        const domq_real s = t->train->s = (domq_real)k / 10;
+        fuels_row(t, figure,
+                  is_reach(t, value_at(t, DOM_FUEL_PAPER, "rmax")) ? "largest growth: the reach 1/s"
+                                                                   : "largest growth",
+                  s, "rmax");
     }
-    for (int fuel = 0; fuel < 2 && t->status == DOM_OK; fuel++) {
-        t->train.fuel = fuel == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
-        t->status = any_limit_best(&t->train, &t->compute, &best[fuel]);
-    }
-    paper_row(t, "Fig. growth", "maximum of the curve: growth", DOMQ_NAN, best[0].r_max, best[1].r_max,
-              weights);
-    paper_row(t, "Fig. growth", "maximum of the curve: separation", DOMQ_NAN, best[0].s, best[1].s, weights);
-    const domq_real paper = crossing_find(t, DOM_FUEL_PAPER), exact = crossing_find(t, DOM_FUEL_EXACT);
-    paper_row(t, "Fig. growth", "start of the curve 1/s: separation", DOMQ_NAN, paper, exact, weights);
-}
-
-/* Writes rows for the paper's figure about two dominoes, in which the fuel plays no part. */
-static void pair_rows(struct table *t)
-{
-    for (int k = 2; k <= 9; k++) {
-        struct domq_limit pair = {.r_max = DOMQ_NAN};
-        t->train.s = (domq_real)k / 10;
-        if (t->status == DOM_OK)
-            t->status = any_limit_pair(&t->train, &t->compute, &pair);
-        paper_row(t, "Fig. marginal",
-                  pair.ends == DOM_END_REACH ? "two dominoes: the reach 1/s" : "two dominoes: largest growth",
-                  t->train.s, pair.r_max, pair.r_max, "");
-    }
-}
-
-/* Writes rows for the numbers that the paper prints about one train. */
-static void cycle_rows(struct table *t)
-{
-    struct domq_fuels fuels = {.exact = DOMQ_NAN};
-    struct domq_launch launch = {.J0 = DOMQ_NAN};
-    t->train.s = (domq_real)4 / 10;
-    t->train.r = (domq_real)3 / 2;
-    t->train.fuel = DOM_FUEL_EXACT;
-    if (t->status == DOM_OK)
-        t->status = any_fuel_find(&t->train, &t->compute, &fuels);
-    if (t->status == DOM_OK)
-        t->status = any_launch_find(&t->train, &t->compute, &launch);
-    paper_row(t, "(25; c7)", "the fuel P for r = 1.5", t->train.s, fuels.paper, fuels.exact, weights);
-    paper_row(t, "(50; d8)", "J(0) for r = 1.5, as printed", t->train.s,
-              1 + quad(pow)(t->train.r, -(t->train.q + 1)), launch.J0,
+    fuels_row(t, figure, "maximum of the curve: growth", DOMQ_NAN, "best.r_max");
+    fuels_row(t, figure, "maximum of the curve: separation", DOMQ_NAN, "best.s");
+    const domq_real crossing = crossing_find(t, DOM_FUEL_PAPER);
+    paper_row(t, figure, "start of the curve 1/s: separation", DOMQ_NAN, crossing,
+              crossing_find(t, DOM_FUEL_EXACT), weights);
+    t->train->s = (domq_real)4 / 10;
+    fuels_row(t, "(25; c7)", "the fuel P for r = 1.5", t->train->s, "fuel");
+    paper_row(t, "(50; d8)", "J(0) for r = 1.5, as printed", t->train->s,
+              value_at(t, DOM_FUEL_EXACT, "1 + r^-(q + 1)"), value_at(t, DOM_FUEL_EXACT, "launch.J0"),
               "the factor J(theta_c) was lost in print");
-}
-
-/* Writes rows for the quiz: how many dominoes are needed to topple the Domtoren, a tower of 112 m. */
-static void quiz_rows(struct table *t)
-{
-    const struct domq_scale scale = domq_scale_default();
-    struct domq_count count = {.dominoes = DOMQ_NAN};
-    struct domq_count most[2] = {{.dominoes = DOMQ_NAN}, {.dominoes = DOMQ_NAN}};
-    if (t->status == DOM_OK)
-        t->status = any_count_find(scale.h, 112, (domq_real)3 / 2, &t->compute, &count);
-    paper_row(t, "Introduction", "112 m tower: dominoes, r = 1.5", DOMQ_NAN, count.dominoes, count.dominoes,
-              "");
-    for (int fuel = 0; fuel < 2 && t->status == DOM_OK; fuel++) {
-        struct domq_best best;
-        t->train.fuel = fuel == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
-        t->status = any_limit_best(&t->train, &t->compute, &best);
-        if (t->status == DOM_OK)
-            t->status = any_count_find(scale.h, 112, best.r_max, &t->compute, &most[fuel]);
+    fuels_row(t, "Introduction", "112 m tower: dominoes, r = 1.5", DOMQ_NAN, "count(112 m)");
+    fuels_row(t, "Introduction", "112 m tower: dominoes, largest r", DOMQ_NAN, "count(112 m, best.r_max)");
+    for (int k = 2; k <= 9 && t->train->q == 3; k++) { /* for two dominoes the fuel plays no part */
+        const domq_real s = t->train->s = (domq_real)k / 10, pair = value_at(t, DOM_FUEL_EXACT, "pair");
+        paper_row(t, "Fig. marginal",
+                  is_reach(t, pair) ? "two dominoes: the reach 1/s" : "two dominoes: largest growth", s, pair,
+                  pair, "");
     }
-    paper_row(t, "Introduction", "112 m tower: dominoes, largest r", DOMQ_NAN, most[0].dominoes,
-              most[1].dominoes, weights);
 }
 
 bool run_paper(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct table t = {.answer = a, .train = domq_train_default(), .compute = query->scene->compute};
+    struct table *t = table_begin(query, true, a, problem);
     answer_announce(a, "difference", 1);
     if (answer_for_people(a))
         answer_leave_out(a, "why");
-    for (int q = 3; q <= 4; q++) {
-        t.train.q = q;
-        growth_rows(&t);
-        cycle_rows(&t);
-        quiz_rows(&t);
-        if (q == 3)
-            pair_rows(&t);
+    for (int q = 3; t && q <= 4; q++) {
+        t->train->q = q;
+        paper_rows(t);
     }
-    if (t.status != DOM_OK)
-        return problem_status(problem, query->scene, t.status);
+    free(t);
+    if (problem->kind != PROBLEM_NONE)
+        return false;
     answer_say(a,
                "The numbers differ because the paper's closed form of the fuel leaves out the weights of the "
                "dominoes (25; c7), and because (50; d8) lost a factor in print.");
@@ -166,4 +168,125 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
     answer_detail(a, "All numbers are for the paper's dominoes, d = 7/48, without effects. 'recipe' compares "
                      "the paper's method with this program for the dominoes of the session.");
     return true;
+}
+
+/* ---- recipe ---- */
+
+const struct column recipe_columns[] = {
+    {"step", "", "the step of the recipe, from 1 to 5", 4},
+    {"quantity", "", "what the step finds", 31},
+    {"paper", "",
+     "the number from the paper's recipe, which raises theta and r in steps and uses the closed form of the "
+     "fuel; the recipe does not say how to choose s, so step 5 uses the program's search",
+     0},
+    {"program", "", "the number from this program", 0},
+    {"why", "", "why the two numbers differ, or where the program works differently", 40},
+    {NULL, NULL, NULL, 0},
+};
+
+/* The tolerance of the recipe, which determines the steps in which theta and r are raised, and the largest
+ * relative difference between two values that count as equal. */
+#define RECIPE_TOL  ((domq_real)1e-6)
+#define RECIPE_SAME ((domq_real)1e-4)
+
+/* The train arrives at theta_m with tau^2 omega^2 = (K - B) / J(theta_m). */
+static const char omega_m[] = "tau^2 omega(theta_m)^2 (21; c3)";
+
+/* Steps 2 to 5. */
+static const struct {
+    int step;
+    const char *quantity, *program;
+    const char *paper; /* the expression for the paper's number if it is another one; otherwise NULL */
+    const char *why;   /* why the numbers differ, if they do; may be NULL */
+} recipe[] = {
+    {2, "J(0) (20; c2)", "launch.J0", NULL, NULL},
+    {2, "J(0) as printed in (50; d8)", "launch.J0", "1 + r^-(q + 1)",
+     "the printed relation lacks its last factor, J(theta_c)"},
+    {2, "P (25; c7)", "fuel", NULL, weights},
+    {2, "tau^2 omega(0)^2 (24; c6)", "launch.omega0sq", NULL, "this number is proportional to the fuel"},
+    {3, "theta_m (19; c1)", "barrier.theta_m", NULL, NULL},
+    {3, "H(theta_m) - H(0) (26; c8)", "barrier.barrier", NULL,
+     "the paper takes the first maximum of H, and the program the largest one"},
+    {3, omega_m, "barrier.margin", NULL,
+     "the two numbers differ because the fuels differ; a number below 0 means that the train stops"},
+    {4, "r_max at this s", "rmax", NULL, weights},
+    {5, "s at which r_max is largest", "best.s", NULL, weights},
+    {5, "the largest growth", "best.r_max", NULL, NULL},
+};
+
+static void recipe_row(struct answer *a, int step, const char *quantity, domq_real paper, domq_real program,
+                       const char *why)
+{
+    answer_row(a,
+               ROW(cell_count(step), cell_word(quantity), cell_without_error(paper),
+                   cell_without_error(program), cell_word(why ? why : "")),
+               NULL);
+    if (why)
+        answer_detail(a, "      %s.", why);
+}
+
+/* Returns the number of a step in the recipe by the paper or by the program. Only the program can find J. */
+static domq_real recipe_value(struct table *t, size_t k, bool is_paper, const struct any_compute *ours,
+                              const struct any_compute *theirs)
+{
+    const enum dom_fuel fuel = is_paper ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+    struct any_compute *compute = &t->state.scene.compute;
+    struct domq_energy at = {.J = 1};
+    *compute = is_paper && recipe[k].step != 5 ? *theirs : *ours;
+    domq_real value = value_at(t, fuel, is_paper && recipe[k].paper ? recipe[k].paper : recipe[k].program);
+    if (recipe[k].quantity == omega_m) {
+        const domq_real tilt = value_at(t, fuel, "barrier.theta_m");
+        if (isnan(tilt) || any_energy_find(t->train, ours, tilt, &at) != DOM_OK)
+            return DOMQ_NAN;
+    }
+    return value / at.J;
+}
+
+static void recipe_rows(struct table *t)
+{
+    const struct any_compute ours = t->state.scene.compute;
+    struct any_compute steps = ours;
+    steps.method = DOM_METHOD_PAPER;
+    steps.precision = IN_DOUBLE;
+    steps.tol = RECIPE_TOL;
+    for (size_t k = 0; k < sizeof recipe / sizeof *recipe; k++) {
+        const domq_real paper = recipe_value(t, k, true, &ours, &steps),
+                        program = recipe_value(t, k, false, &ours, &steps);
+        const bool differs = quad(fabs)(paper - program) > RECIPE_SAME * quad(fabs)(program);
+        if (t->problem->kind == PROBLEM_NONE)
+            recipe_row(t->answer, recipe[k].step, recipe[k].quantity, paper, program,
+                       differs ? recipe[k].why : NULL);
+    }
+}
+
+bool run_recipe(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct domq_train *train = &query->scene->train;
+    const struct domq_effect *effect = domq_first_effect(train);
+    struct domq_angles angles;
+    if (effect)
+        return problem_no_answer(problem, "the paper's recipe does not include %s; first enter 'set %s off'",
+                                 effect->name, effect->name);
+    if (train->r == 1)
+        return problem_no_answer(problem,
+                                 "the recipe needs r > 1: for equal dominoes, its energy sums do not "
+                                 "converge; first enter a larger r, for example 'set r 1.5'");
+    if (!query_status(query, problem, any_angles_find(train, &query->scene->compute, &angles)))
+        return false;
+    struct table *t = table_begin(query, false, a, problem);
+    if (!t)
+        return false;
+    answer_say(a, "The recipe of the paper (section 'A general domino train') at s = %.6g, r = %.6g:",
+               (double)train->s, (double)train->r);
+    if (answer_for_people(a))
+        answer_leave_out(a, "why");
+    recipe_row(a, 1, angles.detaches ? "theta_f (42; A18)" : "theta_inf (40; A16)", angles.theta_f,
+               angles.theta_f,
+               angles.detaches
+                   ? "the paper ends the chain where x_i exceeds x_f. This never happens, because theta_f is "
+                     "the largest tilt. The program ends the chain where the leader reaches theta_leave"
+                   : NULL);
+    recipe_rows(t);
+    free(t);
+    return problem->kind == PROBLEM_NONE;
 }
