@@ -11,22 +11,6 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-/* Runs one row with random errors. */
-static bool row_answer(const struct scene *scene, const struct domq_row *row,
-                       const struct any_compute *compute, enum dom_status *status)
-{
-    struct dom_placement placement = {.seed = 1, .rows = 1};
-    struct dom_study study;
-    struct double_row made;
-    if (!scene_errors(scene, placement.error))
-        return false;
-    *status = double_row_make(row, compute, &made)
-                  ? dom_placement_study(&made.row, &made.compute, &placement, &study, NULL)
-                  : DOM_NO_MEMORY;
-    free(made.domino);
-    return true;
-}
-
 /* Adds the share of the rows that fall to a row of 'count H fewest'. */
 static void fewest_share(const struct query *query, struct answer *a, void *context)
 {
@@ -43,9 +27,5 @@ static void fewest_share(const struct query *query, struct answer *a, void *cont
 static const struct feature_extension extensions[] = {{.command = "fewest", .add = fewest_share},
                                                       {.command = NULL}};
 
-const struct feature chance_feature = {.name = "chance",
-                                       .groups = groups,
-                                       .extension = extensions,
-                                       .parameter = error_parameter,
-                                       .check = errors_check,
-                                       .row_answer = row_answer};
+const struct feature chance_feature = {
+    .name = "chance", .groups = groups, .extension = extensions, .parameter = error_parameter};

@@ -204,11 +204,6 @@ static enum dom_status run_once(const struct domq_row *row, const struct any_com
     return status;
 }
 
-static enum dom_status row_rough(const struct domq_row *row, const struct any_compute *compute)
-{
-    return run_once(row, compute, &engine_coarsest, NULL, NULL);
-}
-
 struct watch {
     struct unit unit;
     double zero;             /* the reading of the engine's clock in s when the visitor's clock reads 0 */
@@ -329,4 +324,4 @@ static bool row_make(const struct scene *scene, size_t count, struct scene_engin
 }
 
 const struct engine_driver chipmunk_driver = {
-    .version = engine_version, .make = row_make, .rough = row_rough, .watch = row_watch};
+    .version = engine_version, .make = row_make, .watch = row_watch};

@@ -264,17 +264,5 @@ const struct command cost_commands[] = {
      .rows = true,
      .brief = "",
      ANSWER(cost)},
-    {.name = "costs",
-     .typed.phrase = "cost effects",
-     .summary = "how much time each effect takes",
-     .help = "For each effect, measures how long it takes to compute an answer for this scene without the "
-             "effect and with it. If the effect needs other effects, they are on in both cases. An effect "
-             "that is off is timed with its usual value.",
-     .see = "effects",
-     .sweep.refusal =
-         "it measures computing time, and points computed at the same time would slow each other down",
-     .rows = true,
-     .brief = "effect times",
-     ANSWER(costs)},
     {.name = NULL},
 };

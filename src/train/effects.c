@@ -3,177 +3,9 @@
 #include "interpreter/feature.h"
 #include "language/text.h"
 #include "train/falling.h"
-#include "train/seconds.h"
 #include "train/train.h"
 #include "train/walk.h"
 #include <stdlib.h>
-
-/* ---- effects ---- */
-
-static bool has_errors(const struct scene *scene)
-{
-    bool any = false;
-    for (int k = 0; k < EFFECT_COUNT; k++)
-        any = any || (effect_is_random(k) && scene->effect[k].on);
-    return any;
-}
-
-static void errors_off(struct scene *scene)
-{
-    for (int k = 0; k < EFFECT_COUNT; k++)
-        scene->effect[k].on = scene->effect[k].on && !effect_is_random(k);
-}
-
-/* Computes the main answer of a scene: whether the train, or the whole row, falls. */
-static enum dom_status scene_answer(const struct scene *scene, const struct scene_row *row,
-                                    struct dom_work *work)
-{
-    struct domq_floor floor;
-    struct domq_barrier barrier;
-    struct domq_verdict verdict;
-    struct any_compute compute = scene->compute;
-    compute.work = work;
-    if (scene->effect[DOM_EFFECT_row].on && row->row.engine)
-        return row_engine->rough(&row->row, &compute); /* a single run, with coarse steps */
-    if (scene->effect[DOM_EFFECT_row].on) {
-        enum dom_status status;
-        const struct feature *f;
-        for (int i = 0; (f = feature_at(i)) != NULL; i++)
-            if (f->row_answer && f->row_answer(scene, &row->row, &compute, &status))
-                return status;
-        return any_row_run(&row->row, &compute, false, NULL, NULL, &verdict);
-    }
-    enum dom_status status = any_barrier_find(&scene->train, &compute, &barrier);
-    if (status == DOM_OK && scene->effect[DOM_EFFECT_floor].on)
-        status = any_cycle_floor(&scene->train, &compute, &floor);
-    return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
-}
-
-/* Adds to *work the work of computing the main answer without random errors. If `random` is true and the
- * scene has a row, also adds the work of running one row with random errors. If the rigid-body engine runs
- * the row, adds nothing. Sets *dominoes to the number of dominoes in the row. */
-static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
-                       size_t *dominoes)
-{
-    struct scene_row row = {.domino = NULL};
-    struct scene core = *query->scene;
-    errors_off(&core);
-    const struct feature *f;
-    const bool has_row = query->scene->effect[DOM_EFFECT_row].on;
-    random = random && has_row;
-    for (int i = 0; random && (f = feature_at(i)) != NULL; i++)
-        if (f->check && !f->check(query->scene, problem))
-            return false;
-    if (has_row && !scene_row_make(query->scene, &row, problem))
-        return false;
-    enum dom_status status = row.row.engine ? DOM_OK : scene_answer(&core, &row, work);
-    if (status == DOM_OK && random && !row.row.engine)
-        status = scene_answer(query->scene, &row, work);
-    *dominoes = row.row.count;
-    free(row.domino);
-    return row_status(query, problem, status);
-}
-
-struct priced {
-    const struct scene *scene;
-    struct scene_row row;
-};
-
-static bool priced_answer(void *context)
-{
-    struct priced *p = context;
-    return scene_answer(p->scene, &p->row, NULL) == DOM_OK;
-}
-
-/* Returns how many seconds one answer of a scene takes, or NaN if the scene has no answer. */
-static double scene_price(const struct scene *scene)
-{
-    struct problem ignored = {.kind = PROBLEM_NONE};
-    struct priced priced = {.scene = scene, .row = {.domino = NULL}};
-    if (scene->effect[DOM_EFFECT_row].on && !scene_row_make(scene, &priced.row, &ignored))
-        return (double)NAN;
-    double seconds = seconds_of(priced_answer, &priced);
-    free(priced.row.domino);
-    return seconds;
-}
-
-/* Returns how many seconds an answer takes with the effect on or, if `on` is false, with the effect off.
- * Returns NaN if there is no answer. If the effect needs other effects, they are on in both cases, so that
- * the two times can be compared. */
-static double price_with(const struct query *query, int effect, bool on)
-{
-    struct scene scene = *query->scene; /* this copy shares the row of the original */
-    /* A random row may stop early. Its time would then say little about the effect. */
-    errors_off(&scene);
-    /* The effect 'floor' is not computed for random rows, and the rigid-body engine refuses it. */
-    if (effect == DOM_EFFECT_placement || effect >= DOM_EFFECT_COUNT)
-        effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
-    for (int k = 0; k < EFFECT_COUNT; k++) {
-        const struct domq_effect *e = effect_at(k);
-        if (!e)
-            continue;
-        bool wanted = k == effect ? on
-                                  : (effect_at(effect)->needs >> k & 1) != 0 ||
-                                        (k == DOM_EFFECT_row && effect == DOM_EFFECT_placement);
-        /* If `effect` is off, the effects that need it are off, too. */
-        bool without = !on && (k == effect || (e->needs >> effect & 1) != 0);
-        if (without || (wanted && !scene.effect[k].on))
-            effect_put(&scene, k, without ? EFFECT_OFF : e->argument[0].usual, NULL);
-    }
-    return scene_price(&scene);
-}
-
-/* ---- cost effects ---- */
-
-const struct column costs_columns[] = {
-    {"effect", "", "name of the effect", 9},
-    {"state", "", "off, or the values of the effect", 12},
-    {"method", "", "the quickest method that includes the effect: balance, motion or engine", 8},
-    {"without", "us", "time to compute an answer with the effect off", 9},
-    {"with", "us", "time to compute an answer with the effect on", 9},
-    {"times", "", "the time with the effect divided by the time without it", 8},
-    {"entered", "", "how many times the effect's code runs while an answer is computed", 8},
-    {NULL, NULL, NULL, 0},
-};
-
-static const char *method_of(int effect)
-{
-    bool loses = effect_at(effect)->dissipates;
-    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
-        loses = loses || ((effect_at(effect)->needs >> k & 1) != 0 && effect_at(k)->dissipates);
-    return effect >= DOM_EFFECT_COUNT ? "engine" : loses ? "motion" : "balance";
-}
-
-bool run_costs(const struct query *query, struct answer *a, struct problem *problem)
-{
-    struct dom_work work = {0};
-    size_t dominoes;
-    if (!scene_work(query, problem, has_errors(query->scene), &work, &dominoes))
-        return false;
-    answer_columns(a, costs_columns);
-    for (int k = 0; k < EFFECT_ENGINE_END; k++)
-        column_fit(&a->copy[1], effect_setting(query->scene, k));
-    for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
-        if (!effect_exists(k))
-            continue;
-        double without = price_with(query, k, false), with = price_with(query, k, true);
-        if (dom_raised(query->scene->compute.interrupt))
-            return query_status(query, problem, DOM_INTERRUPTED);
-        answer_cells(a, cell_word(effect_at(k)->name), cell_word(effect_setting(query->scene, k)),
-                     cell_word(method_of(k)), cell_brief(1e6 * without), cell_brief(1e6 * with),
-                     cell_brief(with / without),
-                     cell_count((domq_real)(scene_has_engine(query->scene) ? query->scene->effect[k].on
-                                            : k < DOM_EFFECT_COUNT         ? work.entered[k]
-                                                                           : 0)));
-    }
-    answer_detail(a,
-                  "Each time is for one answer: %s. The time of 'placement' is for one random row, which may "
-                  "stop early; errors of other kinds take as long. The times of 'feet' and 'bounce' are for "
-                  "one run of the rigid-body engine; an answer needs two or more runs.",
-                  query->scene->effect[DOM_EFFECT_row].on ? "whether the whole row falls"
-                                                          : "whether the train goes on ('barrier')");
-    return true;
-}
 
 /* ---- scene ---- */
 
@@ -248,11 +80,40 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
                  n, "always");
     part_row(a, "time", "integral of 1/omega, by double-exponential quadrature", 0, "for times only");
     const bool has_placement = scene->effect[DOM_EFFECT_placement].on;
-    if (is_row && has_errors(scene))
+    bool has_errors = false;
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        has_errors = has_errors || (effect_is_random(k) && scene->effect[k].on);
+    if (is_row && has_errors)
         part_row(a, has_placement ? "placement" : "errors", domq_effect(DOM_EFFECT_placement)->plan, 0,
                  has_placement ? "placement is on" : "errors are on");
     if (scene->effect[DOM_EFFECT_floor].on)
         part_row(a, "floor", domq_effect(DOM_EFFECT_floor)->plan, 0, "floor is on");
+}
+
+/* Adds to *work the work of finding out whether the train, or the whole row, falls. If the rigid-body engine
+ * runs the row, adds nothing. Sets *dominoes to the number of dominoes in the row. */
+static bool scene_work(const struct query *query, struct problem *problem, struct dom_work *work,
+                       size_t *dominoes)
+{
+    const struct scene *scene = query->scene;
+    struct any_compute compute = scene->compute;
+    struct scene_row row;
+    struct domq_verdict verdict;
+    struct domq_barrier barrier;
+    enum dom_status status = DOM_OK;
+    compute.work = work;
+    if (!scene->effect[DOM_EFFECT_row].on) {
+        status = any_barrier_find(&scene->train, &compute, &barrier);
+        return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ||
+               row_status(query, problem, status);
+    }
+    if (!scene_row_make(scene, &row, problem))
+        return false;
+    *dominoes = row.row.count;
+    if (!row.row.engine)
+        status = any_row_run(&row.row, &compute, false, NULL, NULL, &verdict);
+    free(row.domino);
+    return row_status(query, problem, status);
 }
 
 /* Writes the parts of the computation into `parts`. Adds a sentence to the details of `a`. */
@@ -260,11 +121,11 @@ static bool scene_write(const struct query *query, struct answer *parts, struct 
                         struct problem *problem)
 {
     struct dom_work work = {0};
-    size_t count;
+    size_t count = 0;
     const struct domq_train *t = &query->scene->train;
     bool is_row = query->scene->effect[DOM_EFFECT_row].on, is_engine = scene_has_engine(query->scene);
     char on[256] = "";
-    if (!scene_work(query, problem, false, &work, &count))
+    if (!scene_work(query, problem, &work, &count))
         return false;
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (query->scene->effect[k].on && k != DOM_EFFECT_row)
@@ -289,6 +150,14 @@ static bool run_scene(const struct query *query, struct answer *a, struct proble
 }
 
 /* ---- effects ---- */
+
+static const char *method_of(int effect)
+{
+    bool loses = effect_at(effect)->dissipates;
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        loses = loses || ((effect_at(effect)->needs >> k & 1) != 0 && effect_at(k)->dissipates);
+    return effect >= DOM_EFFECT_COUNT ? "engine" : loses ? "motion" : "balance";
+}
 
 static const struct column effects_columns[] = {
     {"effect", "", "name of the effect", 9},
@@ -332,8 +201,7 @@ const struct command effect_commands[] = {
      .help = "Effects decide which of three methods finds the motion, from the quickest to the slowest: the "
              "energy balance; the equation of motion, if there is friction; or a rigid-body engine, for "
              "feet that slip and dominoes that bounce, which runs rows only. An effect that is off costs no "
-             "computing time. 'details' shows the parts of the computation, and the sources. 'cost effects' "
-             "measures how much time each effect takes.",
+             "computing time. 'details' shows the parts of the computation, and the sources.",
      .example = "set friction 0.2; effects; set friction off",
      .see = "effects cost",
      .rows = true,

@@ -124,7 +124,6 @@ effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 de
     wrong 'effect row 4; effect error_floor 0.1' 'feet'
     wrong 'effect row 4; effect error_push 0.1' 'push'
     wrong 'effect edges 0.01; effect row 4; effect error_lean 0.1 deg; placement 5' 'cannot be combined with rounded edges'
-    wrong 'effect edges 0.01; effect row 4; effect error_lean 0.1 deg; cost effects' 'cannot be combined with rounded edges'
     wrong 'effect row 4; effect feet 0.4; effect error_lean 0.1 deg; placement 5' \
         "this row because feet is on; first enter 'set error_lean off'"
     wrong 'effect row 4; effect error_mass 0.1 foo' 'LIMITS is normal or uniform'

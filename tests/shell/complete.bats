@@ -16,7 +16,7 @@ load common
 # bats test_tags=rows,chance,pictures,sweeps,explain,fit,engine
 @test "complete: commands, parameters, topics, words, names of expressions, files" {
     # 'step back', 'step to' and 'step where' and other phrases stand for commands that completion does not offer.
-    all=$(json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|costs|effect' | paste -sd ' ' -)
+    all=$(json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|effect' | paste -sd ' ' -)
     parameters=$(json show | values name | paste -sd ' ' -)
     effects=$(completed 'effect ')
     landmarks=$(csv landmarks | sed '1d; s/,.*//' | paste -sd ' ' -)
@@ -100,7 +100,7 @@ plot co|cost
 plot fit fr|friction
 plot co r|rmax
 plot cost rmax |width height font family title xlabel ylabel xrange yrange xscale yscale legend
-cost |effects fuel launch barrier duration rmax pair
+cost |fuel launch barrier duration rmax pair
 plot cost |width height font family title xlabel ylabel xrange yrange xscale yscale legend fuel launch barrier duration rmax pair
 set precision |float double quad
 set s |(nothing)

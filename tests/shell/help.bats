@@ -187,7 +187,7 @@ END
     run -0 "$DOMINO" -e help
     [ "${#lines[@]}" -le 24 ] && [ "$(wc -L <<<"$output")" -le 80 ]
     "$DOMINO" -e help | sed -nE '/^cycles/,$s/^([a-z]+ |  )//p' | tr -s ' ' '\n' | grep . | sort -u >names
-    json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|costs|effect' | sort -u >all
+    json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|effect' | sort -u >all
     same_file all names
     while read -r name; do "$DOMINO" -e 'help all' | grep -qE "^  $name( |$)"; done <names
     while IFS='|' read -r group names; do

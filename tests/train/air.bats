@@ -57,8 +57,6 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > 0 && a < b) }'; }
     "$DOMINO" -e "$airy; effects" | grep -q '^air  *1.2 kg/m^3'
     same 'the method' 'motion motion' "$(json "$airy; effects" | jq -r 'select(.effect == "air" or .effect == "drag").method' | paste -sd ' ')"
     [[ $("$DOMINO" -e "$airy; scene") == *'air is on'* ]]
-    same 'its own code' 'air drag' "$(json "$airy; set drag 2; cost effects" | jq -r 'select(.entered > 0).effect' | paste -sd ' ')"
-    same 'in a row' 'air row' "$(json "$airy; set row 4; cost effects" | jq -r 'select(.entered > 0).effect' | paste -sd ' ')"
 }
 
 @test "air: rows, and giants that feel it" {

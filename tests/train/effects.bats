@@ -6,29 +6,8 @@
 
 load ../shell/common
 
-# bats test_tags=rows,chance,engine
-@test "effects are off by default, and then none of their code runs; each effect runs only its own code" {
-    run -0 json 'cost effects'
-    same states off "$(values state <<<"$output" | sort -u)"
-    same entered 0 "$(values entered <<<"$output" | sort -u)"
-    while IFS='|' read -r commands names; do
-        same "$commands" "$names" "$(json "$commands; cost effects" | jq -r 'select(.entered > 0).effect' | paste -sd ' ' -)"
-    done <<'END'
-effect friction 0.2|friction
-effect slope 1 deg|slope
-effect walls 1 mm|walls
-effect floor 0.2|floor
-effect row 4|row
-effect row 4; effect push 5|row push
-effect row 4; effect placement 1 mm|row placement
-effect row 4; effect friction 0.1; effect floor 1|friction row floor
-effect row 4; effect slope 1 deg|slope row
-effect row 4; effect walls 1 mm|walls row
-effect edges 0.01|edges
-effect row 4; effect edges 0.5 mm|edges row
-effect row 4; effect feet 0.5|row feet
-effect row 4; effect push 5; effect bounce 0.2|row push bounce
-END
+@test "effects are off by default" {
+    same states off "$(json effects | values state | sort -u)"
 }
 
 # bats test_tags=rows,chance
@@ -302,15 +281,7 @@ END
 }
 
 # bats test_tags=rows,chance,engine
-@test "effects: columns are aligned, however long the settings are" {
-    count=$("$DOMINO" -e 'set output csv; effects' | sed 1d | wc -l)
-    for scene in 'effect row 5' 'effect row 5; effect placement 5 mm 0.012345; effect floor 0.123456789'; do
-        # Headers of numeric columns are right-aligned, like the numbers.
-        "$DOMINO" -e "$scene; cost effects > /dev/null; details" | sed '/^Each time is/,$d' | awk -v count="$count" '
-            NR == 1 { for (i = 4; i <= NF; i++) end[i] = index($0 " ", " " $i " ") + length($i) }
-            NR > 2 { for (i in end) if (substr($0, end[i], 1) == " " || substr($0 " ", end[i] + 1, 1) != " ") { print; bad = 1 } rows++ }
-            END { exit bad || rows != count }'
-    done
+@test "effects: its list, its details, and the method of the scene" {
     # 'effects' lists all of them, and each random error that is on; its details have sources, and the parts of 'scene'.
     run -0 "$DOMINO" -e 'effect row 3; effect error_mass 1 %; effects'
     [ "${#lines[@]}" -le 24 ]

@@ -2,6 +2,8 @@
 /* Trains with friction between dominoes, and the friction that the floor needs. */
 #include "support.h"
 #include <float.h>
+#include <stddef.h>
+#include <string.h>
 
 static struct setup friction_train(double s, double r, double mu)
 {
@@ -117,6 +119,27 @@ TEST(no_friction_is_never_entered)
         answers_of(&train, 0.09, true, after);
         for (int effect = 0; effect < DOM_EFFECT_COUNT; effect++)
             assert_int_equal(work.entered[effect] > 0, effect == DOM_EFFECT_friction);
+    }
+}
+
+TEST(each_effect_runs_only_its_own_code)
+{
+#define VALUE(effect, member, status) {DOM_EFFECT_##effect, offsetof(struct domq_train, member)},
+    static const struct {
+        enum dom_effect_name name;
+        size_t member;
+    } effects[] = {DOM_DYNAMICS(VALUE)};
+#undef VALUE
+    for (size_t k = 0; k < sizeof effects / sizeof *effects; k++) {
+        struct domq_train train = domq_train_default();
+        struct any_compute compute = any_compute_default();
+        struct dom_work work = {0};
+        struct domq_barrier barrier;
+        memcpy((char *)&train + effects[k].member, &(domq_real){0.01}, sizeof(domq_real));
+        compute.work = &work;
+        assert_int_equal(any_barrier_find(&train, &compute, &barrier), DOM_OK);
+        for (int other = 0; other < DOM_EFFECT_COUNT; other++)
+            assert_int_equal(work.entered[other] > 0, other == (int)effects[k].name);
     }
 }
 

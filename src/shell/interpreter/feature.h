@@ -25,11 +25,6 @@ struct feature {
     const struct feature_extension *extension;   /* the last command is NULL */
     const struct engine_driver *engine;          /* a rigid-body engine */
     const struct parameter *(*parameter)(int k); /* its effects, from k = 0; NULL after the last one */
-    /* Returns true if the effects of this feature can be combined with the others. */
-    bool (*check)(const struct scene *scene, struct problem *problem);
-    /* Computes the main answer of a row that has an effect of this feature. Returns false if it has none. */
-    bool (*row_answer)(const struct scene *scene, const struct domq_row *row,
-                       const struct any_compute *compute, enum dom_status *status);
 };
 
 /* The features of this build, each after those that it needs. The last one is NULL (features.c). */

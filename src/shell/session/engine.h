@@ -43,8 +43,6 @@ struct engine_driver {
      */
     bool (*make)(const struct scene *scene, size_t count, struct scene_engine *engine,
                  struct problem *problem);
-    /* Runs a row once with coarse steps. The caller measures how long this takes. */
-    enum dom_status (*rough)(const struct domq_row *row, const struct any_compute *compute);
     /* Does the same as any_row_watch, but in the engine. The step size comes from the report of an earlier
      * run. Before each call of `visit`, stores in feet[k] how far the foot of domino k has slid, in m. k is
      * counted from 0. */
