@@ -8,7 +8,6 @@
 #include "planning/model/planner.h"
 #include "planning/model/shape.h"
 #include <stdlib.h>
-#include <string.h>
 
 /* In the first search, k is a multiple of COARSE. A search for a separation takes steps of STEP, or of
  * STEP_OF_ENGINE with an engine, which is about a thousand times slower than the model. */
@@ -21,80 +20,38 @@ enum { COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
-/* Computes the chosen row with the requested tolerance and writes the result to *design. */
-static void design_fill(struct planner *p, struct choice c, const struct dom_compute *compute,
-                        struct dom_design *design)
+/* ---- Tests of a candidate ---- */
+
+/* Returns the length of a candidate row after its last domino has fallen forwards. */
+static double length_of(struct planner *p, struct choice c)
 {
-    p->compute = *compute;
-    double train = planner_train_ratio(p, choice_separation(c.k), planner_growth(p, c.steps));
-    double row = planner_row_ratio(p, c, p->wish->push, true);
-    design->s = choice_separation(c.k);
-    design->r = planner_growth(p, c.steps);
-    design->steps = c.steps;
-    design->feet = planner_feet(p, c);
-    design->length = design->feet + p->wish->height;
-    design->train = train > 0 ? train : DOM_NAN;
-    design->row = row > 0 ? row : DOM_NAN;
-    design->weakest = p->weakest;
-    design->seconds = p->wish->engine ? p->engine_seconds : p->seconds;
+    return planner_feet(p, c) + p->wish->height;
 }
 
-/* The result of a search that found no row. */
-static const struct dom_design no_design = {.s = DOM_NAN,
-                                            .r = DOM_NAN,
-                                            .feet = DOM_NAN,
-                                            .length = DOM_NAN,
-                                            .seconds = DOM_NAN,
-                                            .train = DOM_NAN,
-                                            .row = DOM_NAN,
-                                            .needs = DOM_NAN};
+typedef bool choice_test(struct planner *p, struct choice c);
 
-/* Prepares a search. If an argument is outside its range, the member `status` of the result tells which. The
- * caller must free the member `domino` of the result. */
-static struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
-                                   const struct dom_limits *limits, const struct dom_compute *compute)
+/* Returns true if the row is safe enough and fits into the hall. */
+static bool row_enough(struct planner *p, struct choice c)
 {
-    struct planner p = {.train = *train, .compute = *compute, .wish = wish, .limits = limits};
-    p.compute.method = DOM_METHOD_OURS;
-    p.status = !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
-                   ? DOM_BAD_HEIGHT
-               : !(wish->safety > 1 && isfinite(wish->safety)) ? DOM_BAD_SAFETY
-               : !(wish->hall > wish->height)                  ? DOM_BAD_HALL
-               : !(wish->g > 0 && isfinite(wish->g))           ? DOM_BAD_G
-               : wish->push < 0 || isinf(wish->push)           ? DOM_BAD_PUSH
-               : !(wish->release >= 0)                         ? DOM_BAD_RELEASE
-               : limits                                        ? limits_check(limits)
-                                                               : DOM_OK;
-    if (p.status != DOM_OK)
-        return p;
-    p.train.s = choice_separation(GRID / 2);
-    p.train.r = 1;
-    if (wish->boxes_above > 0)
-        p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
-    p.status = dom_train_check(&p.train, &p.compute);
-    p.compute.tol = dom_arithmetic()->tol_default;
-    return p;
+    return planner_row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
+           (!p->limits || length_of(p, c) <= p->hall);
 }
 
-static bool train_enough(struct planner *p, struct choice c)
-{
-    return planner_train_ratio(p, choice_separation(c.k), planner_growth(p, c.steps)) >= p->wish->safety;
-}
-
+/* Returns true if this also holds for an endless train. */
 static bool enough(struct planner *p, struct choice c)
 {
-    return train_enough(p, c) && planner_row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
-           (!p->limits || planner_feet(p, c) + p->wish->height <= p->wish->hall);
+    return planner_train_ratio(p, separation(c.k), planner_growth(p, c.steps)) >= p->wish->safety &&
+           row_enough(p, c);
 }
 
-/* Returns true if the row is safe enough in the model and also falls in the engine. If the engine cannot
- * decide whether the row falls, returns false. */
+/* Returns true if the row also falls in the engine. If the engine cannot decide whether it falls, returns
+ * false. */
 static bool enough_in_engine(struct planner *p, struct choice c)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
     if (!enough(p, c))
         return false;
-    const struct dom_row row = planner_row(p, c, p->wish->push, p->wish->engine);
+    const struct dom_row row = planner_row(p, c.steps + 1, p->wish->push, p->wish->engine);
     enum dom_status status = dom_row_run(&row, &p->compute, true, NULL, NULL, &verdict);
     bool falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
     p->engine_seconds = verdict.seconds;
@@ -122,31 +79,24 @@ static double safe_growth(struct planner *p, double s)
 }
 
 /* Finds the separation whose train is safe at the largest growth. Sets *best to this separation and returns
- * the growth. If no train is safe, returns 0. The search first takes coarse steps and then halves the step
- * repeatedly. */
+ * the growth. If no train is safe, returns 0. The search first takes coarse steps over all separations, and
+ * then, from the best one, ever smaller steps to both sides. */
 static double separation_find(struct planner *p, int *best)
 {
     double most = 0;
     *best = 0;
-    for (int k = COARSE; k <= GRID; k += COARSE) {
-        double r = safe_growth(p, choice_separation(k));
-        if (r > most) {
-            most = r;
-            *best = k;
-        }
-    }
-    for (int step = COARSE / 2, from = *best; step > 0 && most > 0; step = step / 2, from = *best)
-        for (int k = from - step; k <= from + step; k += 2 * step) {
-            double r = k > 0 && k <= GRID ? safe_growth(p, choice_separation(k)) : 0;
+    for (int step = COARSE, from = 0; step > 0; step /= 2, from = *best) {
+        const bool all = step == COARSE;
+        for (int k = all ? step : from - step; k <= (all ? GRID : from + step); k += all ? step : 2 * step) {
+            double r = k > 0 && k <= GRID ? safe_growth(p, separation(k)) : 0;
             if (r > most) {
                 most = r;
                 *best = k;
             }
         }
+    }
     return most;
 }
-
-typedef bool choice_test(struct planner *p, struct choice c);
 
 /* Searches for a separation at which the row passes the test. Starts at k, or at `most` if k is larger. Moves
  * away from there in both directions, in steps of `step`, but not beyond `most`. Returns the first separation
@@ -168,41 +118,31 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
  * of 1/GRID. */
 static int closest(struct planner *p, size_t steps, int good)
 {
-    int bad = good;
-    while (bad > 0 && enough(p, (struct choice){bad, steps})) {
-        good = bad;
-        bad -= COARSE / 2;
-    }
-    bad = bad > 0 ? bad : 0;
-    while (good - bad > 1) {
-        int middle = (good + bad) / 2;
-        *(enough(p, (struct choice){middle, steps}) ? &good : &bad) = middle;
+    for (int step = COARSE / 2; step > 0;) {
+        const struct choice closer = {good - step, steps};
+        if (closer.k > 0 && enough(p, closer))
+            good = closer.k;
+        else
+            step /= 2;
     }
     return good;
 }
 
 /* ---- The number of dominoes ---- */
 
-/* After the rows with n steps (n + 1 dominoes) have been tried, returns the number of steps of the rows to
- * try next. Without an engine, this number is n + 1. With an engine, which is slow, the increments grow. */
-static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
-{
-    return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
-}
-
 /*
  * Finds the row with the fewest dominoes that is safe enough and fits into the hall. If `shortest` is true,
- * finds the shortest row that is safe enough instead. Only rows with at least `fewest` steps are tried.
- * Returns false if no row is found.
+ * finds the shortest row that is safe enough instead, whatever the hall. Only rows with at least `fewest`
+ * steps are tried. Returns the length of the row, or infinity if no row is found.
  */
-static bool row_search(struct planner *p, size_t fewest, int k, bool shortest, struct choice *best)
+static double row_search(struct planner *p, size_t fewest, int k, bool shortest, struct choice *best)
 {
-    double length = HUGE_VAL, engine_seconds = DOM_NAN;
+    double length = HUGE_VAL;
     size_t longer = 0, longer_most = p->wish->engine ? LONGER_IN_ENGINE : LONGER;
-    for (size_t n = fewest; n <= fewest + MORE && longer < longer_most && p->status == DOM_OK;
-         n = steps_next(p, fewest, n)) {
-        const int most = shortest ? GRID : planner_widest(p, n, p->wish->hall);
-        if (most <= 0 || planner_length(p, (struct choice){0, n}) >= length)
+    p->hall = shortest ? HUGE_VAL : p->wish->hall;
+    for (size_t n = fewest; n <= fewest + MORE && longer < longer_most && p->status == DOM_OK; n++) {
+        const int most = shortest ? GRID : planner_widest(p, n, p->hall);
+        if (most <= 0 || planner_widest(p, n, length) == 0)
             break; /* a row with more dominoes would be too long, too */
         struct choice c = {nearest(p, n, k, most, STEP, enough), n};
         if (c.k > 0 && shortest)
@@ -210,31 +150,16 @@ static bool row_search(struct planner *p, size_t fewest, int k, bool shortest, s
         if (c.k > 0 && p->wish->engine)
             c.k = nearest(p, n, c.k, shortest ? planner_widest(p, n, length) : most, STEP_OF_ENGINE,
                           enough_in_engine);
-        const bool shorter = c.k > 0 && planner_length(p, c) < length;
-        longer = shorter || !isfinite(length) ? 0 : longer + 1;
-        if (!shorter)
+        const double found = c.k > 0 ? length_of(p, c) : HUGE_VAL;
+        longer = found < length || !isfinite(length) ? 0 : longer + 1;
+        if (!(found < length))
             continue;
         *best = c;
-        length = planner_length(p, c);
-        engine_seconds = p->engine_seconds;
+        length = found;
         if (!shortest)
             break;
     }
-    p->engine_seconds = engine_seconds;
-    return p->status == DOM_OK && isfinite(length);
-}
-
-/* Finds the shortest row with these limits, whatever the hall, and returns its length. If none is found,
- * returns infinity. */
-static double shortest_on_grid(struct planner *p, size_t fewest, int k, struct choice *c)
-{
-    const struct dom_wish *wish = p->wish;
-    struct dom_wish open = *wish;
-    open.hall = HUGE_VAL;
-    p->wish = &open;
-    const bool found = row_search(p, fewest, k, true, c) && planner_row_write(p, *c);
-    p->wish = wish;
-    return found ? planner_feet(p, *c) + wish->height : HUGE_VAL;
+    return p->status == DOM_OK ? length : HUGE_VAL;
 }
 
 /* Finds the weakest push that makes the row safe enough. The push that is returned has a relative error of at
@@ -261,42 +186,110 @@ static double safety_most(struct planner *p)
 {
     double most = 0;
     for (int k = COARSE / 2; k <= GRID; k += COARSE / 2)
-        most = fmax(most, planner_train_ratio(p, choice_separation(k), 1));
+        most = fmax(most, planner_train_ratio(p, separation(k), 1));
     return most;
 }
 
-static void design_search(struct planner *p, const struct dom_compute *compute, struct dom_design *design)
+/* ---- Designs ---- */
+
+/* The result of a search that found no row. */
+static const struct dom_design no_design = {.s = DOM_NAN,
+                                            .r = DOM_NAN,
+                                            .feet = DOM_NAN,
+                                            .length = DOM_NAN,
+                                            .seconds = DOM_NAN,
+                                            .train = DOM_NAN,
+                                            .row = DOM_NAN,
+                                            .needs = DOM_NAN};
+
+/* Prepares a search. If an argument is outside its range, the member `status` of the result tells which. The
+ * caller must free the member `domino` of the result. */
+static struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
+                                   const struct dom_limits *limits, const struct dom_compute *compute)
 {
-    struct choice c = {0, 0};
-    int k;
-    double length, most = separation_find(p, &k);
-    if (most == 0) {
-        design->limit = DOM_DESIGN_SAFETY;
-        design->needs = safety_most(p);
-        return;
+    struct planner p = {
+        .train = *train, .compute = *compute, .wish = wish, .limits = limits, .hall = wish->hall};
+    p.compute.method = DOM_METHOD_OURS;
+    p.status = !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
+                   ? DOM_BAD_HEIGHT
+               : !(wish->safety > 1 && isfinite(wish->safety)) ? DOM_BAD_SAFETY
+               : !(wish->hall > wish->height)                  ? DOM_BAD_HALL
+               : !(wish->g > 0 && isfinite(wish->g))           ? DOM_BAD_G
+               : wish->push < 0 || isinf(wish->push)           ? DOM_BAD_PUSH
+               : !(wish->release >= 0)                         ? DOM_BAD_RELEASE
+               : limits                                        ? limits_check(limits)
+                                                               : DOM_OK;
+    if (p.status != DOM_OK)
+        return p;
+    p.train.s = separation(GRID / 2);
+    p.train.r = 1;
+    if (wish->boxes_above > 0)
+        p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
+    p.status = dom_train_check(&p.train, &p.compute);
+    p.compute.tol = dom_arithmetic()->tol_default;
+    return p;
+}
+
+/* Ends a search. If a row was found, computes it with the requested tolerance. */
+static enum dom_status planner_end(struct planner *p, struct choice c, const struct dom_compute *compute,
+                                   struct dom_design *found, struct dom_design *design)
+{
+    if (p->status == DOM_OK && c.k > 0 && p->wish->engine)
+        (void)enough_in_engine(p, c); /* for the time in the engine */
+    if (p->status == DOM_OK && c.k > 0) {
+        p->compute = *compute;
+        const double s = separation(c.k), r = planner_growth(p, c.steps),
+                     train = planner_train_ratio(p, s, r), row = planner_row_ratio(p, c, p->wish->push, true),
+                     feet = planner_feet(p, c);
+        *found = (struct dom_design){.s = s,
+                                     .r = r,
+                                     .steps = c.steps,
+                                     .feet = feet,
+                                     .length = feet + p->wish->height,
+                                     .seconds = p->wish->engine ? p->engine_seconds : p->seconds,
+                                     .train = train > 0 ? train : DOM_NAN,
+                                     .row = row > 0 ? row : DOM_NAN,
+                                     .weakest = p->weakest,
+                                     .needs = DOM_NAN};
     }
+    if (p->status == DOM_OK)
+        *design = *found;
+    free(p->domino);
+    return p->status;
+}
+
+/* Finds a row. If none is found, says in `limit` and `needs` of *found why. */
+static struct choice design_search(struct planner *p, struct dom_design *found)
+{
+    const struct choice none = {0, 0};
+    const struct dom_wish *wish = p->wish;
+    struct choice c = none;
+    int k;
     size_t fewest = 1;
+    double most = separation_find(p, &k), length = HUGE_VAL;
+    if (most == 0) {
+        found->limit = DOM_DESIGN_SAFETY;
+        found->needs = safety_most(p);
+        return none;
+    }
     while (planner_growth(p, fewest) > most && fewest < (size_t)MORE * MORE)
         fewest++;
-    bool fits = p->wish->least != DOM_LEAST_LENGTH && row_search(p, fewest, k, false, &c);
-    bool searched = p->wish->least != DOM_LEAST_LENGTH && isinf(p->wish->hall);
-    if (!fits && !searched && row_search(p, fewest, k, true, &c)) {
-        fits = planner_length(p, c) <= p->wish->hall;
-        design->limit = fits ? DOM_DESIGN_FITS : DOM_DESIGN_HALL;
-        design->needs = fits ? DOM_NAN : planner_length(p, c);
-    } else if (!fits && p->engine_refused) {
-        design->limit = DOM_DESIGN_ENGINE;
-    } else if (!fits && p->limits && isfinite(p->wish->hall) &&
-               isfinite(length = shortest_on_grid(p, fewest, k, &c))) {
-        fits = length <= p->wish->hall;
-        design->limit = fits ? DOM_DESIGN_FITS : DOM_DESIGN_HALL;
-        design->needs = fits ? DOM_NAN : length;
-    } else if (!fits && p->status == DOM_OK) {
-        design->limit = DOM_DESIGN_START;
-        design->needs = push_enough(p, (struct choice){k, fewest});
+    if (wish->least != DOM_LEAST_LENGTH)
+        length = row_search(p, fewest, k, false, &c);
+    if (isinf(length) && (wish->least == DOM_LEAST_LENGTH || isfinite(wish->hall)))
+        length = row_search(p, fewest, k, true, &c);
+    if (length <= wish->hall && isfinite(length))
+        return c;
+    if (isfinite(length)) {
+        found->limit = DOM_DESIGN_HALL;
+        found->needs = length;
+    } else if (p->engine_refused) {
+        found->limit = DOM_DESIGN_ENGINE;
+    } else if (p->status == DOM_OK) {
+        found->limit = DOM_DESIGN_START;
+        found->needs = push_enough(p, (struct choice){k, fewest});
     }
-    if (fits && p->status == DOM_OK)
-        design_fill(p, c, compute, design);
+    return none;
 }
 
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
@@ -306,32 +299,21 @@ enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_w
     const struct dom_compute final = compute_or_default(compute);
     struct planner p = planner_make(train, wish, limits, &final);
     struct dom_design found = no_design;
+    struct choice c = {0, 0};
     if (p.status == DOM_OK)
-        design_search(&p, &final, &found);
+        c = design_search(&p, &found);
     bool remedy = found.limit == DOM_DESIGN_HALL || (found.limit == DOM_DESIGN_START && !isnan(found.needs));
     if (found.limit != DOM_DESIGN_FITS && !remedy && p.failed_s > 0) {
         found.limit = DOM_DESIGN_FAILED;
         found.needs = p.failed_s;
     }
-    if (p.status == DOM_OK)
-        *design = found;
-    free(p.domino);
-    return p.status;
+    return planner_end(&p, c, &final, &found, design);
 }
 
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design)
 {
     return dom_design_fit(train, wish, NULL, compute, design);
-}
-
-/* ---- A row with a given number of dominoes ---- */
-
-/* A choice_test that returns true if the row falls and fits into the hall. */
-static bool falls_in_hall(struct planner *p, struct choice c)
-{
-    return planner_row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
-           planner_feet(p, c) + p->wish->height <= p->wish->hall;
 }
 
 enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
@@ -355,14 +337,9 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
     p.wish = &falls;
     const int most = p.status == DOM_OK ? planner_widest(&p, steps, wish->hall) : 0;
     if (k > 0 && most > 0)
-        c.k = nearest(&p, steps, k, most, STEP, falls_in_hall);
+        c.k = nearest(&p, steps, k, most, STEP, row_enough);
     found.limit = c.k > 0 ? DOM_DESIGN_FITS : most <= 0 ? DOM_DESIGN_HALL : DOM_DESIGN_SAFETY;
-    if (p.status == DOM_OK && c.k > 0)
-        design_fill(&p, c, &final, &found);
-    if (p.status == DOM_OK)
-        *design = found;
-    free(p.domino);
-    return p.status;
+    return planner_end(&p, c, &final, &found, design);
 }
 
 enum dom_status dom_design_dominoes(const struct dom_train *train, const struct dom_wish *wish,
@@ -374,7 +351,7 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
     const struct choice c = {(int)floor(design->s * GRID + 0.5), design->steps};
     if (p.status == DOM_OK && design->limit != DOM_DESIGN_FITS)
         p.status = DOM_BAD_COUNT;
-    if (p.status == DOM_OK && planner_row_write(&p, c))
+    if (p.status == DOM_OK && planner_write(&p, c))
         for (size_t k = 0; k <= c.steps; k++) {
             domino[k] = p.domino[k];
             domino[k].mass /= p.domino->mass; /* in air, the planner computes with a density of 1 */

@@ -4,75 +4,50 @@
 #include "rows/model/boxes.h"
 #include <stdlib.h>
 
-/* After a failure, the tolerance is multiplied by ROUGHER but never raised above ROUGHEST. */
-#define ROUGHER  1000
-#define ROUGHEST 1e-6
-
 /* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
 /* Decides whether a failed computation is tried again. A few digits can be found even if rounding errors
  * exceed the usual tolerance. So if the computation did not converge, or if its result is not finite, sets a
- * larger tolerance in *compute and returns true. After any other failure, or if the tolerance is already
- * large, returns false. */
-static bool tried_again(enum dom_status status, struct dom_compute *compute)
+ * larger tolerance in *compute and returns true. If the tolerance is already large, only the present
+ * separation is skipped. Any other failure ends the search. */
+static bool tried_again(struct planner *p, enum dom_status status, struct dom_compute *compute)
 {
-    if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
-        return false;
-    compute->tol = fmin(ROUGHER * compute->tol, ROUGHEST);
-    return true;
-}
-
-/* Records a failed computation. If the computation did not converge, or if its result is not finite, only the
- * present separation is skipped. Any other failure ends the search. */
-static void failure_keep(struct planner *p, enum dom_status status)
-{
-    if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
+    const double rougher = 1000, roughest = 1e-6;
+    const bool imprecise = status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE;
+    if (imprecise && compute->tol < roughest) {
+        compute->tol = fmin(rougher * compute->tol, roughest);
+        return true;
+    }
+    if (imprecise)
         p->failed_s = p->train.s;
     else
         p->status = status;
+    return false;
 }
 
 double planner_train_ratio(struct planner *p, double s, double r)
 {
-    struct dom_barrier barrier = {.kinetic = DOM_NAN, .barrier = DOM_NAN};
+    struct dom_barrier barrier;
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
     if (p->status != DOM_OK || s * r > 1)
         return 0;
     p->train.s = s;
     p->train.r = r;
-    struct dom_compute compute = p->compute;
-    enum dom_status status;
     do {
         status = dom_barrier_find(&p->train, &compute, &barrier);
-    } while (tried_again(status, &compute));
-    if (status == DOM_OK || status == DOM_STOPS)
-        return barrier.kinetic / barrier.barrier;
-    if (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
-        status != DOM_UNDERFLOW && status != DOM_TOO_LONG)
-        failure_keep(p, status);
+        if (status == DOM_OK || status == DOM_STOPS)
+            return barrier.kinetic / barrier.barrier;
+    } while (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
+             status != DOM_UNDERFLOW && status != DOM_TOO_LONG && tried_again(p, status, &compute));
     return 0;
 }
 
-/*
- * Records the smallest ratio of kinetic energy to barrier so far. The first domino does not count, since its
- * energy depends on the push. Returns false to end the run: if p->whole is false, the run ends as soon as a
- * ratio is smaller than the required safety.
- */
-static bool ratio_seen(const struct dom_fall *fall, void *context)
-{
-    struct planner *p = context;
-    double ratio = fall->barrier > 0 ? fall->kinetic / fall->barrier : HUGE_VAL;
-    if (fall->domino > 1 && !(ratio >= p->least)) {
-        p->least = ratio;
-        p->weakest = fall->domino;
-    }
-    return p->whole || p->least >= p->wish->safety;
-}
-
-struct dom_row planner_row(const struct planner *p, struct choice c, double push,
+struct dom_row planner_row(const struct planner *p, size_t count, double push,
                            const struct dom_engine *engine)
 {
     struct dom_row row = {.domino = p->domino,
-                          .count = c.steps + 1,
+                          .count = count,
                           .g = p->wish->g,
                           .push = push,
                           .release = p->wish->release,
@@ -88,20 +63,18 @@ struct dom_row planner_row(const struct planner *p, struct choice c, double push
     return row;
 }
 
-bool planner_row_write(struct planner *p, struct choice c)
+bool planner_write(struct planner *p, struct choice c)
 {
-    size_t count = c.steps + 1;
-    if (count > p->room) {
-        struct dom_domino *more = realloc(p->domino, count * sizeof *more);
-        if (!more) {
-            p->status = DOM_NO_MEMORY;
-            return false;
-        }
-        p->domino = more;
-        p->room = count;
+    const size_t count = c.steps + 1;
+    struct dom_domino *more = count > p->room ? realloc(p->domino, count * sizeof *more) : p->domino;
+    if (!more) {
+        p->status = DOM_NO_MEMORY;
+        return false;
     }
+    p->domino = more;
+    p->room = count > p->room ? count : p->room;
     const struct dom_scale scale = {.h = p->wish->first, .g = p->wish->g};
-    p->train.s = choice_separation(c.k);
+    p->train.s = separation(c.k);
     p->train.r = planner_growth(p, c.steps);
     /* In air the masses count: with the density 1, the ratio of the densities is the density of the air. */
     const double volume = p->wish->first * p->wish->first * p->wish->first * p->train.d * p->train.width,
@@ -109,7 +82,7 @@ bool planner_row_write(struct planner *p, struct choice c)
     dom_row_of_train(&p->train, &scale, mass, p->domino, count);
     p->domino[c.steps].height = p->wish->height;
     p->domino[c.steps].width = p->train.width * p->wish->height;
-    const struct dom_row row = planner_row(p, c, p->wish->push, NULL);
+    const struct dom_row row = planner_row(p, count, p->wish->push, NULL);
     for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
         struct dom_domino *d = &p->domino[k], *first = p->domino;
         d->mass = mass * wood_volume(&row, d) / wood_volume(&row, first);
@@ -118,19 +91,29 @@ bool planner_row_write(struct planner *p, struct choice c)
             return false;
         }
     }
-    if (p->limits) {
-        const struct shape shape = {&row, p->limits};
-        shape_round(&shape, p->domino);
-    }
+    if (p->limits)
+        shape_round(&(struct shape){&row, p->limits}, p->domino);
     return true;
+}
+
+/* Records the smallest ratio of kinetic energy to barrier so far. Returns false to end the run. */
+static bool ratio_seen(const struct dom_fall *fall, void *context)
+{
+    struct planner *p = context;
+    double ratio = fall->barrier > 0 ? fall->kinetic / fall->barrier : HUGE_VAL;
+    if (fall->domino > 1 && !(ratio >= p->least)) {
+        p->least = ratio;
+        p->weakest = fall->domino;
+    }
+    return p->whole || p->least >= p->wish->safety;
 }
 
 double planner_row_ratio(struct planner *p, struct choice c, double push, bool times)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
-    if (p->status != DOM_OK || !planner_row_write(p, c))
+    if (p->status != DOM_OK || !planner_write(p, c))
         return 0;
-    const struct dom_row row = planner_row(p, c, push, NULL);
+    const struct dom_row row = planner_row(p, c.steps + 1, push, NULL);
     struct dom_compute compute = p->compute;
     enum dom_status status;
     do {
@@ -138,10 +121,8 @@ double planner_row_ratio(struct planner *p, struct choice c, double push, bool t
         p->weakest = 0;
         p->whole = times;
         status = dom_row_run(&row, &compute, times, ratio_seen, p, &verdict);
-    } while (tried_again(status, &compute));
+    } while (status != DOM_OK && tried_again(p, status, &compute));
     p->seconds = verdict.seconds;
-    if (status != DOM_OK)
-        failure_keep(p, status);
     return status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
 }
 
@@ -157,11 +138,6 @@ static double feet_of(const struct planner *p, size_t steps, double s)
     return sum;
 }
 
-double planner_length(const struct planner *p, struct choice c)
-{
-    return feet_of(p, c.steps, choice_separation(c.k)) + p->wish->height;
-}
-
 int planner_widest(const struct planner *p, size_t steps, double hall)
 {
     double closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
@@ -169,10 +145,12 @@ int planner_widest(const struct planner *p, size_t steps, double hall)
     return s >= 1 ? GRID : s > 0 ? (int)floor(s * GRID) : 0;
 }
 
-double planner_feet(const struct planner *p, struct choice c)
+double planner_feet(struct planner *p, struct choice c)
 {
     double sum = 0;
-    for (size_t k = 0; p->limits && k <= c.steps; k++)
+    if (!p->limits)
+        return feet_of(p, c.steps, separation(c.k));
+    for (size_t k = 0; planner_write(p, c) && k <= c.steps; k++)
         sum += p->domino[k].gap + p->domino[k].thickness;
-    return p->limits ? sum : feet_of(p, c.steps, choice_separation(c.k));
+    return sum;
 }

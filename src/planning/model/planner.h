@@ -18,14 +18,13 @@ struct planner {
     struct dom_train train;
     struct dom_compute compute; /* settings of the search */
     const struct dom_wish *wish;
-    /* the sizes that the dominoes may have, or NULL if any sizes are allowed */
-    const struct dom_limits *limits;
-    struct dom_domino *domino; /* array of `room` dominoes */
+    const struct dom_limits *limits; /* the sizes that the dominoes may have, or NULL if any are allowed */
+    double hall;                     /* the length that a row may have */
+    struct dom_domino *domino;       /* array of `room` dominoes */
     size_t room;
     enum dom_status status;
     double failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
-    /* true to run all dominoes; false to end a run at the first domino that is not safe enough */
-    bool whole;
+    bool whole; /* true to run all dominoes; false to end a run at the first one that is not safe enough */
     /* number of the weakest domino in the last run, counted from 1: the domino with the smallest ratio of
      * kinetic energy to barrier; the first domino does not count, because its energy depends on the push */
     size_t weakest;
@@ -34,14 +33,13 @@ struct planner {
     bool engine_refused; /* true if a row was safe enough in the model but did not fall in the engine */
 };
 
-/* A candidate row. Its separation is k / GRID. It has steps + 1 dominoes, so there are `steps` steps from the
- * first domino to the last. */
+/* A candidate row. Its separation is k / GRID, and it has steps + 1 dominoes. */
 struct choice {
     int k;
     size_t steps;
 };
 
-static inline double choice_separation(int k)
+static inline double separation(int k)
 {
     return (double)k / GRID;
 }
@@ -52,17 +50,17 @@ static inline double planner_growth(const struct planner *p, size_t steps)
     return pow(p->wish->height / p->wish->first, 1 / (double)steps);
 }
 
-/* Returns the ratio of kinetic energy to barrier in an endless train with the separation s and the growth r.
- * If there is no such ratio, for example because the next domino is out of reach, returns 0. */
+/* Returns the ratio of kinetic energy to barrier in an endless train. If there is no such ratio, for example
+ * because the next domino is out of reach, returns 0. */
 double planner_train_ratio(struct planner *p, double s, double r);
-
-/* Returns a row with the dominoes that planner_row_write wrote last. */
-struct dom_row planner_row(const struct planner *p, struct choice c, double push,
-                           const struct dom_engine *engine);
 
 /* Writes the dominoes of a candidate row to p->domino. If memory is exhausted, or if the walls do not fit
  * into a domino, sets p->status and returns false. */
-bool planner_row_write(struct planner *p, struct choice c);
+bool planner_write(struct planner *p, struct choice c);
+
+/* Returns a row with the `count` dominoes that planner_write wrote last. */
+struct dom_row planner_row(const struct planner *p, size_t count, double push,
+                           const struct dom_engine *engine);
 
 /* Writes a candidate row and runs it. Returns the smallest ratio of kinetic energy to barrier among the
  * dominoes after the first. If the row does not fall, returns 0. If `times` is false, the run ends at the
@@ -70,15 +68,11 @@ bool planner_row_write(struct planner *p, struct choice c);
  * it are not run, the row may stop even if the ratio is above 1. */
 double planner_row_ratio(struct planner *p, struct choice c, double push, bool times);
 
-/* Returns the length of a candidate row after its last domino has fallen forwards. The dimensions of the row
- * are not rounded to a grid. */
-double planner_length(const struct planner *p, struct choice c);
+/* Returns the length of a standing row, from the back of the first domino to the front of the last. */
+double planner_feet(struct planner *p, struct choice c);
 
 /* Returns the largest k, up to GRID, for which a row with the separation k / GRID fits into the hall. If
  * there is none, returns 0. The dimensions of the row are not rounded to a grid. */
 int planner_widest(const struct planner *p, size_t steps, double hall);
-
-/* Returns the length of the standing row that planner_row_write wrote last. */
-double planner_feet(const struct planner *p, struct choice c);
 
 #endif

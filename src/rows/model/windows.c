@@ -27,13 +27,6 @@ struct range {
     enum dom_row_end above;
 };
 
-/* A domino can reach across a gap that is as wide as its own height. */
-static struct range gaps_of(const struct trial *t, const struct dom_domino *d)
-{
-    (void)t;
-    return (struct range){0, d[-1].height, DOM_ROW_MISSES};
-}
-
 /* The domino can move forwards until it touches the next domino, or until the previous domino barely reaches
  * it. */
 static struct range places_of(const struct trial *t, const struct dom_domino *d)
@@ -45,52 +38,58 @@ static struct range places_of(const struct trial *t, const struct dom_domino *d)
 
 /*
  * Returns the range of heights that are tried.
- * - If a tilted domino is too tall, it falls over by itself. It stands if height < foot / tan |tilt|, where
+ * - If a tilted domino is too tall, it falls over by itself. It stands if height < foot / tan(tilt), where
  *   foot = thickness - 2 radii.
  * - A domino with rounded edges must be taller than 2 radii.
  * - A solid domino must stay solid, and a box must stay a box.
  */
-static struct range heights_of(const struct trial *t, const struct dom_domino *d)
+static struct range heights_of(const struct dom_row *row, const struct dom_domino *d, double tilt)
 {
-    double tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
-    double self = t->row.rho != 0 ? 2 * d->radius : 0, share = self > 0 ? 0 : 2 * t->row.rho;
+    double self = row->rho != 0 ? 2 * d->radius : 0, share = self > 0 ? 0 : 2 * row->rho;
     double stands = (d->thickness - self) / (tan(tilt) + share) * (1 - STANDS_SHORT);
     double lowest = fmax(HEIGHT_PART * d->height, self * (1 + STANDS_SHORT));
     double highest = fmin(HEIGHT_MULTIPLE * d->height, stands);
-    lowest = height_of_kind(&t->row, d->height, lowest);
-    highest = height_of_kind(&t->row, d->height, highest);
+    lowest = height_of_kind(row, d->height, lowest);
+    highest = height_of_kind(row, d->height, highest);
     return (struct range){fmin(lowest, d->height), fmax(highest, d->height), DOM_ROW_FALLS};
 }
 
 /* The domino must be thick enough to stand, and to have room for two walls or for two rounded edges. */
-static struct range thicknesses_of(const struct trial *t, const struct dom_domino *d)
+static struct range thicknesses_of(const struct dom_row *row, const struct dom_domino *d, double tilt)
 {
-    const double tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean)),
-                 rho = t->row.rho != 0 && d->radius > 0 ? d->radius / d->height : t->row.rho,
+    const double rho = row->rho != 0 && d->radius > 0 ? d->radius / d->height : row->rho,
                  stands = (tan(tilt) + 2 * rho) * d->height,
-                 least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * walls_of(&t->row, d->height));
+                 least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * walls_of(row, d->height));
     return (struct range){fmin(least * (1 + STANDS_SHORT), d->thickness), HEIGHT_MULTIPLE * d->thickness,
                           DOM_ROW_FALLS};
 }
 
-static struct range frictions_of(const struct trial *t, const struct dom_domino *d)
-{
-    (void)d;
-    return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
-}
-
-static struct range leans_of(const struct trial *t, const struct dom_domino *d)
+static struct range leans_of(const struct dom_row *row, const struct dom_domino *d)
 {
     double lean[2];
-    dom_lean_limits(d, t->row.alpha, t->row.rho, lean);
+    dom_lean_limits(d, row->alpha, row->rho, lean);
     const double inside = (lean[1] - lean[0]) / 2 * STANDS_SHORT;
     return (struct range){fmin(lean[0] + inside, d->lean), fmax(lean[1] - inside, d->lean), DOM_ROW_FALLS};
 }
 
-static void gap_set(struct trial *t, struct dom_domino *d, double value)
+static struct range range_of(const struct trial *t)
 {
-    (void)t;
-    d->gap = value;
+    const struct dom_domino *d = &t->domino[t->k];
+    const double tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
+    switch (t->of) {
+    case DOM_WINDOW_GAP: /* a domino can reach across a gap that is as wide as its own height */
+        return (struct range){0, d[-1].height, DOM_ROW_MISSES};
+    case DOM_WINDOW_PLACE:
+        return places_of(t, d);
+    case DOM_WINDOW_HEIGHT:
+        return heights_of(&t->row, d, tilt);
+    case DOM_WINDOW_FRICTION:
+        return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
+    case DOM_WINDOW_LEAN:
+        return leans_of(&t->row, d);
+    default:
+        return thicknesses_of(&t->row, d, tilt);
+    }
 }
 
 static void place_set(struct trial *t, struct dom_domino *d, double value)
@@ -104,64 +103,45 @@ static void place_set(struct trial *t, struct dom_domino *d, double value)
         d[1].gap = fmax(d[1].gap - by, 0);
 }
 
-/* Sets the height or the thickness of a domino. The density of the wood, the thickness of the walls and the
- * width stay the same. So the mass changes too. */
-static void size_set(struct trial *t, struct dom_domino *d, double *size, double value)
+/* Returns where the value that is changed is stored. */
+static double *value_at(struct trial *t, struct dom_domino *d)
+{
+    double *const at[] = {[DOM_WINDOW_GAP] = &d->gap,       [DOM_WINDOW_PLACE] = &t->place,
+                          [DOM_WINDOW_HEIGHT] = &d->height, [DOM_WINDOW_FRICTION] = &t->row.mu,
+                          [DOM_WINDOW_LEAN] = &d->lean,     [DOM_WINDOW_THICKNESS] = &d->thickness};
+    return at[t->of];
+}
+
+static double value_now(struct trial *t)
+{
+    return *value_at(t, &t->domino[t->k]);
+}
+
+/* Changes the value. If it is the height or the thickness of a domino, the density of the wood, the thickness
+ * of the walls and the width stay the same, so the mass changes too. */
+static void value_set(struct trial *t, struct dom_domino *d, double value)
 {
     const struct dom_domino before = *d;
-    const double by = value / *size;
-    d->width = width_of(d);
-    *size = value;
-    d->mass *= wood_factor(&t->row, &before, d, by);
-}
-
-static void height_set(struct trial *t, struct dom_domino *d, double value)
-{
-    size_set(t, d, &d->height, value);
-}
-
-static void thickness_set(struct trial *t, struct dom_domino *d, double value)
-{
-    size_set(t, d, &d->thickness, value);
-}
-
-static void friction_set(struct trial *t, struct dom_domino *d, double value)
-{
-    (void)d;
-    t->row.mu = value;
-}
-
-static void lean_set(struct trial *t, struct dom_domino *d, double value)
-{
-    (void)t;
-    d->lean = value;
-}
-
-static const struct property {
-    struct range (*range)(const struct trial *t, const struct dom_domino *d);
-    void (*set)(struct trial *t, struct dom_domino *d, double value);
-} properties[] = {
-    [DOM_WINDOW_GAP] = {gaps_of, gap_set},          [DOM_WINDOW_PLACE] = {places_of, place_set},
-    [DOM_WINDOW_HEIGHT] = {heights_of, height_set}, [DOM_WINDOW_FRICTION] = {frictions_of, friction_set},
-    [DOM_WINDOW_LEAN] = {leans_of, lean_set},       [DOM_WINDOW_THICKNESS] = {thicknesses_of, thickness_set},
-};
-
-static double value_now(const struct trial *t)
-{
-    const struct dom_domino *d = &t->domino[t->k];
-    const double now[] = {d->gap, t->place, d->height, t->row.mu, d->lean, d->thickness};
-    return now[t->of];
+    double *const at = value_at(t, d);
+    if (t->of == DOM_WINDOW_PLACE)
+        place_set(t, d, value);
+    else if (t->of == DOM_WINDOW_HEIGHT || t->of == DOM_WINDOW_THICKNESS) {
+        const double by = value / *at;
+        d->width = width_of(d);
+        *at = value;
+        d->mass *= wood_factor(&t->row, &before, d, by);
+    } else
+        *at = value;
 }
 
 /* A trial_test. Sets the value, runs the row, and then restores the row. */
-static bool falls_with(double value, void *context)
+static bool falls_with(struct trial *t, double value)
 {
-    struct trial *t = context;
     const size_t next = t->k + 1 < t->row.count;
     struct dom_domino *d = &t->domino[t->k], self = *d, after = d[next];
     const double mu = t->row.mu;
     bool falls;
-    properties[t->of].set(t, d, value);
+    value_set(t, d, value);
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
         falls = trial_falls(t);
         if (t->row.engine && t->status == DOM_NOT_CONVERGED)
@@ -202,7 +182,7 @@ static double value_step(const struct trial *t, double from, double end, int i, 
  * `bad`. */
 static double value_edge(struct trial *t, double good, double bad)
 {
-    return edge_find(falls_with, t, good, &bad, value_digit(t, fmax(fabs(good), fabs(bad))), 0);
+    return trial_edge(t, falls_with, good, &bad, value_digit(t, fmax(fabs(good), fabs(bad))), 0);
 }
 
 /* A band of values at which all dominoes fall. A walk from a value begins it at `from` and ends it at `to`.
@@ -227,7 +207,7 @@ static struct band walk(struct trial *t, double from, double end, bool falls, en
     const int steps = t->row.engine ? STEPS_OF_ENGINE : STEPS;
     for (int i = 1; i <= steps && !over && t->status == DOM_OK; i++) {
         const double x = value_step(t, from, end, i, steps);
-        const bool good = x == last ? open : falls_with(x, t);
+        const bool good = x == last ? open : falls_with(t, x);
         if (good && !band.found) {
             band.from = value_edge(t, x, last);
             band.found = open = true;
@@ -249,9 +229,9 @@ static struct band walk(struct trial *t, double from, double end, bool falls, en
  * above the range, for example a gap that is out of reach, the highest value of the range is tried first. */
 static struct band nearest(struct trial *t)
 {
-    const struct range range = properties[t->of].range(t, &t->domino[t->k]);
+    const struct range range = range_of(t);
     const double now = value_now(t);
-    if (now > range.highest && falls_with(range.highest, t))
+    if (now > range.highest && falls_with(t, range.highest))
         return walk(t, range.highest, range.lowest, true, DOM_ROW_FALLS);
     struct band in = walk(t, now, range.lowest, false, DOM_ROW_FALLS),
                 out = walk(t, now, range.highest, false, DOM_ROW_FALLS), *near = &in;
@@ -266,7 +246,7 @@ static struct band nearest(struct trial *t)
 /* Finds the window around the current value. All dominoes must fall at the current value. */
 static void window_around(struct trial *t, struct dom_window *w)
 {
-    const struct range range = properties[t->of].range(t, &t->domino[t->k]);
+    const struct range range = range_of(t);
     const struct band below = walk(t, w->now, range.lowest, true, DOM_ROW_FALLS),
                       above = walk(t, w->now, range.highest, true, range.above);
     /* Rounding to a few digits must not move an edge past the current value. */
@@ -297,15 +277,15 @@ static double edge_near(struct trial *t, double guess, double end, enum dom_row_
     const double now = value_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
     const double first = fmin(fmax(multiple_of(round(guess / digit), digit), fmin(now, end)), fmax(now, end));
     double good = first, bad = first, step = end < now ? -digit : digit;
-    if (falls_with(first, t))
+    if (falls_with(t, first))
         for (; good == bad && good != end; step *= 8) {
             bad = fabs(end - good) < fabs(step) ? end : good + step;
-            good = falls_with(bad, t) ? bad : good;
+            good = falls_with(t, bad) ? bad : good;
         }
     else
         for (; good == bad && good != now; step *= 8) {
             good = fabs(good - now) < fabs(step) ? now : bad - step;
-            bad = falls_with(good, t) ? bad : good;
+            bad = falls_with(t, good) ? bad : good;
         }
     if (good == bad) /* all dominoes fall even at the end of the range */
         return good;
@@ -317,7 +297,7 @@ static double edge_near(struct trial *t, double guess, double end, enum dom_row_
  * edges of the previous domino's window, *last. */
 static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
 {
-    const struct range range = properties[t->of].range(t, &t->domino[t->k]);
+    const struct range range = range_of(t);
     const double by = w->now - last->now;
     w->above = range.above;
     w->others = last->others;

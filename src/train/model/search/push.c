@@ -6,9 +6,8 @@
 
 #define PUSH_TOL 1e-5
 
-static bool falls_pushed(double push, void *context)
+static bool falls_pushed(struct trial *t, double push)
 {
-    struct trial *t = context;
     t->row.push = push;
     return trial_falls(t);
 }
@@ -40,14 +39,14 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
         double bad = isnan(row->push) ? 0 : row->push, good = fmax(push_over_edge(row), bad) / 2;
         do {
             good = fmin(2 * good, strongest);
-            falls = falls_pushed(good, &t);
+            falls = falls_pushed(&t, good);
             bad = falls ? bad : good;
         } while (!falls && good < strongest && t.status == DOM_OK);
         if (falls && bad < good) {
-            good = edge_find(falls_pushed, &t, good, &bad, 0, PUSH_TOL);
+            good = trial_edge(&t, falls_pushed, good, &bad, 0, PUSH_TOL);
             /* round up, so that the push is still strong enough */
             const double digit = digit_of(good, 3), rounded = multiple_of(ceil(good / digit), digit);
-            found = falls_pushed(rounded, &t) ? rounded : good;
+            found = falls_pushed(&t, rounded) ? rounded : good;
         }
     }
     if (t.status == DOM_OK)
@@ -62,9 +61,8 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
 #define GROWTH_STEP           1.02
 #define GROWTH_STEP_OF_ENGINE 1.1
 
-static bool falls_grown(double r, void *context)
+static bool falls_grown(struct trial *t, double r)
 {
-    struct trial *t = context;
     if (t->status == DOM_OK)
         t->make(r, t->domino, t->row.count, t->context);
     return trial_falls(t);
@@ -82,7 +80,7 @@ static bool growth_change(struct trial *t, bool falls, double highest, double *b
     while (*r < highest && t->status == DOM_OK) {
         *before = *r;
         *r = fmin(*r * step, highest);
-        if (falls_grown(*r, t) != falls)
+        if (falls_grown(t, *r) != falls)
             return true;
     }
     return false;
@@ -94,13 +92,13 @@ static bool growth_change(struct trial *t, bool falls, double highest, double *b
 static void growths_find(struct trial *t, double highest, struct dom_row_growth *growth)
 {
     double before = 1, r = 1;
-    bool falls = falls_grown(1, t);
+    bool falls = falls_grown(t, 1);
     *growth = (struct dom_row_growth){DOM_NAN, DOM_NAN, t->ends};
     if (!falls && !growth_change(t, false, highest, &before, &r))
         return;
-    growth->r_min = falls ? 1 : edge_find(falls_grown, t, r, &before, 0, t->compute.tol);
+    growth->r_min = falls ? 1 : trial_edge(t, falls_grown, r, &before, 0, t->compute.tol);
     bool ends = growth_change(t, true, highest, &before, &r);
-    growth->r_max = ends ? edge_find(falls_grown, t, before, &r, 0, t->compute.tol) : highest;
+    growth->r_max = ends ? trial_edge(t, falls_grown, before, &r, 0, t->compute.tol) : highest;
     growth->ends = ends ? t->ends : DOM_ROW_FALLS;
 }
 

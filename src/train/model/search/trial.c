@@ -66,34 +66,21 @@ void trial_end(struct trial *t)
     free(t->domino);
 }
 
-/*
- * Neither num_root nor a solver of GSL can be used here, because some tests yield no number, and because the
- * result must be a point that was tested.
- *
- * In general, this is a bisection. If the spare energies at both ends are known, and one is positive and the
- * other negative, every second step uses the secant method instead.
- */
-double edge_find(trial_test *test, struct trial *t, double good, double *bad, double digit, double tol)
+/* A trial_test and its trial. */
+struct tested {
+    struct trial *trial;
+    trial_test *test;
+};
+
+static bool trial_tested(double x, double *spare, void *context)
 {
-    double of_good = DOM_NAN, of_bad = DOM_NAN, near;
-    for (bool halve = true; fabs(good - *bad) > (near = fmax(digit, tol * good)); halve = !halve) {
-        const double low = fmin(good, *bad), high = fmax(good, *bad);
-        double x = (good + *bad) / 2;
-        if (!halve && of_good > 0 && of_bad < 0) {
-            x = good + (*bad - good) * (of_good / (of_good - of_bad));
-            /* Shift x a little towards the farther end. Without this shift, only the nearer end would
-             * approach the edge. */
-            x += (fabs(x - good) < fabs(*bad - x)) == (*bad > good) ? near / 2 : -near / 2;
-        }
-        if (digit > 0)
-            x = multiple_of(round(x / digit), digit);
-        if (!(x > low && x < high))
-            x = digit > 0 ? multiple_of(round((good + *bad) / 2 / digit), digit) : (good + *bad) / 2;
-        if (!(x > low && x < high))
-            break;
-        const bool falls = test(x, t);
-        *(falls ? &good : bad) = x;
-        *(falls ? &of_good : &of_bad) = t->spare;
-    }
-    return good;
+    const struct tested *tested = context;
+    const bool falls = tested->test(tested->trial, x);
+    *spare = tested->trial->spare;
+    return falls;
+}
+
+double trial_edge(struct trial *t, trial_test *test, double good, double *bad, double digit, double tol)
+{
+    return edge_find(trial_tested, &(struct tested){t, test}, good, bad, digit, tol);
 }

@@ -7,6 +7,7 @@
 #include "entry/study.h"
 #include "numerics/decimal.h"
 #include "numerics/real.h"
+#include "search/edge.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,14 +48,11 @@ void trial_end(struct trial *t);
  * 0. */
 bool trial_again(struct trial *t, size_t first, size_t last);
 
-typedef bool trial_test(double x, void *trial);
+/* Changes the row by one value and runs it. Returns true if all dominoes fall. */
+typedef bool trial_test(struct trial *t, double x);
 
-/*
- * Searches for the edge between two values. At the value `good`, the test is true, and at the value `bad`, it
- * is false. The search moves these two values closer and closer together, until |good - bad| <= tol * good.
- * If `digit` > 0, it tries only multiples of `digit`, and stops when none lies between the two values.
- * Returns the last value of `good`, and sets *bad to the last value of `bad`.
- */
-double edge_find(trial_test *test, struct trial *t, double good, double *bad, double digit, double tol);
+/* Searches for the edge between two values (edge_find). At the value `good` all dominoes fall, and at the
+ * value `bad` some do not. */
+double trial_edge(struct trial *t, trial_test *test, double good, double *bad, double digit, double tol);
 
 #endif

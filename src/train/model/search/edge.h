@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finds an edge: a value on whose one side a test is true, and on whose other side it is false. */
+#ifndef DOM_EDGE_H
+#define DOM_EDGE_H
+
+#include <stdbool.h>
+
+/* Tests a value. If a number is known that is positive where the test is true, negative where it is false,
+ * and that changes smoothly near the edge, the test writes it to *spare, which is NaN otherwise. */
+typedef bool edge_test(double x, double *spare, void *context);
+
+/*
+ * Searches for the edge between two values. At the value `good`, the test is true, and at the value `bad`, it
+ * is false. The search moves these two values closer and closer together, until their distance is at most
+ * `tol` times the larger of their sizes. If `digit` > 0, it tries only multiples of `digit`, and stops when
+ * none lies between the two values. Returns the last value of `good`, and sets *bad to the last value of
+ * `bad`.
+ */
+double edge_find(edge_test *test, void *context, double good, double *bad, double digit, double tol);
+
+#endif
