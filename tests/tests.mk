@@ -9,7 +9,7 @@ DEPS_valgrind := valgrind libc6-dbg
 DEPS_portable := $(DEPS_test) libbsd-dev
 DEPS_cross    := python3 qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-i686-linux-gnu libc6-dev-i386-cross
 DEPS_fuzz     := clang libclang-rt-dev
-DEPS_bench    := bc python3-scipy gnuplot-nox valgrind binutils
+DEPS_bench    := bc gnuplot-nox binutils
 DEPS_guard    := valgrind
 DEPS_verify   := libchipmunk-dev
 DEPS_atlas    := python3
@@ -188,17 +188,15 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
-# Compares the times of this library and of other programs in one run. SciPy takes part if it is installed.
-BENCH := bench compare curve floor front growth lengths lines measure rows start waits
+# Measures main questions in one run, and compares their times with goals, most of which are ratios to other programs.
 bench: all $(B)/bench $(B)/answers python
 	@$(B)/bench $(B)
 	@$(PYTHON3) tests/bench/numpy_loop.py $(B)
 
-$(B)/obj/tests/bench/bench.o: C_FLAGS += -DBENCH_FLAGS='"$(OPTIM)"'
-$(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(call OBJ,$(ENGINE_C) $(ANY)) $(P)/libdomino.a
+$(B)/bench: $(call OBJ,$(addprefix tests/bench/,bench.c processes.c waits.c) $(ANY)) $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
-$(B)/answers: $(B)/obj/tests/bench/answers.o $(call OBJ,$(ANY)) $(P)/libdomino.a
+$(B)/answers: $(call OBJ,tests/bench/answers.c $(ANY)) $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
 # Compares the numbers of instructions of answers with tests/bench/instructions.csv. 'make guard KEEP=1' writes that
@@ -240,7 +238,7 @@ lint: $(HEADERS) | $(FIRST)
 	printf '%s\n' $(DOUBLE) | xargs -P $$(nproc) -n 4 $(MUSL_READ)
 	$(MUSL_READ) -DDOMF $(TRAIN)/precision/float.c
 	$(MUSL_READ) -DDOMQ $(TRAIN)/precision/quad.c
-	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion -DBENCH_FLAGS='""'
+	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion
 	@# clang-tidy reads the source of the kernels once, as the kernel in double. The shallow mode of the analyzer takes a
 	@# quarter of the time of the deep one, which is most of the time of 'make lint'.
 	printf '%s\n' $(CHECKED) | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy --quiet $(SHALLOW) "$$@" -- $(STD) $(INCLUDES)' clang-tidy

@@ -1,18 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Computes answers for `make guard` and for the scripts `operations` and `shares`, and prints their names.
- * Each answer is one call of answer(), and callgrind counts the instructions of each call.
+ * Computes answers for `make guard`, and prints their names. Each answer is one call of answer(), and
+ * callgrind counts the instructions of each call.
  *
- * usage: answers                 computes all answers that `make guard` counts
- *        answers NAME            computes one answer, and prints its passes and dominoes
- *        answers NAME SECONDS    also prints its time in us, the shortest within so many seconds
+ * usage: answers [NAME]     computes all answers, or one
  */
 #include "domino_float.h"
 #include "shell/precision/any.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { ROW = 20, ROWS = 60, POINTS = 12 };
 
@@ -21,7 +18,6 @@ struct counted {
     const char *name;
     enum dom_status (*ask)(const struct dom_train *train, const struct dom_compute *compute);
     double s, r, q, mu, rho;
-    bool apart; /* computed only if the program is called with the name of this answer */
 };
 
 static enum dom_status ask_rmax(const struct dom_train *train, const struct dom_compute *compute)
@@ -131,23 +127,6 @@ static enum dom_status ask_verdict(const struct dom_train *train, const struct d
     return dom_row_run(&row, compute, false, NULL, NULL, &verdict);
 }
 
-/*
- * Computes the verdict on a random row, as a study of one row. A study does not count its work, so the work
- * is counted for the row without errors.
- */
-static enum dom_status ask_random(const struct dom_train *train, const struct dom_compute *compute)
-{
-    static struct dom_domino domino[ROW];
-    static struct dom_row row;
-    struct dom_study study;
-    struct dom_placement placement = {.error[DOM_ERROR_gap].size = 1e-4, .seed = 1, .rows = 1};
-    if (compute->work) {
-        row = row_of(train, domino);
-        return ask_verdict(train, compute);
-    }
-    return dom_placement_study(&row, compute, &placement, &study, NULL);
-}
-
 static enum dom_status ask_row(const struct dom_train *train, const struct dom_compute *compute)
 {
     struct dom_domino domino[ROW];
@@ -206,11 +185,6 @@ static const struct counted table[] = {
     {.name = "placement with friction", .ask = ask_study, .r = 1.1, .mu = 0.2},
     {.name = "placement with edges and friction", .ask = ask_study, .r = 1.1, .rho = 0.02, .mu = 0.2},
     {.name = "windows of equal dominoes", .ask = ask_windows, .r = 1},
-    {.name = "r_max, s = 0.4", .ask = ask_rmax, .s = 0.4, .apart = true},
-    {.name = "barrier, s = 0.4", .ask = ask_barrier, .s = 0.4, .apart = true},
-    {.name = "duration, s = 0.4", .ask = ask_duration, .s = 0.4, .apart = true},
-    {.name = "verdict of a random row", .ask = ask_random, .r = 1.3, .apart = true},
-    {.name = "the same, friction 0.2", .ask = ask_random, .r = 1.3, .mu = 0.2, .apart = true},
 };
 
 /* Answers one question. Callgrind looks for calls of this function, so it must keep its name and must not be
@@ -224,58 +198,25 @@ enum dom_status answer(const struct counted *counted, const struct dom_train *tr
     return counted->ask(train, compute);
 }
 
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-/* Returns the shortest time of an answer, measured in batches that are long enough for the clock. */
-static double seconds_of(const struct counted *counted, const struct dom_train *train, double patience)
-{
-    enum { BATCH = 20 };
-    double end = seconds_now() + patience, least = patience;
-    for (double begun; (begun = seconds_now()) < end;) {
-        for (int i = 0; i < BATCH; i++)
-            (void)counted->ask(train, &(struct dom_compute){.tol = (dom_real)1e-12});
-        double seconds = (seconds_now() - begun) / BATCH;
-        least = seconds < least ? seconds : least;
-    }
-    return least;
-}
-
 int main(int argc, char **argv)
 {
-    struct dom_work work = {.passes = 0};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         const struct counted *counted = &table[i];
         struct dom_train train = dom_train_default();
-        struct dom_compute compute = dom_compute_default();
-        if (argc > 1 ? strcmp(argv[1], counted->name) != 0 : counted->apart)
+        const struct dom_compute compute = dom_compute_default();
+        if (argc > 1 && strcmp(argv[1], counted->name) != 0)
             continue;
         train.s = counted->s > 0 ? counted->s : train.s;
         train.r = counted->r > 0 ? counted->r : train.r;
         train.q = counted->q > 0 ? counted->q : train.q;
         train.mu = counted->mu;
         train.rho = counted->rho;
-        compute.work = argc > 1 ? &work : NULL;
-        if (counted->apart) { /* count the work, and do whatever is done only in the first call */
-            (void)counted->ask(&train, &compute);
-            compute.work = NULL;
-        }
         enum dom_status status = answer(counted, &train, &compute);
         if (status != DOM_OK) {
             fprintf(stderr, "answers: %s: %s\n", counted->name, dom_status_text(status));
             return EXIT_FAILURE;
         }
-        if (argc > 2)
-            printf("%zu %zu %.4g\n", work.passes, work.dominoes,
-                   1e6 * seconds_of(counted, &train, atof(argv[2])));
-        else if (argc > 1)
-            printf("%zu %zu\n", work.passes, work.dominoes);
-        else
-            puts(counted->name);
+        puts(counted->name);
     }
     return EXIT_SUCCESS;
 }

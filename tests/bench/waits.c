@@ -2,12 +2,11 @@
 /* Measures questions for which people have to wait. Each question starts the program anew, as it does for a
  * user. */
 #include "bench.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { RUNS = 3 };
-
-#define SLOW 5 /* processes that take longer than this many seconds run only once */
 
 /* The row of examples/record.dom, in the model with sharp and with rounded edges, and in the engine with feet
  * that slip. */
@@ -51,18 +50,6 @@ static const struct wait {
 };
 enum { WAITS = sizeof waits / sizeof *waits };
 
-/* Runs a process several times and returns the fastest run. */
-static struct process least(const char *const *argv)
-{
-    struct process best = {.seconds = NONE, .work = NONE, .megabytes = NONE};
-    for (int k = 0; k < RUNS && !(best.seconds > SLOW); k++) {
-        struct process now = process_run(argv, "");
-        if (now.done && !(best.work <= now.work))
-            best = now;
-    }
-    return best;
-}
-
 /* Returns the first number of the last line that a shell command prints, after `skipped` commas. */
 static double number_of(const char *command, int skipped)
 {
@@ -93,7 +80,7 @@ static double make_seconds(const char *build)
     snprintf(command, sizeof command, "unset MAKEFLAGS; rm -rf '%s/clean'; exec make -s -j2 B='%s/clean'",
              build, build);
     const char *const argv[] = {"sh", "-c", command, NULL};
-    return process_run(argv, "").work;
+    return process_least(argv, 1).work;
 }
 
 static double text_megabytes(const char *build)
@@ -108,11 +95,11 @@ size_t waits_measure(const char *build, struct goal *goal)
 {
     static const char *const unit[] = {"s", "M links", "MB"};
     char domino[1000];
-    const double link = 1e-9 * recurrence_measure().one;
+    const double link = bare_link();
     snprintf(domino, sizeof domino, "%s/domino", build);
     for (const struct wait *w = waits; w < waits + WAITS; w++, goal++) {
         const char *const argv[] = {domino, "-n", "-e", w->commands, NULL};
-        const struct process p = least(argv);
+        const struct process p = process_least(argv, RUNS);
         const double measured[] = {p.seconds, 1e-6 * p.work / link, p.megabytes};
         *goal = (struct goal){.text = w->text,
                               .unit = unit[w->measure],
@@ -122,15 +109,10 @@ size_t waits_measure(const char *build, struct goal *goal)
     }
     remove("film.gif");
     const struct goal others[] = {
-        {"rows of eleven dominoes that fail after 'improve'", "%", 29.1, 5, failures(domino, GAPS), false,
-         NULL},
-        {"  with errors of four kinds", "%", 8.6, 5.2, failures(domino, ELEVEN KINDS), false, NULL},
-        {"a clean 'make', processor time", "s", 62, 20, make_seconds(build), false,
-         "no lower bound rules this goal out. Reading the headers takes 5 s, and optimizing the kernels "
-         "in float and double 6 s"},
-        {"the program's text", "MB", 3, 2, text_megabytes(build), false,
-         "GSL and Readline are 1 MB of it. With their shared libraries it has 1.5 MB, but the program takes "
-         "a third longer to start: 'make .build/shared/domino'"},
+        {"rows of eleven dominoes that fail after 'improve'", "%", 29.1, 5, failures(domino, GAPS), false},
+        {"  with errors of four kinds", "%", 8.6, 5.2, failures(domino, ELEVEN KINDS), false},
+        {"a clean 'make', processor time", "s", 62, 20, make_seconds(build), false},
+        {"the program's text", "MB", 3, 2, text_megabytes(build), false},
     };
     memcpy(goal, others, sizeof others);
     return WAITS + sizeof others / sizeof *others;
