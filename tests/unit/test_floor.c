@@ -99,3 +99,135 @@ TEST(two_tops)
     print_message("# %d heads, %d with several tops\n", checked, several);
     assert_true(checked > 2500);
 }
+
+/* ---- The followers of a train ---- */
+
+enum { LINKS = 256, TILTS = 100 };
+
+/* The dominoes of a train at one tilt of the head. */
+struct links {
+    size_t count;
+    double theta[LINKS], slope[LINKS];
+};
+
+/* The tip of each follower touches the back face of its leader: sin(theta_1 - theta) = r ((s + d) cos theta -
+ * d). The list goes on for MORE dominoes behind those that move. */
+static struct links links_at(const struct setup *train, double theta)
+{
+    enum { MORE = 40 };
+    const double r = (double)train->r, d = (double)train->d, far = (double)train->s + d;
+    struct links links = {.theta = {theta}, .slope = {1}};
+    size_t n = 0;
+    for (size_t slow = 0; slow < MORE && n + 1 < LINKS; n++) {
+        const double leader = links.theta[n], angle = asin(r * (far * cos(leader) - d));
+        links.theta[n + 1] = leader + angle;
+        links.slope[n + 1] = links.slope[n] * (1 - r * far * sin(leader) / cos(angle));
+        slow += links.slope[n + 1] <= 1e-3;
+    }
+    links.count = n + 1;
+    return links;
+}
+
+/* Returns the torque of a force about a hinge, which increases the tilt. */
+static double torque(const double at[2], const double force[2])
+{
+    return at[1] * force[0] - at[0] * force[1];
+}
+
+/*
+ * Returns the largest |R_x| / R_z under the dominoes of a train with sharp edges, without friction, from
+ * Newton's laws for each of them, beginning with the last. Masses, lengths and g are 1 for the head. Dominoes
+ * slower than a thousandth of the head's speed are left out; *decides is the one that needs most.
+ */
+static double train_needs(const struct setup *train, double theta, size_t *decides)
+{
+    const double step = 1e-6 * theta, r = (double)train->r, d = (double)train->d, s = (double)train->s;
+    const struct links here = links_at(train, theta), after = links_at(train, theta + step);
+    struct domq_state state;
+    assert_status(ask_cycle_state(train, theta, &state), DOM_OK);
+    const double tausq = (1 + d * d) / 3;
+    double behind = 0, most = 0;    /* the contact force of the follower */
+    double from_behind[2] = {0, 0}; /* the same as a vector, and where it acts */
+    double at_behind[2] = {0, 0};
+    size_t slow = here.count;
+    for (size_t j = 0; j < here.count; j++)
+        slow = here.slope[j] <= 1e-3 && j < slow ? j : slow;
+    assert_true(slow < here.count);
+    for (size_t j = here.count; j-- > 0;) {
+        const double h = pow(r, -(double)j), m = pow(r, (1 - (double)train->q) * (double)j),
+                     x = sin(here.theta[j]), y = cos(here.theta[j]),
+                     bend = j < after.count ? (after.slope[j] - here.slope[j]) / step : 0,
+                     omegasq = here.slope[j] * here.slope[j] * (double)state.omegasq / tausq,
+                     alpha =
+                         (here.slope[j] * (double)state.acceleration + bend * (double)state.omegasq) / tausq,
+                     centre_x = h * (x - d * y) / 2, centre_z = h * (y + d * x) / 2;
+        double onto[2] = {0, 0};
+        if (j > 0) { /* the force on the tip, normal to the back face of the leader */
+            const double lx = sin(here.theta[j - 1]), ly = cos(here.theta[j - 1]), tip[2] = {h * x, h * y},
+                         away[2] = {-ly, lx};
+            const double missing =
+                m * h * h * (1 + d * d) / 3 * alpha - m * centre_x - torque(at_behind, from_behind);
+            behind = missing / torque(tip, away);
+            onto[0] = behind * away[0];
+            onto[1] = behind * away[1];
+            const double leader_h = h * r;
+            const double force_x = m * (centre_z * alpha - centre_x * omegasq) - from_behind[0] - onto[0],
+                         force_z = m * (1 - centre_x * alpha - centre_z * omegasq) - from_behind[1] - onto[1],
+                         needs = fabs(force_x) / force_z;
+            if (j <= slow && needs > most) {
+                most = needs;
+                *decides = j;
+            }
+            at_behind[0] = tip[0] - (s + d) * leader_h;
+            at_behind[1] = tip[1];
+            from_behind[0] = -onto[0];
+            from_behind[1] = -onto[1];
+            continue;
+        }
+        const double force_x = m * (centre_z * alpha - centre_x * omegasq) - from_behind[0],
+                     force_z = m * (1 - centre_x * alpha - centre_z * omegasq) - from_behind[1],
+                     needs = fabs(force_x) / force_z;
+        if (needs > most) {
+            most = needs;
+            *decides = 0;
+        }
+    }
+    return most;
+}
+
+/* Checks trains in which the deciding domino is so light that it does not count for the energy. */
+TEST(light_followers)
+{
+    uint64_t seed = 102;
+    int checked = 0, light = 0;
+    for (int i = 0; i < 60; i++) {
+        struct setup train = setup_default();
+        struct domq_angles angles;
+        struct domq_limit limit;
+        struct domq_floor floor;
+        size_t decides = 0;
+        train.s = random_log(&seed, 0.02, 0.1);
+        train.d = random_log(&seed, 0.004, 0.04);
+        train.q = 3 + i % 2;
+        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+        if (limit.ends == DOM_END_NONE)
+            continue;
+        train.r = 1 + ((double)limit.r_max - 1) * (0.3 + 0.65 * random_unit(&seed));
+        if (ask_angles_find(&train, &angles) != DOM_OK || angles.detaches ||
+            ask_cycle_floor(&train, &floor) != DOM_OK || !isfinite((double)floor.motion))
+            continue;
+        double most = 0;
+        for (int k = 1; k < TILTS; k++) {
+            size_t here = 0;
+            double needs = train_needs(&train, (double)angles.theta_c * pow((double)k / TILTS, 4), &here);
+            decides = needs > most ? here : decides;
+            most = fmax(most, needs);
+        }
+        if (!(fabs((double)floor.motion - most) <= 1e-3 * most))
+            fail_train("friction of the floor", &train, (double)floor.motion, most);
+        checked++;
+        light += pow((double)train.r, -(double)train.q * (double)decides) < 1e-6;
+    }
+    print_message("# %d trains, %d with a light domino that decides\n", checked, light);
+    assert_true(checked > 10 && light > 3);
+}

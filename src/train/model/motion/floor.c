@@ -10,9 +10,19 @@ enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
  * speed. Nobody would see the dominoes behind it slip. */
 #define FLOOR_SHARE ((real)1e-3)
 
+/* The walk looks at most at so many dominoes. */
+enum { FLOOR_SHOWN = 4096 };
+
+struct required_walk {
+    struct required_friction required_friction;
+    size_t seen; /* the number of dominoes at which the walk has looked */
+};
+
 static bool required_seen(const struct hinge_load *hinge_load, void *context)
 {
-    struct required_friction *required_friction = context;
+    struct required_walk *walk = context;
+    struct required_friction *required_friction = &walk->required_friction;
+    walk->seen++;
     real motion = friction_needed(hinge_load->x, hinge_load->z),
          hit = friction_needed(hinge_load->impulse_x, hinge_load->impulse_z);
     if (motion > required_friction->motion) {
@@ -33,20 +43,28 @@ static enum dom_status required_at(const struct segment *st, real theta,
 {
     struct tilt head;
     struct kinematics kinematics = {.floor = true};
-    struct required_friction here = {.motion = -1,
-                                     .theta = theta,
-                                     .hit = required_friction->hit,
-                                     .hit_domino = required_friction->hit_domino};
+    struct required_walk walk;
+    const struct required_friction *here = &walk.required_friction;
     enum dom_status status = segment_kinematics(st, theta, &head, &kinematics);
-    if (status == DOM_OK)
-        status = forces_walk(&st->geometry, head, &kinematics, kinematics.n, required_seen, &here);
-    *motion = here.motion;
-    required_friction->hit = here.hit;
-    required_friction->hit_domino = here.hit_domino;
-    if (here.motion > required_friction->motion) {
-        required_friction->motion = here.motion;
+    /* Light dominoes that still move may be more than those that count for the energy. */
+    for (size_t shown = kinematics.n; status == DOM_OK; shown *= 2) {
+        walk = (struct required_walk){.required_friction = {.motion = -1,
+                                                            .theta = theta,
+                                                            .hit = required_friction->hit,
+                                                            .hit_domino = required_friction->hit_domino}};
+        status = forces_walk(&st->geometry, head, &kinematics, shown, required_seen, &walk);
+        if (walk.seen < shown || shown >= FLOOR_SHOWN)
+            break;
+    }
+    if (status != DOM_OK)
+        return status;
+    *motion = here->motion;
+    required_friction->hit = here->hit;
+    required_friction->hit_domino = here->hit_domino;
+    if (here->motion > required_friction->motion) {
+        required_friction->motion = here->motion;
         required_friction->theta = theta;
-        required_friction->domino = here.domino;
+        required_friction->domino = here->domino;
     }
     return status;
 }
