@@ -29,7 +29,6 @@ static const char *form_of(const struct problem *problem)
         {"maximize", "'maximize s : duration.speed', or with a range 'maximize s 0.1 0.9 : duration.speed'"},
         {"minimize",
          "'minimize s : duration.seconds', or with ranges 'minimize s 0.1 0.9, r 1 2 : count 20 m'"},
-        {"plot", "'plot maximize s : duration.speed'"},
     };
     for (size_t k = 0; k < sizeof forms / sizeof *forms; k++)
         if (problem->command && strcmp(problem->command, forms[k].command) == 0)

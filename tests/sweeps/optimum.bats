@@ -196,14 +196,3 @@ END
     run -0 "$DOMINO" -e 'maximize s : duration.speed details'
     grep -qE '^The first of the [0-9]+ values of s without an answer: ' <<<"$output"
 }
-
-# bats test_tags=pictures
-@test "plot maximize: the curve, with a mark at the best place" {
-    run -0 "$DOMINO" -e 'plot maximize s : duration.speed > curve.csv'
-    same mark "$(csv 'maximize s : duration.speed' | awk -F, 'NR == 2 { print $2 "," $7 ",true" }')" "$(sed -n 2p curve.csv)"
-    same points 242 "$(sed 1d curve.csv | wc -l)"
-    close 'a point' "$(json 'set s 0.51; print duration.speed' | values value)" "$(awk -F, '$1 > 0.50999 && $1 < 0.51001 { print $2 }' curve.csv)"
-    run -0 "$DOMINO" -e 'plot maximize s : duration.speed'
-    grep -q "largest: 0.32223, at s = 0.63056" <<<"$output"
-    wrong 'plot maximize' "'plot maximize s : duration.speed'"
-}

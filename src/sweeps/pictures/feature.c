@@ -3,14 +3,14 @@
 #include "pictures/plots/plots.h"
 
 extern const struct command watch_commands[];
-extern const struct plot sweep_plots[], optimum_plots[];
+extern const struct plot sweep_plots[];
 
 static const struct command_group groups[] = {
     {"An answer under the arrow keys", "sweeps", watch_commands},
     {NULL, NULL, NULL},
 };
 
-static const struct plot *const plots[] = {sweep_plots, optimum_plots, NULL};
+static const struct plot *const plots[] = {sweep_plots, NULL};
 
 static const struct feature_extension extension[] = {{.command = "sweep", .picture = plot_sweep},
                                                      {.command = NULL}};
