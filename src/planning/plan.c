@@ -54,8 +54,7 @@ enum { STUDY_ROWS = 2000, STUDY_ROWS_OF_ENGINE = 50 };
 
 static void plan_free(struct plan *p)
 {
-    for (int i = 0; i < p->guide.tables; i++)
-        free(p->guide.table[i].line);
+    paper_free(&p->paper);
     free(p->windows.kind[0]);
     free(p->back);
     falling_row_free(&p->row);
@@ -203,22 +202,19 @@ static void plan_rows(const struct plan *p, struct answer *a)
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 30 }; /* the size of the drawing in characters */
 
 /* Writes the guide as text into a file, or into the details of an answer that says what matters most. */
-static bool plan_text(const struct plan *p, struct answer *a)
+static bool plan_text(const struct plan *p, const char *title, struct answer *a)
 {
     const struct scene_row *scene = &p->row.run.scene;
     const size_t *critical = p->windows.critical;
     FILE *const out = a->path ? a->out : answer_rest(a);
-    struct answer guide = *a; /* after answer_rest, which finds out how wide the terminal is */
-    guide.out = out;
     if (!out)
         return false;
-    if (p->guide.title)
-        answer_say(&guide, "%s", p->guide.title);
-    if (!stage_text(&p->row.stage, display_of(guide.out), TEXT_WIDTH, TEXT_HEIGHT, guide.out))
+    if (title)
+        fprintf(out, "%s\n", title);
+    if (!stage_text(&p->row.stage, display_of(out), TEXT_WIDTH, TEXT_HEIGHT, out))
         return false;
-    for (int i = 0; i < p->guide.tables; i++)
-        guide_text(&p->guide.table[i], &guide);
-    answer_say(&guide, "\n'plan > hall.pdf' draws this guide for printing.");
+    paper_write(&p->paper, out);
+    fputs("\n'plan > hall.pdf' draws this guide for printing.\n", out);
     if (a->path)
         return true;
     answer_say(
@@ -235,6 +231,15 @@ static bool plan_text(const struct plan *p, struct answer *a)
     return true;
 }
 
+static bool guide_write(struct plan *p, const struct scene *scene)
+{
+    if (!paper_open(&p->paper))
+        return false;
+    plan_tape_table(p);
+    plan_size_table(p, scene);
+    return plan_board_table(p) && paper_close(&p->paper) && person_add(&p->row.stage);
+}
+
 bool run_plan(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct plan p;
@@ -249,19 +254,18 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
         answer_leave_out(a, "mass");
     if (!plan_has_leans(&p))
         answer_leave_out(a, "lean");
-    p.guide.title = title ? *title : NULL;
-    p.guide.stage = &p.row.stage;
     caption_write(&p, is_drawn ? "bold" : "!");
     bool good = true;
     if (!people && !is_drawn)
         plan_rows(&p, a);
-    else if (!plan_tape_table(&p) || !plan_size_table(&p, query->scene) || !plan_board_table(&p) ||
-             !person_add(&p.row.stage))
+    else if (!guide_write(&p, query->scene))
         good = problem_status(problem, query->scene, DOM_NO_MEMORY);
     else if (is_drawn)
-        good = guide_show(&p.guide, a, query->scene->compute.interrupt, problem);
+        good = paper_draw(&p.paper, title ? *title : NULL, &p.row.stage, a, query->scene->compute.interrupt,
+                          problem);
     else
-        good = plan_text(&p, a) || problem_status(problem, query->scene, DOM_NO_MEMORY);
+        good =
+            plan_text(&p, title ? *title : NULL, a) || problem_status(problem, query->scene, DOM_NO_MEMORY);
     plan_free(&p);
     return good;
 }

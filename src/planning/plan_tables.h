@@ -5,7 +5,7 @@
 
 #include "chance/chance.h"
 #include "pictures/drawing/falling_row.h"
-#include "pictures/picture/guide.h"
+#include "pictures/picture/paper.h"
 
 /* A row that falls, and what a builder must know about it. */
 struct plan {
@@ -15,8 +15,7 @@ struct plan {
     bool is_thin; /* the dominoes are hollow, and the thickness of their walls is not known */
     struct dom_study study;
     struct dom_random_error error[DOM_ERROR_COUNT];
-    struct guide guide;
-    char sizes[320]; /* the note above the table of sizes */
+    struct paper paper;
 };
 
 /* Returns the window for the place, the height or the thickness of domino k, counted from 0. As long as only
@@ -25,9 +24,9 @@ const struct dom_window *plan_window(const struct plan *plan, enum dom_window_of
 
 bool plan_has_leans(const struct plan *plan);
 
-/* These functions return false if memory runs out. */
-bool plan_tape_table(struct plan *plan);
-bool plan_size_table(struct plan *plan, const struct scene *scene);
-bool plan_board_table(struct plan *plan);
+/* These functions write a table into plan->paper. plan_board_table returns false if memory runs out. */
+void plan_tape_table(const struct plan *plan);
+void plan_size_table(const struct plan *plan, const struct scene *scene);
+bool plan_board_table(const struct plan *plan);
 
 #endif

@@ -2,9 +2,8 @@
 #include "interpreter/feature.h"
 #include "language/names.h"
 #include "language/units.h"
-#include "pictures/picture/show.h"
+#include "pictures/picture/paper.h"
 #include "sheet/sheet.h"
-#include <stdlib.h>
 #include <strings.h>
 
 static const struct column sheet_columns[] = {
@@ -106,6 +105,36 @@ static bool class_make(struct class_row *class, struct problem *problem)
     return !class->is_equal || trials_run(class, problem);
 }
 
+/* Writes the picture of the row and both pages to the destination of the answer. */
+static bool sheet_write(struct class_row *class, struct answer *a, struct problem *problem)
+{
+    static const char title[] = "How fast do dominoes fall?";
+    const volatile sig_atomic_t *interrupt = class->query->scene->compute.interrupt;
+    struct stage *stage = &class->row.stage;
+    struct paper paper;
+    bool good = paper_open(&paper);
+    if (good) {
+        sheet_questions(class, paper.out);
+        fputs("\f\n", paper.out);
+        sheet_answers(class, paper.out);
+        good = paper_close(&paper);
+    }
+    for (size_t k = 0; k < stage->count; k++)
+        stage->domino[k].part = STANDS; /* which domino is the weakest is a question */
+    snprintf(stage->caption, CAPTION, "Name ____________________  Date ___________\nThe row, to scale:");
+    if (!good) {
+        problem_status(problem, class->query->scene, DOM_NO_MEMORY);
+    } else if (a->path && extension_of(a->path)->terminal) {
+        good = paper_draw(&paper, title, stage, a, interrupt, problem);
+    } else {
+        fprintf(a->out, "%s\n", title);
+        good = stage_show(stage, a, interrupt, problem);
+        paper_write(&paper, a->out);
+    }
+    paper_free(&paper);
+    return good;
+}
+
 static bool run_sheet(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct class_row class = {.query = query};
@@ -121,14 +150,7 @@ static bool run_sheet(const struct query *query, struct answer *a, struct proble
         return false;
     bool good = class_make(&class, problem);
     if (good && answer_for_people(a)) {
-        struct page *pages = calloc(2, sizeof *pages);
-        if (pages) {
-            sheet_questions(&class, &pages[0]);
-            sheet_answers(&class, &pages[1]);
-        }
-        good = pages ? sheet_write(&class, pages, a, problem)
-                     : problem_status(problem, query->scene, DOM_NO_MEMORY);
-        free(pages);
+        good = sheet_write(&class, a, problem);
     } else {
         for (int k = 0; k < class.trials && good; k++)
             answer_row(a,

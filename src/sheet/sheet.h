@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'sheet', which writes a page for a class that times a row of dominoes, and a page with the
- * answers. feature.c finds the numbers, sheet_text.c says them, and sheet_page.c writes the pages as text or
- * by gnuplot. */
+ * answers. feature.c finds the numbers, and sheet_text.c says them. */
 #ifndef SHELL_CLASS_SHEET_H
 #define SHELL_CLASS_SHEET_H
 
@@ -35,30 +34,9 @@ struct class_row {
 
 /* ---- The pages ---- */
 
-enum line_kind {
-    LINE_TITLE,
-    LINE_HEADING,
-    LINE_TEXT,
-    LINE_CELLS, /* a line of a table, with '|' between its cells */
-    LINE_SPACE,
-};
-
-enum { LINES = 64, LINE_TEXT_MOST = 400 };
-
-struct page {
-    struct line {
-        enum line_kind kind;
-        char text[LINE_TEXT_MOST];
-    } line[LINES];
-    int lines;
-};
-
-/* Writes the page for pupils, below the picture of the row, and the page with the answers. */
-void sheet_questions(const struct class_row *class, struct page *page);
-void sheet_answers(const struct class_row *class, struct page *page);
-
-/* Writes the picture of the row and both pages to the destination of the answer. */
-bool sheet_write(struct class_row *class, const struct page pages[2], const struct answer *a,
-                 struct problem *problem);
+/* Write the page for pupils, below the picture of the row, and the page with the answers, in the markup of
+ * paper.h. */
+void sheet_questions(const struct class_row *class, FILE *out);
+void sheet_answers(const struct class_row *class, FILE *out);
 
 #endif

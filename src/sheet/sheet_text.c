@@ -4,25 +4,8 @@
 #include "language/text.h"
 #include "session/parameters.h"
 #include "sheet/sheet.h"
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void add(struct page *page, enum line_kind kind, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-/* Adds a line, unless the page is full. */
-static void add(struct page *page, enum line_kind kind, const char *format, ...)
-{
-    va_list arguments;
-    if (page->lines == LINES)
-        return;
-    struct line *line = &page->line[page->lines++];
-    line->kind = kind;
-    va_start(arguments, format);
-    vsnprintf(line->text, sizeof line->text, format, arguments);
-    va_end(arguments);
-}
 
 /* A length or a time with its unit. */
 struct length {
@@ -106,34 +89,34 @@ static bool has_leans(const struct class_row *class)
 }
 
 /* Lists the dominoes if they differ, with the places of their front faces on a tape measure. */
-static void dominoes_list(const struct class_row *class, struct page *page)
+static void dominoes_list(const struct class_row *class, FILE *out)
 {
     enum { LISTED = 20 };
     const bool leans = has_leans(class);
     double at = 0;
     if (!class->query->scene->listed.domino && class->query->scene->train.r != 1)
-        add(page, LINE_TEXT,
-            "Each domino is %.4g times as large as the one before it ('set r 1' makes all equal).",
-            (double)class->query->scene->train.r);
-    add(page, LINE_TEXT,
+        fprintf(out, "Each domino is %.4g times as large as the one before it ('set r 1' makes all equal).\n",
+                (double)class->query->scene->train.r);
+    fputs(
         "Lay a tape measure along the row. Its 0 is at the back of domino 1. The front of a domino looks in "
-        "the direction in which the row falls.");
-    add(page, LINE_CELLS, "domino|height|thickness|gap before it|its front is at%s",
-        leans ? "|its top leans by" : "");
+        "the direction in which the row falls.\n",
+        out);
+    fprintf(out, "|domino|height|thickness|gap before it|its front is at%s\n",
+            leans ? "|its top leans by" : "");
     for (size_t k = 0; k < class->trial[0].dominoes && k < LISTED; k++) {
         const struct domq_domino *d = domino_of(class, k);
         at += (double)(d->thickness + (k > 0 ? d->gap : 0));
-        add(page, LINE_CELLS, "%zu|%s|%s|%s|%s%s%s", k + 1, length_of(class, (double)d->height).text,
-            length_of(class, (double)d->thickness).text, k > 0 ? length_of(class, (double)d->gap).text : "-",
-            length_of(class, at).text, leans ? "|" : "",
-            leans ? length_of(class, (double)lean_offset(d)).text : "");
+        fprintf(out, "|%zu|%s|%s|%s|%s%s%s\n", k + 1, length_of(class, (double)d->height).text,
+                length_of(class, (double)d->thickness).text,
+                k > 0 ? length_of(class, (double)d->gap).text : "-", length_of(class, at).text,
+                leans ? "|" : "", leans ? length_of(class, (double)lean_offset(d)).text : "");
     }
     if (class->trial[0].dominoes > LISTED)
-        add(page, LINE_TEXT, "The other dominoes are in the file of the row ('row > FILE.csv' writes it).");
+        fputs("The other dominoes are in the file of the row ('row > FILE.csv' writes it).\n", out);
 }
 
 /* Says how the class starts the row. */
-static void start_write(const struct class_row *class, struct page *page)
+static void start_write(const struct class_row *class, FILE *out)
 {
     const struct scene_row *scene = &class->row.run.scene;
     const double tilt = degrees(scene_row_tilt(scene)),
@@ -146,102 +129,107 @@ static void start_write(const struct class_row *class, struct page *page)
     else if (scene->row.release > 0)
         snprintf(hold, sizeof hold, "Hold domino 1 at a tilt of %.3g degrees. ", tilt);
     if (!has_push(class))
-        add(page, LINE_TEXT,
-            "Tilt domino 1 slowly, until it tips over by itself. Start the clock when it hits domino 2, %s",
+        fprintf(
+            out,
+            "Tilt domino 1 slowly, until it tips over by itself. Start the clock when it hits domino 2, %s\n",
             clock);
     else if (speed > 0)
-        add(page, LINE_TEXT,
+        fprintf(
+            out,
             "%sPush the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. Start the clock "
-            "with the push, %s",
+            "with the push, %s\n",
             hold, speed, clock);
     else
-        add(page, LINE_TEXT, "%sStart the clock when you let it go, %s", hold, clock);
+        fprintf(out, "%sStart the clock when you let it go, %s\n", hold, clock);
 }
 
-static void setup_write(const struct class_row *class, struct page *page)
+static void setup_write(const struct class_row *class, FILE *out)
 {
     const struct domq_domino *first = domino_of(class, 0);
     const struct effect_state *slope = &class->query->scene->effect[DOM_EFFECT_slope];
-    add(page, LINE_HEADING, "Set up");
+    fputs("# Set up\n", out);
     if (class->is_equal)
-        add(page, LINE_TEXT,
+        fprintf(
+            out,
             "%zu dominoes, each %s tall and %s thick, with gaps of %s. From the front of one domino to the "
             "front of the next "
-            "it is %s.",
+            "it is %s.\n",
             class->trial[0].dominoes, length_of(class, (double)first->height).text,
             length_of(class, (double)first->thickness).text, length_of(class, class->trial[0].gap).text,
             length_of(class, class->trial[0].gap + (double)first->thickness).text);
     else
-        dominoes_list(class, page);
+        dominoes_list(class, out);
     if (class->is_equal && has_leans(class))
-        add(page, LINE_TEXT, "The dominoes lean; 'row' in the program lists by how much.");
+        fputs("The dominoes lean; 'row' in the program lists by how much.\n", out);
     if (slope->on)
-        add(page, LINE_TEXT, "The floor slopes %s, by %.4g degrees.",
-            slope->value[0] > 0 ? "down in the direction of the fall" : "up in the direction of the fall",
-            fabs(degrees(slope->value[0])));
-    start_write(class, page);
+        fprintf(out, "The floor slopes %s, by %.4g degrees.\n",
+                slope->value[0] > 0 ? "down in the direction of the fall" : "up in the direction of the fall",
+                fabs(degrees(slope->value[0])));
+    start_write(class, out);
 }
 
-static void measure_write(const struct class_row *class, struct page *page)
+static void measure_write(const struct class_row *class, FILE *out)
 {
-    add(page, LINE_HEADING, "Measure");
-    add(page, LINE_TEXT, "Guess first. The row will take _______ s.");
-    add(page, LINE_TEXT, "Then let each row fall three times. Set it up anew each time.");
+    fputs("# Measure\n", out);
+    fputs("Guess first. The row will take _______ s.\n", out);
+    fputs("Then let each row fall three times. Set it up anew each time.\n", out);
     if (!class->is_equal)
-        add(page, LINE_CELLS, "dominoes|trial 1 (s)|trial 2 (s)|trial 3 (s)|mean (s)");
+        fputs("|dominoes|trial 1 (s)|trial 2 (s)|trial 3 (s)|mean (s)\n", out);
     else
-        add(page, LINE_CELLS, "gap (%s)|dominoes|trial 1 (s)|trial 2 (s)|trial 3 (s)|mean (s)", class->unit);
+        fprintf(out, "|gap (%s)|dominoes|trial 1 (s)|trial 2 (s)|trial 3 (s)|mean (s)\n", class->unit);
     for (int k = 0; k < class->trials; k++) {
         char gap[32] = "";
         if (class->is_equal)
             snprintf(gap, sizeof gap, "%.4g|", class->trial[k].gap / class->size);
-        add(page, LINE_CELLS, "%s%zu||||", gap, class->trial[k].dominoes);
+        fprintf(out, "|%s%zu||||\n", gap, class->trial[k].dominoes);
     }
 }
 
-static void questions_write(const struct class_row *class, struct page *page)
+static void questions_write(const struct class_row *class, FILE *out)
 {
     int n = 1;
-    add(page, LINE_HEADING, "Questions");
-    add(page, LINE_TEXT,
-        "%d. The row is %s long. How fast does it fall, length divided by time? _______ %s/s", n++,
-        length_of(class, class->length).text, class->unit);
+    fputs("# Questions\n", out);
+    fprintf(out, "%d. The row is %s long. How fast does it fall, length divided by time? _______ %s/s\n", n++,
+            length_of(class, class->length).text, class->unit);
     if (class->is_equal && class->trials > 1) {
-        add(page, LINE_TEXT, "%d. Which gap gives the shortest time? _______", n++);
+        fprintf(out, "%d. Which gap gives the shortest time? _______\n", n++);
         if (class->trial[class->trials - 1].dominoes > class->trial[0].dominoes)
-            add(page, LINE_TEXT,
-                "%d. Does a row of twice as many dominoes take twice as long? Why, or why not?", n++);
+            fprintf(out, "%d. Does a row of twice as many dominoes take twice as long? Why, or why not?\n",
+                    n++);
     }
     if (!class->is_equal)
-        add(page, LINE_TEXT,
-            "%d. Which domino would stop the row first, if it were a little taller or farther away? _______",
-            n++);
+        fprintf(out,
+                "%d. Which domino would stop the row first, if it were a little taller or farther away? "
+                "_______\n",
+                n++);
     if (class->is_equal)
-        add(page, LINE_TEXT,
-            "%d. Would rougher dominoes make the row faster or slower? Try it with paper between them.", n++);
-    add(page, LINE_TEXT, "%d. How far are your three times apart? Where does that come from?", n++);
+        fprintf(out,
+                "%d. Would rougher dominoes make the row faster or slower? Try it with paper between them.\n",
+                n++);
+    fprintf(out, "%d. How far are your three times apart? Where does that come from?\n", n++);
 }
 
-void sheet_questions(const struct class_row *class, struct page *page)
+void sheet_questions(const struct class_row *class, FILE *out)
 {
-    setup_write(class, page);
-    measure_write(class, page);
-    questions_write(class, page);
-    add(page, LINE_HEADING, "With the program");
+    setup_write(class, out);
+    measure_write(class, out);
+    questions_write(class, out);
+    fputs("# With the program\n", out);
     if (class->is_equal)
-        add(page, LINE_TEXT,
+        fprintf(
+            out,
             "Type the table into a file class.csv, with commas and without the means. Its first line is: gap "
             "(%s), dominoes, "
             "trial 1 (s), trial 2 (s), trial 3 (s). In the session of this row, 'fit friction class.csv' "
             "finds the friction "
-            "between your dominoes.",
+            "between your dominoes.\n",
             class->unit);
     else
-        add(page, LINE_TEXT,
-            "Record the sound, and type the times of the clicks into a file class.csv, each on a line. Its "
-            "first line is: time "
-            "(s). In the session of this row, 'fit friction class.csv' finds the friction between your "
-            "dominoes.");
+        fputs("Record the sound, and type the times of the clicks into a file class.csv, each on a line. Its "
+              "first line is: time "
+              "(s). In the session of this row, 'fit friction class.csv' finds the friction between your "
+              "dominoes.\n",
+              out);
 }
 
 /* ---- The answers ---- */
@@ -260,15 +248,15 @@ static struct words front_words(const struct class_row *class)
     return words;
 }
 
-static void times_write(const struct class_row *class, struct page *page)
+static void times_write(const struct class_row *class, FILE *out)
 {
     const struct trial *first = class->trial, *last = &class->trial[class->trials - 1];
     int fastest = 0, n = 1;
     bool is_narrowest = true;
-    add(page, LINE_HEADING, "The times to expect");
+    fputs("# The times to expect\n", out);
     for (int k = 0; k < class->trials && class->is_equal; k++) {
-        add(page, LINE_TEXT, "%s: %s", row_words(class, &class->trial[k]).text,
-            time_of(class->trial[k].seconds).text);
+        fprintf(out, "%s: %s\n", row_words(class, &class->trial[k]).text,
+                time_of(class->trial[k].seconds).text);
         if (class->trial[k].dominoes == first->dominoes &&
             class->trial[k].seconds < class->trial[fastest].seconds)
             fastest = k;
@@ -276,46 +264,49 @@ static void times_write(const struct class_row *class, struct page *page)
     for (int k = 0; k < class->trials; k++)
         is_narrowest = is_narrowest && class->trial[fastest].gap <= class->trial[k].gap;
     if (!class->is_equal)
-        add(page, LINE_TEXT, "The %zu dominoes: %s", first->dominoes, time_of(first->seconds).text);
-    add(page, LINE_TEXT, "The clock runs from %s until the last domino lies on the floor.",
-        !has_push(class)                    ? "the hit of domino 1 on domino 2"
-        : class->row.run.scene.row.push > 0 ? "the push"
-                                            : "the release");
-    add(page, LINE_HEADING, "Answers");
-    add(page, LINE_TEXT, "%d. %s / %s = %s.%s", n++, length_of(class, class->length).text,
-        time_of(first->seconds).text, speed_of(class, length_shown(class) / time_shown(first->seconds)).text,
-        class->is_equal ? front_words(class).text : "");
+        fprintf(out, "The %zu dominoes: %s\n", first->dominoes, time_of(first->seconds).text);
+    fprintf(out, "The clock runs from %s until the last domino lies on the floor.\n",
+            !has_push(class)                    ? "the hit of domino 1 on domino 2"
+            : class->row.run.scene.row.push > 0 ? "the push"
+                                                : "the release");
+    fputs("# Answers\n", out);
+    fprintf(out, "%d. %s / %s = %s.%s\n", n++, length_of(class, class->length).text,
+            time_of(first->seconds).text,
+            speed_of(class, length_shown(class) / time_shown(first->seconds)).text,
+            class->is_equal ? front_words(class).text : "");
     if (class->is_equal && class->trials > 1) {
-        add(page, LINE_TEXT, "%d. %s.%s", n++, length_of(class, class->trial[fastest].gap).text,
-            is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
+        fprintf(out, "%d. %s.%s\n", n++, length_of(class, class->trial[fastest].gap).text,
+                is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
         if (last->dominoes > first->dominoes)
-            add(page, LINE_TEXT,
+            fprintf(
+                out,
                 "%d. It takes %.2f times as long. The start is slow, and there is only one start; later the "
-                "front has a constant speed.",
+                "front has a constant speed.\n",
                 n++, time_shown(last->seconds) / time_shown(first->seconds));
     }
     if (!class->is_equal && class->row.run.verdict.weakest > 0)
-        add(page, LINE_TEXT, "%d. Domino %zu: it has the least energy to spare.", n++,
-            class->row.run.verdict.weakest);
+        fprintf(out, "%d. Domino %zu: it has the least energy to spare.\n", n++,
+                class->row.run.verdict.weakest);
     else if (!class->is_equal)
-        add(page, LINE_TEXT, "%d. The program does not know the energies of this row.", n++);
+        fprintf(out, "%d. The program does not know the energies of this row.\n", n++);
     if (class->is_equal && isfinite(class->rough.seconds))
-        add(page, LINE_TEXT, "%d. Slower: with a friction coefficient of %.2g the row would take %s.", n++,
-            class->friction, time_of(class->rough.seconds).text);
+        fprintf(out, "%d. Slower: with a friction coefficient of %.2g the row would take %s.\n", n++,
+                class->friction, time_of(class->rough.seconds).text);
     else if (class->is_equal)
-        add(page, LINE_TEXT,
-            "%d. Slower: with a friction coefficient of %.2g the row would not even fall to its end.", n++,
-            class->friction);
-    add(page, LINE_TEXT,
-        "%d. A hand with a stopwatch is wrong by about 0.1 s; and no row is set up twice in the same way.",
+        fprintf(out,
+                "%d. Slower: with a friction coefficient of %.2g the row would not even fall to its end.\n",
+                n++, class->friction);
+    fprintf(
+        out,
+        "%d. A hand with a stopwatch is wrong by about 0.1 s; and no row is set up twice in the same way.\n",
         n++);
 }
 
 /* Lists the effects with which the program computed the times. */
-static void effects_write(const struct class_row *class, struct page *page)
+static void effects_write(const struct class_row *class, FILE *out)
 {
     const struct scene *scene = class->query->scene;
-    char text[LINE_TEXT_MOST - 100] = "";
+    char text[300] = "";
     bool random = false;
     for (int k = 0; k < EFFECT_COUNT; k++) {
         if (!scene->effect[k].on || k == DOM_EFFECT_row)
@@ -332,21 +323,21 @@ static void effects_write(const struct class_row *class, struct page *page)
         else
             text_add(text, sizeof text, "%s", effect_setting(scene, k));
     }
-    add(page, LINE_HEADING, "What the program assumes");
-    add(page, LINE_TEXT,
-        *text ? "The settings of the session: %s." : "No friction, no air, sharp edges, and a level floor%s.",
-        text);
+    fputs("# What the program assumes\n", out);
+    if (*text)
+        fprintf(out, "The settings of the session: %s.\n", text);
+    else
+        fputs("No friction, no air, sharp edges, and a level floor.\n", out);
     if (!scene->effect[DOM_EFFECT_friction].on)
-        add(page, LINE_TEXT,
-            "Real dominoes rub against each other, and a real row is slower. 'fit' finds how much.");
+        fputs("Real dominoes rub against each other, and a real row is slower. 'fit' finds how much.\n", out);
     if (random)
-        add(page, LINE_TEXT, "The times are those of the row without random errors.");
-    add(page, LINE_TEXT, "g = %.5g m/s^2", (double)class->row.run.scene.row.g);
+        fputs("The times are those of the row without random errors.\n", out);
+    fprintf(out, "g = %.5g m/s^2\n", (double)class->row.run.scene.row.g);
 }
 
-void sheet_answers(const struct class_row *class, struct page *page)
+void sheet_answers(const struct class_row *class, FILE *out)
 {
-    add(page, LINE_TITLE, "How fast do dominoes fall? The answers");
-    times_write(class, page);
-    effects_write(class, page);
+    fputs("# How fast do dominoes fall? The answers\n", out);
+    times_write(class, out);
+    effects_write(class, out);
 }

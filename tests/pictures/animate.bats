@@ -73,34 +73,6 @@ record="effect row \"$root/examples/record.csv\""
 }
 
 # bats test_tags=rows
-@test "animate: ffmpeg makes .webm and .mp4 from a png of every frame" {
-    mkdir bin none
-    ln -s "$(command -v gnuplot)" none/gnuplot
-    cat >bin/ffmpeg <<'END'
-#!/bin/sh
-echo "$@" >"$FRAMES.said"
-cat >"$FRAMES"
-echo made
-END
-    chmod +x bin/ffmpeg
-    for ending in webm mp4; do
-        FRAMES=$PWD/frames PATH=$PWD/bin:$PATH "$DOMINO" -e "set r 1; effect row 5; effect push 6; animate a.$ending rate 20"
-        same "$ending" made "$(cat a.$ending)"
-        grep -q -- '-framerate 100/5 .*-f '"$ending"' file:/dev/stdout' frames.said
-        frames=$(grep -aoc 'IHDR' frames)
-        same 'a png each frame' "$(csv 'set r 1; effect row 5; effect push 6; animate a.gif rate 20' | sed 1d | wc -l)" \
-            "$(($(grep -ao 'IEND' frames | wc -l) - 20))"
-        rm a.$ending
-        run -1 env PATH="$PWD/none" "$DOMINO" --keep-going -e "effect row 5; animate a.$ending"
-        [[ $output == *".$ending needs ffmpeg, which is not installed; run 'apt install ffmpeg', or use a name that ends in .gif"* ]]
-    done
-    printf '#!/bin/sh\ncat >/dev/null\necho "Unknown encoder" >&2\nexit 1\n' >bin/ffmpeg
-    run -1 env PATH="$PWD/bin:$PATH" "$DOMINO" --keep-going -e 'effect row 5; animate a.mp4 speed 10'
-    [[ $output == *"ffmpeg did not make 'a.mp4': Unknown encoder"* ]]
-    [ ! -e a.mp4 ]
-}
-
-# bats test_tags=rows
 @test "animate: the file stands after '>'; the old order, and 'slow'" {
     local scene='set r 1; effect row 5; effect push 6'
     same silent '(nothing)' "$("$DOMINO" -e "$scene; animate rate 20 > a.gif; animate b.gif rate 20; animate rate 20 > a.csv" 2>&1)"

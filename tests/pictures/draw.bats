@@ -76,7 +76,7 @@ record="effect row \"$root/examples/record.csv\""
     one_line 'it stops at 0.02802163121 rad, before the top of the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
     one_line 'use .svg, .png, .pdf, .gp or .txt' 'draw 0.1 > a.jpg'
-    one_line "'a.png' is the name of a picture, which 'animate' cannot write; use .gif, .webm or .mp4" 'animate > a.png'
+    one_line "'a.png' is the name of a picture, which 'animate' cannot write; use .gif" 'animate > a.png'
     one_line "'a.gif' is the name of a film, which 'draw' cannot write; use .svg" 'draw > a.gif'
     one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
     one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
@@ -315,7 +315,7 @@ END
     one_line "'never' is neither a value nor a word that fits here; usage: draw" "$record; draw at never"
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
     one_line "the number of the domino is missing; write, for example, 'draw at domino 8'" "$record; draw at domino"
-    one_line "the file extension of 'a.mov' is unknown; use .gif, .webm or .mp4" "$record; animate > a.mov"
+    one_line "the file extension of 'a.mov' is unknown; use .gif" "$record; animate > a.mov"
     one_line 'the speed must be in the range 0.001 .. 1000; 1 is real time, and 0.5 is half as fast' "$record; animate a.gif speed 0"
     one_line 'the rate must be from 1 to 50 frames per second' "$record; animate a.gif rate 1000"
     one_line "at most 3000 are drawn; enter 'speed" "$record; animate a.gif speed 0.01"
@@ -376,7 +376,7 @@ END
 # bats test_tags=rows,sweeps
 @test "a safe session at a terminal runs no other program, whatever the terminal can show" {
     mkdir programs
-    for name in gnuplot ffmpeg less cat sh more; do
+    for name in gnuplot less cat sh more; do
         printf '#!/bin/bash\n: >"%s/ran-%s"\n' "$PWD" $name >programs/$name
         chmod +x programs/$name
     done

@@ -53,7 +53,7 @@ END
     same 'the script has no title' 0 "$pages"
     for page in 2 3; do grep -q "^set label 'page $page'" forty.gp; done
     # The notes above the tables are broken into lines that fit on the page.
-    grep -qF "set label 'between '.\"\047\".'least'" forty.gp
+    grep -q "^set label 'stays between '" forty.gp
     same 'too long for the page' 0 "$(sed -n "s/^set label '\(.*\)' at screen.*/\1/p" forty.gp | sed "s/'\.\"[^\"]*\"\.'/'/g" | awk 'length > 108' | wc -l)"
     xmllint --noout forty.svg one.svg
     for text in '>40<' '>332[0-9][.][0-9]<' 'person' 'For the hall' '>page'; do
@@ -93,7 +93,7 @@ END
     leans='set r 1.2; effect row 3; change 2 lean -2 mm; change 3 lean 1 mm'
     same csv 'lean 0 -0.002 0.001' "$("$DOMINO" -e "set output csv; $leans; plan" | tail -n 4 | cut -d, -f14 | paste -sd ' ' -)"
     "$DOMINO" -e "$leans; plan > lean.txt; plan > lean.svg"
-    same text 'lean 0.0 -2.0 1.0' "$(sed -n '/^For the hall/,/^$/p' lean.txt | awk 'NR > 2 && NF { print $NF }' | paste -sd ' ' -)"
+    same text 'lean 0.0 -2.0 1.0' "$(sed -n '/^domino.*lean/,/^$/p' lean.txt | awk 'NF { print $NF }' | paste -sd ' ' -)"
     grep -q '>-2.0<' lean.svg
     run ! grep -q lean <<<"$("$DOMINO" -e 'effect row 3; plan details')"
 }
@@ -109,7 +109,7 @@ END
     tr -s ' \n' ' ' <p.txt | grep -qF 'What matters most (! in the tables): the place of domino 2'
     # The sides of a box do not touch if it is thicker than two boards. Whether it falls is another question.
     "$DOMINO" -e 'set h 60 cm; set d 0.2; set r 1.2; effect row 4; effect walls 18 mm; effect push 3; plan details' >box.txt
-    same 'least thickness' 'any any! any any' "$(sed -n '/the sizes/,/^$/p' box.txt | awk 'NR > 3 && NF { print $6 }' | paste -sd ' ' -)"
+    same 'least thickness' 'any any! any any' "$(sed -n '/^domino.*thickness/,/^$/p' box.txt | awk 'NR > 1 && NF { print $6 }' | paste -sd ' ' -)"
     grep -q "'any': as thin as the boards allow" box.txt
     run ! grep -q "'any'" p.txt
 }

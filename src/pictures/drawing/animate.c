@@ -3,9 +3,8 @@
 #include "interpreter/feature.h"
 #include "language/names.h"
 #include "language/quad.h"
-#include "pictures/drawing/animate_train.h"
-#include "pictures/drawing/draw_words.h"
 #include "pictures/drawing/falling_row.h"
+#include "pictures/drawing/film.h"
 #include "pictures/drawing/tower.h"
 #include "train/falling.h"
 #include "train/walk.h"
@@ -153,8 +152,6 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
             problem, "'speed' and 'rate' are for rows; first enter 'set row N', for example 'set row 10'");
     if (!film.is_data && a->path && a->appended)
         return problem_error(problem, "'%s' can hold only one film; '>' replaces it", names_shown(a->path));
-    if (!film.is_data && a->path && !movie_ready(a->path, problem))
-        return false;
     if (row || options->train || options->tower)
         /* TRAIN_NOTE would be wrong for a row, and superfluous if the user asked for the train. */
         a->note = NULL;

@@ -1,47 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A film of several cycles of the train, each r times as large as the one before. */
-#include "pictures/drawing/animate_train.h"
-#include "interpreter/feature.h"
 #include "language/quad.h"
+#include "pictures/drawing/film.h"
 #include "train/walk.h"
 #include <math.h>
-
-void film_follow(struct stage *stage, const struct drawn *from, const struct drawn *to, double part)
-{
-    const double more = to->height - from->height, share = fmin(fmax(part, 0), 1),
-                 growth = pow(to->height / from->height, share);
-    /* The size of the view grows exponentially, and the place moves in proportion to it. */
-    const double way = fabs(more) > 1e-9 * from->height ? (growth - 1) * from->height / more : share;
-    stage->at = from->foot + way * (to->foot - from->foot);
-    stage->tall = 2.6 * from->height * growth;
-}
-
-bool film_frame(struct film *f, const struct stage *stage)
-{
-    if (f->player)
-        return player_frame(f->player, stage);
-    movie_frame(&f->movie, stage);
-    return true;
-}
-
-bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct film *film))
-{
-    const volatile sig_atomic_t *interrupt = f->query->scene->compute.interrupt;
-    if (f->is_data)
-        return watch(f);
-    if (!f->out->path) {
-        f->player = player_begin(f->out->out, f->delay, interrupt, f->problem);
-        if (!f->player)
-            return false;
-        const bool good = watch(f);
-        struct problem other;
-        return player_end(f->player, good ? f->problem : &other) && good;
-    }
-    snprintf(f->out->made, sizeof f->out->made, "%zu frames, %.3g s", f->frames,
-             (double)f->frames * f->delay / 100);
-    return movie_begin(&f->movie, f->out, stage, f->frames, f->delay, interrupt, f->problem) &&
-           movie_end(&f->movie, watch(f), f->problem);
-}
 
 enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
 /* The largest domino is at most this many times as tall as the first head, which must stay visible. */

@@ -2,9 +2,9 @@
 /* The command 'draw', which shows the row or the train at a given moment, to scale. */
 #include "language/quad.h"
 #include "language/text.h"
-#include "pictures/drawing/animate_train.h"
 #include "pictures/drawing/draw_words.h"
 #include "pictures/drawing/falling_row.h"
+#include "pictures/drawing/film.h"
 #include "pictures/drawing/tower.h"
 #include "pictures/picture/show.h"
 #include "train/falling.h"
@@ -278,26 +278,17 @@ const struct command draw_commands[] = {
      .summary = "a film of the falling row or of the train, at the terminal or in a file",
      .help =
          "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The space "
-         "bar "
-         "stops and continues it, the arrow keys show the frame before or after, and 'q' ends it. 'animate "
-         "slow' "
-         "is four times slower than the fall, and 'animate speed 0.5' twice. 'animate > row.gif' makes a "
-         "file. "
-         "The name of the file must end in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws "
-         "the "
-         "frames. A film in a file is faster than the fall if the fall takes more than 9 s. 'rate 20' makes "
-         "a film "
-         "of 20 frames per second. 'animate tower' after 'count 112 m' shows how the row of that answer "
-         "topples a "
+         "bar stops and continues it, the arrow keys show the frame before or after, and 'q' ends it. "
+         "'animate slow' is four times slower than the fall, and 'animate speed 0.5' twice. 'animate > "
+         "row.gif' makes a file with gnuplot, which 'ffmpeg -i row.gif row.mp4' turns into a video. A film "
+         "in a file is faster than the fall if the fall takes more than 9 s. 'rate 20' makes a film of 20 "
+         "frames per second. 'animate tower' after 'count 112 m' shows how the row of that answer topples a "
          "tower of 112 m. If the largest domino or the tower is more than 30 times as tall as the smallest "
          "domino, the view follows the front and grows with it, as it does for a train at the terminal. "
-         "Without a row, or with 'animate train', the "
-         "film "
-         "shows cycles of the endless train. 'animate train 4' shows four cycles. Each cycle is r times as "
-         "large "
-         "as the one before and lasts sqrt(r) times as long. At r = 1.5 one film can show at most 9 cycles. "
-         "csv "
-         "and json have the times and tilts of the frames instead.",
+         "Without a row, or with 'animate train', the film shows cycles of the endless train. 'animate train "
+         "4' shows four cycles. Each cycle is r times as large as the one before and lasts sqrt(r) times as "
+         "long. At r = 1.5 one film can show at most 9 cycles. csv and json have the times and tilts of the "
+         "frames instead.",
      .example = NULL,
      .see = "draw duration",
      .sweep.refusal = "it draws",

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/picture/picture.h"
+#include "answer/extension.h"
 #include "domino_quad.h"
 #include "io/escape.h"
 #include "io/io.h"
@@ -7,31 +8,31 @@
 #include "io/terminal.h"
 #include "language/names.h"
 #include <errno.h>
-#include <fcntl.h>
-#include <signal.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
-/* ---- Programs ---- */
+/* ---- The program gnuplot ---- */
 
-bool program_exists(const char *name)
+/* Searches the directories in PATH. */
+static bool is_installed(void)
 {
     const char *folder = getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin";
     char path[4096];
     for (size_t n; folder; folder = folder[n] ? folder + n + 1 : NULL) {
         n = strcspn(folder, ":");
-        snprintf(path, sizeof path, "%.*s/%s", (int)n, n ? folder : ".", name);
+        snprintf(path, sizeof path, "%.*s/gnuplot", n ? (int)n : 1, n ? folder : ".");
         if (access(path, X_OK) == 0)
             return true;
     }
     return false;
 }
 
-/* Waits for a program and kills it after an interrupt. Returns true if the program was successful. */
-static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
+/* Waits for gnuplot and kills it after an interrupt. Returns true if it was successful. */
+static bool gnuplot_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 {
     const struct timespec moment = {.tv_nsec = 5000000};
     int status = 0;
@@ -44,9 +45,11 @@ static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/* Makes the child process run the program. */
-static void program_become(char *const argv[], pid_t parent, const int file[3])
+/* Makes the child process run gnuplot. */
+static void gnuplot_become(pid_t parent, const int file[3])
 {
+    /* gnuplot would read a script named "-" byte by byte. It reads /dev/stdin in blocks. */
+    char *const argv[] = {"gnuplot", "-d", "/dev/stdin", NULL};
     /* ^Z stops a whole process group, but at the prompt, this program catches ^Z. If the child were in the
      * same group, only the child would stop, and this program would wait for the child forever. */
     setpgid(0, 0);
@@ -61,18 +64,19 @@ static void program_become(char *const argv[], pid_t parent, const int file[3])
     _exit(127);
 }
 
-/* Reports the first line of text that a failed program wrote to standard error. */
-static bool program_failed(const char *name, const char *what, FILE *errors, struct problem *problem)
+/* Reports the first line of text that gnuplot wrote to standard error. */
+static bool gnuplot_failed(FILE *errors, struct problem *problem)
 {
     char line[256] = "";
     rewind(errors);
     while (fgets(line, sizeof line, errors) && strspn(line, " \t\n^") == strlen(line))
         ;
     line[strcspn(line, "\n")] = '\0';
-    return problem_error(problem, "%s did not %s: %s", name, what, *line ? line : "it was stopped");
+    return problem_error(problem, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
 }
 
-FILE *temporary_open(struct problem *problem)
+/* Opens a temporary file, which is deleted when it is closed. */
+static FILE *temporary_open(struct problem *problem)
 {
     FILE *file = io_temporary(NULL);
     const int error = errno;
@@ -82,8 +86,8 @@ FILE *temporary_open(struct problem *problem)
     return file;
 }
 
-bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
-                 const volatile sig_atomic_t *interrupt, struct problem *problem)
+/* Runs gnuplot, which reads `in` from its beginning and writes to `out`. */
+static bool gnuplot_run(FILE *in, FILE *out, const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
     FILE *errors = temporary_open(problem);
     if (!errors)
@@ -95,26 +99,26 @@ bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
     lseek(file[0], 0, SEEK_SET);
     pid_t child = fork();
     if (child == 0)
-        program_become(argv, parent, file);
-    bool done = child > 0 && program_wait(child, interrupt);
+        gnuplot_become(parent, file);
+    bool done = child > 0 && gnuplot_wait(child, interrupt);
     if (child < 0)
-        problem_error(problem, "cannot run %s: %s", argv[0], strerror(errno));
+        problem_error(problem, "cannot run gnuplot: %s", strerror(errno));
     else if (!done && dom_raised(interrupt))
         problem_error(problem, "%s", dom_status_text(DOM_INTERRUPTED));
     else if (!done)
-        program_failed(argv[0], what, errors, problem);
+        gnuplot_failed(errors, problem);
     fclose(errors);
     return done;
 }
 
-/* ---- gnuplot ---- */
-
 bool gnuplot_ready(struct problem *problem)
 {
-    return program_exists("gnuplot") ||
+    return is_installed() ||
            problem_error(problem, "pictures need gnuplot, which is not installed; run 'apt install "
                                   "gnuplot-nox', or enter 'set output csv' for the data");
 }
+
+/* ---- Scripts ---- */
 
 /* A quote is written as "\047", in a string of its own. Within single quotes, gnuplot reads '' as a quote,
  * but not at the beginning of a string; and after "'" it would expand macros such as @NAME in the next
@@ -146,21 +150,36 @@ void gnuplot_text(FILE *script, const char *text)
     quoted(script, text, strlen(text), true);
 }
 
-void gnuplot_output(FILE *script, const char *name)
+/* Writes the head of a script that draws a .pdf file of the same name. The name begins with "./", because
+ * gnuplot would run a name that begins with '|'. */
+static void script_head(const struct answer *a)
 {
-    fputs("set output './'.", script);
-    quoted(script, name, strlen(name), false); /* a control character belongs to the name */
-    putc('\n', script);
+    const char *slash = strrchr(a->path, '/'), *name = slash ? slash + 1 : a->path;
+    char pdf[NAME_MAX + 1];
+    snprintf(pdf, sizeof pdf, "%.*s.pdf", (int)(strrchr(name, '.') - name), name);
+    fputs("# A picture and its data, written by the program domino. gnuplot draws it into a .pdf file of the "
+          "same name.\nset output './'.",
+          a->out);
+    quoted(a->out, pdf, strlen(pdf), false); /* a control character belongs to the name */
+    putc('\n', a->out);
 }
 
-bool picture_begin(struct picture *p, FILE *out, const char *terminal, const volatile sig_atomic_t *interrupt,
-                   struct problem *problem)
+static bool is_script(const struct answer *a)
 {
-    if (!gnuplot_ready(problem))
+    return extension_of(a->path)->is_script;
+}
+
+bool picture_begin(struct picture *p, const struct answer *a, const char *terminal,
+                   const volatile sig_atomic_t *interrupt, struct problem *problem)
+{
+    if (!is_script(a) && !gnuplot_ready(problem))
         return false;
-    *p = (struct picture){.script = temporary_open(problem), .out = out, .interrupt = interrupt};
+    *p = (struct picture){
+        .script = is_script(a) ? a->out : temporary_open(problem), .answer = a, .interrupt = interrupt};
     if (!p->script)
         return false;
+    if (is_script(a))
+        script_head(a);
     fprintf(p->script, "set encoding utf8\nset terminal %s\n", terminal);
     return true;
 }
@@ -176,14 +195,12 @@ static int drawing_error(FILE *drawing, long size)
 
 static bool draw(const struct picture *p, FILE *drawing, struct problem *problem)
 {
-    /* gnuplot would read a script named "-" byte by byte. It reads /dev/stdin in blocks. */
-    char *const argv[] = {"gnuplot", "-d", "/dev/stdin", NULL};
     errno = 0;
     if (fflush(p->script) != 0 || ferror(p->script))
         return problem_error(problem, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
     /* gnuplot first tries the terminal type in GNUTERM, and exits if it cannot use this type. */
     setenv("GNUTERM", "unknown", 1);
-    if (!program_run(argv, p->script, drawing, "draw it", p->interrupt, problem))
+    if (!gnuplot_run(p->script, drawing, p->interrupt, problem))
         return false;
     fseek(drawing, 0, SEEK_END);
     long size = ftell(drawing);
@@ -193,12 +210,14 @@ static bool draw(const struct picture *p, FILE *drawing, struct problem *problem
     if (error)
         return problem_error(problem, "cannot draw: %s", strerror(error));
     progress_end();
-    io_copy(drawing, p->out);
+    io_copy(drawing, p->answer->out);
     return true;
 }
 
 bool picture_end(struct picture *p, bool whole, struct problem *problem)
 {
+    if (is_script(p->answer))
+        return whole;
     FILE *drawing = whole ? temporary_open(problem) : NULL;
     bool drawn = drawing && draw(p, drawing, problem);
     if (drawing)

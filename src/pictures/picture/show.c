@@ -3,12 +3,9 @@
 #include "io/terminal.h"
 #include "language/names.h"
 #include "pictures/picture/picture.h"
-#include <limits.h>
 #include <string.h>
-#include <strings.h>
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23 };
-enum { TERMINAL_TEXT = 256 };
 enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* the minimum and maximum height of a sheet, in dots */
 
 /* ---- Before a picture is drawn ---- */
@@ -51,64 +48,50 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
 
 #define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */
 
-/* Writes the gnuplot terminal setting for a chart that is drawn into the file `path`. */
-static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
+/* Writes the gnuplot terminal setting for a chart. `name` is the name of the terminal. */
+static void chart_terminal(const struct chart *chart, const char *name, char terminal[TERMINAL_TEXT])
 {
+    enum { SIZE = TERMINAL_TEXT };
     const struct chart_look *chosen = &chart->look;
     struct chart_look look = chart_size(chart);
     /* the font 'sans' exists even on a minimal Debian system */
-    const char *name = extension_of(path)->terminal, *family = look.family ? look.family : "sans";
+    const char *family = look.family ? look.family : "sans";
     const bool svg = strcmp(name, "svg") == 0;
     const double dots = svg ? 45 : 60; /* dots per cm */
     if (!(chart->tex || chosen->width > 0 || chosen->height > 0 || chosen->font > 0 || chosen->family))
         look.height = CHART_HEIGHT;
     if (chart->tex)
-        snprintf(terminal, size, "%s size %.6gcm,%.6gcm textscale %.4g", name, look.width, look.height,
+        snprintf(terminal, SIZE, "%s size %.6gcm,%.6gcm textscale %.4g", name, look.width, look.height,
                  look.font / TEX_FONT);
     else if (strcmp(name, "pdfcairo") == 0)
-        snprintf(terminal, size, "%s size %.6gcm,%.6gcm font '%s,%.3g' enhanced", name, look.width,
+        snprintf(terminal, SIZE, "%s size %.6gcm,%.6gcm font '%s,%.3g' enhanced", name, look.width,
                  look.height, family, look.font);
     else /* the font is large, since a phone shrinks the picture */
-        snprintf(terminal, size, "%s size %.0f,%.0f%s font '%s,%.3g'%s enhanced", name, dots * look.width,
+        snprintf(terminal, SIZE, "%s size %.0f,%.0f%s font '%s,%.3g'%s enhanced", name, dots * look.width,
                  dots * look.height, svg ? " dynamic" : "", family, look.font * 17 / CHART_FONT,
                  svg ? " background rgb 'white'" : "");
 }
 
-void script_head(const struct answer *a, const char *terminal)
-{
-    const char *slash = strrchr(a->path, '/'), *name = slash ? slash + 1 : a->path;
-    char pdf[NAME_MAX + 1];
-    snprintf(pdf, sizeof pdf, "%.*s.pdf", (int)(strrchr(name, '.') - name), name);
-    fprintf(
-        a->out,
-        "# A picture and its data, written by the program domino. gnuplot draws it into a .pdf file of the "
-        "same name.\nset encoding utf8\nset terminal %s\n",
-        terminal);
-    gnuplot_output(a->out, pdf);
-}
-
-/* Draws a picture with gnuplot. If the file is a gnuplot script, writes only the script. */
+/* Draws a picture with gnuplot. */
 static bool show_drawn(const struct answer *a, const struct chart *chart, const struct stage *stage,
                        const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    struct picture picture = {.script = a->out};
+    struct picture picture;
     struct sheet sheet;
     char terminal[TERMINAL_TEXT];
-    const bool is_script = extension_of(a->path)->is_script;
     if (chart)
-        chart_terminal(chart, a->path, terminal, sizeof terminal);
+        chart_terminal(chart, extension_of(a->path)->terminal, terminal);
     else {
         sheet = sheet_of(stage, STAGE_LEAST, STAGE_MOST);
-        sheet_terminal(&sheet, is_script ? ".pdf" : a->path, terminal, sizeof terminal);
+        sheet_terminal(&sheet, extension_of(a->path)->terminal, false, terminal);
     }
-    if (is_script)
-        script_head(a, terminal);
-    bool drawn = is_script || picture_begin(&picture, a->out, terminal, interrupt, problem);
-    if (drawn && !chart)
-        stage_script(stage, &sheet, picture.script);
-    else if (drawn)
+    if (!picture_begin(&picture, a, terminal, interrupt, problem))
+        return false;
+    if (chart)
         chart_script(chart, picture.script);
-    return drawn && (is_script || picture_end(&picture, true, problem));
+    else
+        stage_script(stage, &sheet, picture.script);
+    return picture_end(&picture, true, problem);
 }
 
 static bool show(const struct answer *a, const struct chart *chart, const struct stage *stage,

@@ -16,9 +16,6 @@ bool picture_ready(const struct answer *a, struct problem *problem);
 /* Returns the words that explain a picture's marks. Text and gnuplot pictures have different marks. */
 struct marks picture_marks(const struct answer *a);
 
-/* Writes the head of a gnuplot script that draws a .pdf file of the same name. */
-void script_head(const struct answer *a, const char *terminal);
-
 /* Draws a chart to the destination of the answer and frees the chart. */
 bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);

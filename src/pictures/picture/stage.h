@@ -7,6 +7,7 @@
 
 #include "answer/measure.h"
 #include "pictures/picture/canvas.h"
+#include "pictures/picture/picture.h"
 #include "precision/any.h"
 
 enum {
@@ -158,8 +159,9 @@ struct sheet sheet_of(const struct stage *stage, double least, double most);
  * becomes `tall`, which includes the strip for labels below the ground. */
 void sheet_follow(struct sheet *sheet, double at, double tall);
 
-/* Writes the gnuplot terminal setting for a file with this extension. */
-void sheet_terminal(const struct sheet *sheet, const char *path, char *terminal, size_t size);
+/* Writes the gnuplot terminal setting for a sheet. `name` is the name of the terminal. A sheet that
+ * `is_paper` is as wide as A4 paper. */
+void sheet_terminal(const struct sheet *sheet, const char *name, bool is_paper, char terminal[TERMINAL_TEXT]);
 
 /* Draws a dot in each colour into a frame. A gif has only the colours of its first frame, so this frame
  * must contain all colours. The last dot is white and covers the others. `shift` changes this white slightly.

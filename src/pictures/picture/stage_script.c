@@ -7,7 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 /* ---- The sheet, in dots ---- */
 
@@ -70,19 +69,23 @@ void sheet_follow(struct sheet *v, double at, double tall)
     v->high = v->low + up * v->dot;
 }
 
-void sheet_terminal(const struct sheet *v, const char *path, char *terminal, size_t size)
+void sheet_terminal(const struct sheet *v, const char *name, bool is_paper, char terminal[TERMINAL_TEXT])
 {
-    const char *extension = strrchr(path, '.');
-    if (strcasecmp(extension, ".pdf") == 0)
-        snprintf(terminal, size, "pdfcairo size %.3fcm,%.3fcm font 'sans,%d' fontscale 0.51 enhanced",
-                 v->width / 40, v->height / 40, FONT);
-    else if (strcasecmp(extension, ".png") == 0)
-        snprintf(terminal, size, "pngcairo size %.0f,%.0f font 'sans,%d' fontscale %.3g linewidth 2 enhanced",
-                 2 * v->width, 2 * v->height, FONT, 2 * 0.72);
+    /* The font is smaller on paper, which has margins. */
+    const double cm = is_paper ? 21 : 16, scale = is_paper ? 0.86 : 1;
+    if (strcmp(name, "pdfcairo") == 0)
+        snprintf(terminal, TERMINAL_TEXT,
+                 "pdfcairo size %.3fcm,%.3fcm font 'sans,%d' fontscale %.3g enhanced", cm,
+                 cm * v->height / v->width, FONT, cm * 0.51 / 16);
+    else if (strcmp(name, "pngcairo") == 0)
+        snprintf(terminal, TERMINAL_TEXT,
+                 "pngcairo size %.0f,%.0f font 'sans,%d' fontscale %.3g linewidth 2 enhanced", 2 * v->width,
+                 2 * v->height, FONT, 2 * 0.72 * scale);
     else
-        snprintf(terminal, size,
-                 "svg size %.0f,%.0f dynamic font 'sans-serif,%d' background rgb 'white' enhanced", v->width,
-                 v->height, FONT);
+        snprintf(terminal, TERMINAL_TEXT,
+                 "svg size %.0f,%.0f dynamic font 'sans-serif,%d' fontscale %.3g background rgb 'white' "
+                 "enhanced",
+                 v->width, v->height, FONT, scale);
 }
 
 /* ---- The ruler and the caption ---- */

@@ -12,8 +12,6 @@ static const struct extension extensions[] = {
     {.text = ".gp", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_script = true},
     {.text = ".tex", .kind = EXTENSION_SHEET, .terminal = "tikz", .is_document = true},
     {.text = ".gif", .kind = EXTENSION_FILM},
-    {.text = ".webm", .kind = EXTENSION_FILM},
-    {.text = ".mp4", .kind = EXTENSION_FILM},
 };
 
 const struct extension *extension_of(const char *path)

@@ -200,8 +200,8 @@ static bool run_paged(struct session *session, const struct command *c, const st
                       struct problem *problem)
 {
     const bool has_pages = c->writes == WRITES_PAGES;
-    if (session->run_context.safe ||
-        (!has_pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->access.runs)))
+    if (session->run_context.safe || (!has_pages && !(session->source.prompt_width && c->columns &&
+                                                      c->writes != WRITES_FILMS && !c->access.runs)))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     struct output *end = *output_find(&session->output, OUTPUT_SINKS);
@@ -226,7 +226,7 @@ static const char *endings_of(const struct command *c)
     return c->writes == WRITES_DOCUMENTS ? ".tex or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_CHARTS  ? ".svg, .png, .pdf, .tex, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
-           : c->writes == WRITES_FILMS    ? ".gif, .webm or .mp4 (for the data: .csv or .json)"
+           : c->writes == WRITES_FILMS    ? ".gif (for the data: .csv or .json)"
            : feature_picture(c) ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf, .tex or .gp)"
            : c->columns || c->access.runs ? ".csv, .json or .txt"
                                           : ".txt";

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Films of the train, and the function film_make, which makes the films of the train and of the row. */
-#ifndef SHELL_ANIMATE_TRAIN_H
-#define SHELL_ANIMATE_TRAIN_H
+/* Films, which are shown at the terminal or written into a .gif file. */
+#ifndef SHELL_FILM_H
+#define SHELL_FILM_H
 
 #include "pictures/drawing/draw_words.h"
-#include "pictures/picture/movie.h"
 #include "pictures/picture/play.h"
 
 /* 'animate slow' is this many times slower. */
@@ -16,14 +15,16 @@ struct film {
     struct answer *out;
     bool is_data; /* the frames are written as data, rather than drawn */
     const struct draw_options *options;
-    struct player *player; /* shows the frames at the terminal; NULL for a file */
-    struct movie movie;
-    size_t frames;
-    int delay; /* time between two frames, in hundredths of a second */
+    struct player *player;  /* shows the frames at the terminal; NULL for a file */
+    struct picture picture; /* for a file: its script has a plot command for each frame */
+    struct sheet sheet;     /* the size of all frames, and the part of the stage that the next frame shows */
+    size_t frames, frame;   /* the total number of frames, and the number written so far */
+    int delay;              /* time between two frames, in hundredths of a second */
 };
 
-/* Makes the film. `stage` gives the size of the frames, as in movie_begin. `watch` passes each frame to
- * film_frame, or adds it to film->out. On failure, `watch` sets film->problem. */
+/* Makes the film. All frames have the same size, so the caption of `stage` must have as many lines as the
+ * captions of the frames. `watch` passes each frame to film_frame, or adds it to film->out. On failure,
+ * `watch` sets film->problem. */
 bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struct film *film));
 
 /* Moves the view of a film that follows the fall: it has a size that suits the domino `from`, with this
