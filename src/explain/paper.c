@@ -45,11 +45,9 @@ static struct table *table_begin(const struct query *query, bool is_default, str
 static domq_real value_at(struct table *t, enum dom_fuel fuel, const char *expression)
 {
     domq_real value = DOMQ_NAN;
-    struct problem problem = {.kind = PROBLEM_NONE};
     t->train->fuel = fuel;
-    if (t->problem->kind == PROBLEM_NONE && !expression_value(&t->query, expression, &value, &problem) &&
-        (problem.kind != PROBLEM_NO_ANSWER || dom_raised(t->query.scene->compute.interrupt)))
-        *t->problem = problem;
+    if (t->problem->kind == PROBLEM_NONE)
+        (void)expression_value(&t->query, expression, &value, t->problem);
     return value;
 }
 
@@ -234,6 +232,9 @@ static domq_real recipe_value(struct table *t, size_t k, bool is_paper, const st
     struct domq_energy at = {.J = 1};
     *compute = is_paper && recipe[k].step != 5 ? *theirs : *ours;
     domq_real value = value_at(t, fuel, is_paper && recipe[k].paper ? recipe[k].paper : recipe[k].program);
+    /* The paper's steps may not converge. */
+    if (is_paper && t->problem->kind == PROBLEM_NO_ANSWER && !dom_raised(ours->interrupt))
+        t->problem->kind = PROBLEM_NONE;
     if (recipe[k].quantity == omega_m) {
         const domq_real tilt = value_at(t, fuel, "barrier.theta_m");
         if (isnan(tilt) || any_energy_find(t->train, ours, tilt, &at) != DOM_OK)
@@ -249,7 +250,7 @@ static void recipe_rows(struct table *t)
     steps.method = DOM_METHOD_PAPER;
     steps.precision = IN_DOUBLE;
     steps.tol = RECIPE_TOL;
-    for (size_t k = 0; k < sizeof recipe / sizeof *recipe; k++) {
+    for (size_t k = 0; k < sizeof recipe / sizeof *recipe && t->problem->kind == PROBLEM_NONE; k++) {
         const domq_real paper = recipe_value(t, k, true, &ours, &steps),
                         program = recipe_value(t, k, false, &ours, &steps);
         const bool differs = quad(fabs)(paper - program) > RECIPE_SAME * quad(fabs)(program);

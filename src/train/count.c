@@ -38,65 +38,65 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
     return *why ? DOM_OK : status;
 }
 
+/* How much dominoes of one kind can grow. */
+struct growth {
+    domq_real q;
+    struct domq_limit limit; /* of the endless train */
+    struct start_growths row;
+};
+
+/* Finds the largest growth at which a moving train keeps falling, and at which a row starts from rest. */
+static bool growth_find(const struct query *query, const struct domq_train *train, struct growth *g,
+                        struct problem *problem)
+{
+    const enum dom_status status = any_limit_rmax(train, &query->scene->compute, &g->limit);
+    g->q = train->q;
+    g->row = (struct start_growths){.r_max = DOMQ_NAN};
+    if (status != DOM_OK)
+        return problem_limit(problem, query->scene, status, &g->limit);
+    return g->limit.ends == DOM_END_NONE ||
+           start_growths_find(query, train, g->limit.r_max, &g->row, problem);
+}
+
 /* The results for a row that is to topple a domino of a given height. */
 struct tower {
-    struct domq_limit limit; /* the largest growth of the endless train */
-    const char *stops;       /* why the endless train stops, or NULL */
-    struct start start;      /* the result of running the row, whose last domino is the one to topple */
-    struct start_growths growths;
+    struct growth growth;
+    const char *stops;  /* why the endless train stops, or NULL */
+    struct start start; /* the result of running the row, whose last domino is the one to topple */
     bool falls;
 };
 
-/* Runs a row of `dominoes` dominoes, followed by the domino to topple. Also finds two limits: the largest
- * growth at which a moving train keeps falling, and the largest growth at which a row starts from rest. */
+/* Runs a row of `dominoes` dominoes, followed by the domino to topple. */
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
-    const struct any_compute *compute = &query->scene->compute;
-    enum dom_status status = count_feasible(train, compute, &t->stops);
-    if (status == DOM_OK)
-        status = any_limit_rmax(train, compute, &t->limit);
-    if (status != DOM_OK)
-        return problem_limit(problem, query->scene, status, &t->limit);
-    t->growths = (struct start_growths){.r_max = DOMQ_NAN};
-    if (!start_find(query, train, dominoes + 1, &t->start, problem) ||
-        (t->limit.ends != DOM_END_NONE &&
-         !start_growths_find(query, train, t->limit.r_max, &t->growths, problem)))
+    const enum dom_status status = count_feasible(train, &query->scene->compute, &t->stops);
+    if (!query_status(query, problem, status) || !growth_find(query, train, &t->growth, problem) ||
+        !start_find(query, train, dominoes + 1, &t->start, problem))
         return false;
     t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > dominoes);
     return true;
 }
 
-/* A kind of domino, such as "solid" or "q = 3.5", and the results for a row of this kind. */
-struct kind {
-    domq_real q;
-    struct tower tower;
-    bool is_session; /* the dominoes of the session are of this kind */
-};
-
-enum { KINDS_MOST = 8 };
-
-/* Finds the results for each named kind of domino, and for the kind of the session. Returns the number of
- * kinds, or 0 after a problem. The kind of the session comes first. */
-static size_t kinds_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
-                         const struct tower *own, struct kind kind[KINDS_MOST], struct problem *problem)
+/* Finds the kind of domino that has a name and can grow most. If the row of the session does not fall, takes
+ * its kind. */
+static bool best_kind(const struct query *query, const struct domq_train *train, const struct tower *t,
+                      struct growth *best, struct problem *problem)
 {
-    size_t count = 1;
-    kind[0] = (struct kind){train->q, *own, true};
-    for (const struct word *w = parameter_find("q")->words; w->name && count < KINDS_MOST; w++) {
+    *best = t->growth;
+    for (const struct word *w = parameter_find("q")->words; w->name && t->falls; w++) {
         struct domq_train other = *train;
-        /* Several words can have the same value. */
-        if (w->value == train->q || (w[1].name && w[1].value == w->value))
-            continue;
+        struct growth growth;
         other.q = w->value;
-        if (any_train_check(&other, query_compute(query)) == DOM_NO_AIR) /* not self-similar */
+        /* Trains in air may not be self-similar. */
+        if (w->value == train->q || any_train_check(&other, query_compute(query)) == DOM_NO_AIR)
             continue;
-        kind[count].q = other.q;
-        kind[count].is_session = false;
-        if (!tower_find(query, &other, dominoes, &kind[count++].tower, problem))
-            return 0;
+        if (!growth_find(query, &other, &growth, problem))
+            return false;
+        if (growth.row.r_max > best->row.r_max)
+            *best = growth;
     }
-    return count;
+    return true;
 }
 
 /* Returns how many dominoes topple one of this height at growth r, or NaN if no number is enough. */
@@ -117,14 +117,18 @@ static domq_real growth_below(domq_real r)
     return below;
 }
 
-/* Prints how much dominoes of one kind can grow in a row that starts, and how many are then enough. */
-static void growth_say(const struct query *query, struct answer *a, const struct kind *kind, domq_real height)
+/* Prints how much dominoes of one kind can grow in a row that starts, and how many are then enough, unless
+ * these are not fewer than `dominoes`. */
+static void growth_say(const struct query *query, struct answer *a, const struct growth *g,
+                       const struct tower *t, domq_real height, domq_real dominoes)
 {
-    struct words name = dominoes_words(kind->q, "dominoes");
-    const domq_real most = growth_below(kind->tower.growths.r_max), n = enough(query, height, most);
-    if (kind->tower.limit.ends == DOM_END_NONE)
+    struct words name = dominoes_words(g->q, "dominoes");
+    const domq_real most = growth_below(g->row.r_max), n = enough(query, height, most);
+    if (t->falls && !(n < dominoes))
+        return;
+    if (g->limit.ends == DOM_END_NONE)
         answer_say(a, "With these gaps not even equal dominoes keep falling.");
-    else if (isnan(kind->tower.growths.r_max) && !kind->tower.start.engine)
+    else if (isnan(g->row.r_max) && !t->start.engine)
         answer_say(a, "With these gaps no row of such dominoes starts %s.",
                    query->scene->effect[DOM_EFFECT_release].on ? "from this tilt"
                    : query->scene->effect[DOM_EFFECT_push].on  ? "with this push"
@@ -133,52 +137,6 @@ static void growth_say(const struct query *query, struct answer *a, const struct
         answer_say(a, "%c%s can each be %s times as large as the one before: then %s %s enough.",
                    toupper((unsigned char)*name.text), name.text + 1, quad_growth(most, 9),
                    quad_text(n, WIDE_DIGITS), n == 1 ? "is" : "are");
-}
-
-/* Prints the growth of the kind that needs the fewest dominoes. If the row of the session does not fall,
- * prints the growth of its kind. */
-static void advice_say(const struct query *query, struct answer *a, const struct kind *kind, size_t count,
-                       domq_real height, domq_real dominoes)
-{
-    const struct kind *best = kind;
-    for (size_t k = 1; k < count && kind->tower.falls; k++)
-        if (kind[k].tower.growths.r_max > best->tower.growths.r_max)
-            best = &kind[k];
-    if (!kind->tower.falls || enough(query, height, growth_below(best->tower.growths.r_max)) < dominoes)
-        growth_say(query, a, best, height);
-}
-
-/* Adds to the details whether a row of this kind falls, the largest growth for a moving train and for a row
- * that starts, and how many dominoes are enough at these growths. */
-static void kind_detail(const struct query *query, struct answer *a, const struct kind *kind,
-                        domq_real height)
-{
-    const struct tower *t = &kind->tower;
-    const domq_real r_max = t->limit.r_max, r_start = t->growths.r_max;
-    const char *word = parameter_word(parameter_find("q"), kind->q);
-    struct words name;
-    char starts[256] = "";
-    snprintf(name.text, sizeof name.text, "%s%s", word ? "" : "q = ", word ? word : quad_text(kind->q, 6));
-    if (t->limit.ends == DOM_END_NONE) {
-        answer_detail(a, "  %-7s no; not even equal dominoes keep falling", name.text);
-        return;
-    }
-    if (isnan(r_start) && !t->start.engine)
-        snprintf(starts, sizeof starts, "; but no such row starts");
-    else if (r_start < r_max)
-        snprintf(starts, sizeof starts, "; %s in a row that starts: %s dominoes",
-                 limit_words(r_start, 6).text, quad_text(enough(query, height, r_start), WIDE_DIGITS));
-    answer_detail(a, "  %-7s %-4s growth up to %s: %s dominoes%s", name.text, t->falls ? "yes;" : "no;",
-                  limit_words(r_max, 6).text, quad_text(enough(query, height, r_max), WIDE_DIGITS), starts);
-}
-
-static void kinds_detail(const struct query *query, struct answer *a, const struct domq_train *train,
-                         const struct kind *kind, size_t count, domq_real height)
-{
-    answer_detail(a, "\nWhich kinds of domino fall with growth %s at s = %.6g?", quad_growth(train->r, 6),
-                  (double)train->s);
-    for (size_t k = 0; k < count; k++)
-        kind_detail(query, a, &kind[k], height);
 }
 
 /* Returns "The 20th domino" or "The first domino". */
@@ -258,7 +216,7 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
     struct domq_train train = query->scene->train;
     struct domq_count count;
     struct tower t = {.falls = false};
-    struct kind kind[KINDS_MOST];
+    struct growth best;
     char reason[START_TEXT];
     train.r = query->given->count > 1 ? query->given->number[1] : train.r;
     if (any_count_find(first, height, train.r, query_compute(query), &count) != DOM_OK)
@@ -269,8 +227,7 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
     if (!tower_find(query, &train, count.dominoes, &t, problem))
         return false;
     const bool people = answer_for_people(a), is_enough = isfinite(count.dominoes);
-    const size_t kinds = people ? kinds_find(query, &train, count.dominoes, &t, kind, problem) : 0;
-    if (people && kinds == 0)
+    if (people && !best_kind(query, &train, &t, &best, problem))
         return false;
     const char *why = count_reason(query, count.dominoes, &t, &train, reason);
     answer_set_verdict(a, t.falls && is_enough);
@@ -282,7 +239,7 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
                    cell_flag(t.falls), cell_flag(!t.stops),
                    t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
                    cell_within(t.start.push, t.start.push / 1000),
-                   cell_limit(cell_within(t.growths.r_max, t.growths.uncertainty))),
+                   cell_limit(cell_within(t.growth.row.r_max, t.growth.row.uncertainty))),
                people && is_enough ? NULL : why);
     if (!people)
         return true;
@@ -290,7 +247,6 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
         answer_detail(a, "%s", why);
     if (is_enough)
         count_detail(query, a, &count, &train, &t);
-    advice_say(query, a, kind, kinds, height, is_enough ? count.dominoes : (domq_real)INFINITY);
-    kinds_detail(query, a, &train, kind, kinds, height);
+    growth_say(query, a, &best, &t, height, is_enough ? count.dominoes : (domq_real)INFINITY);
     return true;
 }

@@ -23,6 +23,14 @@ static void part_row(struct answer *a, const char *part, const char *solved, siz
                  cell_word(why), cell_word(solved));
 }
 
+static bool has_errors(const struct scene *scene)
+{
+    bool any = false;
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        any = any || (effect_is_random(k) && scene->effect[k].on);
+    return any;
+}
+
 /* Adds a row for each part of the computation. The longest sum has `n` dominoes. */
 static void parts_list(const struct query *query, struct answer *a, size_t n)
 {
@@ -80,10 +88,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
                  n, "always");
     part_row(a, "time", "integral of 1/omega, by double-exponential quadrature", 0, "for times only");
     const bool has_placement = scene->effect[DOM_EFFECT_placement].on;
-    bool has_errors = false;
-    for (int k = 0; k < EFFECT_COUNT; k++)
-        has_errors = has_errors || (effect_is_random(k) && scene->effect[k].on);
-    if (is_row && has_errors)
+    if (is_row && has_errors(scene))
         part_row(a, has_placement ? "placement" : "errors", domq_effect(DOM_EFFECT_placement)->plan, 0,
                  has_placement ? "placement is on" : "errors are on");
     if (scene->effect[DOM_EFFECT_floor].on)

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'count H fewest': the gap and the growth together that need the fewest dominoes. */
-#include "train/fewest.h"
-#include "interpreter/feature.h"
 #include "language/quad.h"
 #include "train/row_start.h"
+#include "train/train.h"
 #include <stdlib.h>
 
 const struct column fewest_columns[] = {
@@ -16,7 +15,6 @@ const struct column fewest_columns[] = {
     {"gap", "m", "the first gap, before the second domino: h r s", 0},
     {"last", "m", "the height of the last domino before the one to topple", 0},
     {"reach", "m", "the height of the tallest domino that this row can topple", 0},
-    {"share", "share", "with random errors: the share of such rows that fall", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -158,44 +156,6 @@ static bool fewest_find(struct search *s, domq_real count)
     return s->status == DOM_OK && (s->count == good || count_falls(s, good));
 }
 
-/* ---- Random errors ---- */
-
-/* The share of rows that must fall, and how many more dominoes are tried in vain before that is given up. */
-#define SHARE_WANTED 0.95
-enum { VAIN_MOST = 5 };
-
-/* Returns the share of the rows that fall in spite of the scene's random errors, or NaN if it has none. */
-static double share_find(const struct search *s, struct problem *problem)
-{
-    struct fewest_row row = {.scene = start_scene(s->query, &s->train, (size_t)s->count + 1),
-                             .share = (double)NAN,
-                             .problem = problem};
-    const struct feature_extension *e;
-    for (int k = 0; (e = feature_extension("fewest", k)) != NULL; k++)
-        if (e->add && s->count < 10000)
-            e->add(s->query, NULL, &row);
-    return row.share;
-}
-
-/* Adds dominoes, each time with a smaller growth, until enough rows fall in spite of random errors, or until
- * more dominoes do not help. Keeps the row with the largest share, and stores the share. */
-static void make_sure(struct search *s, double *share, struct problem *problem)
-{
-    struct search more = *s;
-    *share = s->moves ? (double)NAN : share_find(s, problem);
-    for (int vain = 0; *share < SHARE_WANTED && vain < VAIN_MOST && problem->kind == PROBLEM_NONE; vain++) {
-        if (!fewest_find(&more, more.count + 1))
-            break;
-        const double found = share_find(&more, problem);
-        if (found > *share) {
-            *share = found;
-            *s = more;
-            vain = 0;
-        }
-    }
-    s->status = more.status;
-}
-
 /* ---- The answer ---- */
 
 /* One row of the answer. */
@@ -204,7 +164,6 @@ struct found {
     bool moves;
     const char *why;   /* why there is no such row, or NULL */
     domq_real count;   /* the number of dominoes */
-    double share;      /* NaN without random errors */
     struct words name; /* the kind of domino */
 };
 
@@ -216,20 +175,18 @@ static bool row_find(const struct query *query, domq_real q, bool moves, bool ha
     struct search s = {.query = query, .train = query->scene->train, .moves = moves};
     s.ratio = query->given->number[0] / h;
     s.train.q = q;
-    *f = (struct found){.moves = moves, .share = (double)NAN};
+    *f = (struct found){.moves = moves};
     snprintf(f->name.text, sizeof f->name.text, "%s%s", word ? "" : "q = ", word ? word : quad_text(q, 6));
     if (has_engine && !moves)
         f->why = "the rigid-body engine would take too long to search for the fewest dominoes";
-    else if (fewest_find(&s, 1))
-        make_sure(&s, &f->share, problem);
-    else
+    else if (!fewest_find(&s, 1))
         f->why = moves ? "no such train keeps falling, whatever its gaps and its growth"
                  : isnan(scene_push(query->scene, h))
                      ? "no such row starts by itself, whatever its gaps and its growth"
                      : "no such row falls from this start, whatever its gaps and its growth";
     f->train = s.train;
     f->count = s.count;
-    return problem->kind == PROBLEM_NONE && (s.status == DOM_OK || query_status(query, problem, s.status));
+    return query_status(query, problem, s.status);
 }
 
 enum { KINDS_MOST = 8, FOUND_MOST = 2 * KINDS_MOST };
@@ -275,44 +232,28 @@ static void found_row(const struct query *query, struct answer *a, const struct 
     const struct cell none = {.kind = CELL_NONE}, kind = cell_word(f->name.text),
                       start = cell_word(start_word(query, f->moves));
     if (f->why)
-        answer_row(a, ROW(kind, start, none, none, none, none, none, none, none), f->why);
+        answer_row(a, ROW(kind, start, none, none, none, none, none, none), f->why);
     else
         answer_row(a,
                    ROW(kind, start, cell_count(f->count), cell_narrow(r, ROUNDED), cell_narrow(s, ROUNDED),
-                       cell_without_error(h * r * s), cell_without_error(last), cell_without_error(last * r),
-                       cell_brief(f->share)),
+                       cell_without_error(h * r * s), cell_without_error(last), cell_without_error(last * r)),
                    answer_for_people(a) ? NULL : "");
 }
 
 /* Explains the rows of the answer. */
 static void rows_say(const struct query *query, struct answer *a, const struct found *found, size_t count)
 {
-    const struct found *first = NULL;
-    bool is_sure = true, has_errors = false;
-    for (size_t k = 0; k < count; k++) {
-        first = first || found[k].why ? first : &found[k];
-        has_errors = has_errors || !isnan(found[k].share);
-        is_sure = is_sure && !(found[k].share < SHARE_WANTED);
-    }
-    if (!first)
+    const struct found *first = found;
+    while (first < found + count && first->why)
+        first++;
+    if (first == found + count)
         return;
-    if (has_errors)
-        answer_say(
-            a,
-            "The share is that of %d rows with the random errors of this scene. Dominoes were added, with "
-            "a smaller growth, %s.",
-            FEWEST_ROWS,
-            is_sure ? "until at least 95 % of the rows fell"
-                    : "but no number of them makes 95 % of the rows fall");
     char q[48] = "";
     if (first->train.q != query->scene->train.q)
         snprintf(q, sizeof q, " q %s", quad_text(first->train.q, 6));
     answer_say(a,
-               "%s topple one that is %s tall. Each row was run with exactly this "
-               "growth r and gap s, and falls; 'count %s m %s with s %s%s' explains one.",
-               has_errors
-                   ? "With another gap, even fewer dominoes may be enough in spite of the errors. These rows"
-                   : "These are the fewest dominoes that",
+               "These are the fewest dominoes that topple one that is %s tall. Each row was run with exactly "
+               "this growth r and gap s, and falls; 'count %s m %s with s %s%s' explains one.",
                measured(query->given->number[0], "m", 6).text, quad_text(query->given->number[0], ROUNDED),
                quad_text(first->train.r, ROUNDED), quad_text(first->train.s, ROUNDED), q);
 }
@@ -335,11 +276,6 @@ bool run_fewest(const struct query *query, struct answer *a, struct problem *pro
         return false;
     free(made.domino);
     const size_t count = rows_find(query, scene_has_engine(&row), found, problem);
-    bool has_errors = false;
-    for (size_t k = 0; k < count; k++)
-        has_errors = has_errors || !isnan(found[k].share);
-    if (has_errors && answer_for_people(a))
-        a->details.brief = "kind start dominoes r s share";
     for (size_t k = 0; k < count; k++)
         found_row(query, a, &found[k]);
     rows_say(query, a, found, count);

@@ -2,7 +2,6 @@
 /* Commands that find how much dominoes can grow from one to the next: rmax, pair and best. */
 #include "language/quad.h"
 #include "train/falling.h"
-#include "train/fewest.h"
 #include "train/row_start.h"
 #include "train/train.h"
 #include <math.h>
@@ -338,8 +337,7 @@ const struct command limit_commands[] = {
              "energy to spare, and stops at the first n with which all dominoes fall, the one of height H "
              "included; beyond 32 dominoes it bisects. It rounds the gap, and the growth upwards, and runs "
              "the row once more with exactly the numbers that it prints. Friction, slope and the other "
-             "effects of the model apply. If the scene has random errors, dominoes are added until 95 % of "
-             "1000 rows fall.",
+             "effects of the model apply.",
      .example = "count 112 m fewest; count 112 m 2.04 with s 0.35 q hollow",
      .see = "count best landmarks",
      .rows = true,

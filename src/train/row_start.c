@@ -54,80 +54,90 @@ static enum dom_status push_find(const struct scene_row *row, domq_real stronges
     return status;
 }
 
-bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
-                struct start *start, struct problem *problem)
-{
-    struct scene_row made;
+/* A run of the first dominoes of a row. */
+struct plain_run {
+    struct scene_row made; /* the caller frees made.domino */
     struct domq_verdict verdict;
-    enum dom_status status;
-    struct scene scene =
-        start_scene(query, train, dominoes < START_DOMINOES ? (size_t)dominoes : START_DOMINOES);
-    if (!scene_row_make(&scene, &made, problem))
-        return false;
-    made.row.floor = false;
-    do
-        status = any_row_run(&made.row, &made.compute, false, NULL, NULL, &verdict);
-    while (row_shorten(&made.row, status));
-    *start = (struct start){.count = made.row.count,
-                            .push = DOMQ_NAN,
-                            .engine = made.row.engine ? scene_engine_why(&scene) : NULL};
-    start->falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
-    if (status == DOM_OK && !start->falls) {
-        start->end = verdict.end;
-        start->stops_at = verdict.domino;
-        /* The centre of a falling domino moves on a circle. If omega^2 h/2 > g, its weight is too small to
-         * keep it on the circle, and the domino lifts off the floor. */
-        const domq_real lifting = quad(sqrt)(2 * made.row.g / made.domino[0].height);
-        if (!start->engine)
-            status = push_find(&made, lifting, &start->push);
-    }
-    free(made.domino);
-    return row_status(query, problem, status);
-}
-
-/* ---- The energy to spare ---- */
-
-struct least {
-    double spare; /* the smallest margin / barrier of a row */
-    bool pushed;  /* otherwise the first domino just tips over, with a margin of 0 */
+    double spare;   /* the smallest margin / barrier of the dominoes */
+    bool is_pushed; /* otherwise the first domino just tips over, with a margin of 0 */
 };
 
 static bool spare_visit(const struct domq_fall *fall, void *context)
 {
-    struct least *least = context;
-    if (fall->barrier > 0 && (fall->domino > 1 || least->pushed))
-        least->spare = fmin(least->spare, (double)(fall->margin / fall->barrier));
+    struct plain_run *run = context;
+    if (fall->barrier > 0 && (fall->domino > 1 || run->is_pushed))
+        run->spare = fmin(run->spare, (double)(fall->margin / fall->barrier));
     return true;
+}
+
+/* Runs a row of at most START_DOMINOES dominoes. If the scene has no such row, sets *problem, which may be
+ * NULL, and run->made.domino to NULL. */
+static enum dom_status plain_run(const struct scene *scene, struct plain_run *run, struct problem *problem)
+{
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    enum dom_status status;
+    if (!scene_row_make(scene, &run->made, problem ? problem : &ignored)) {
+        run->made.domino = NULL;
+        return DOM_OK;
+    }
+    run->made.row.floor = false;
+    run->is_pushed = !isnan(run->made.row.push);
+    do {
+        run->spare = HUGE_VAL;
+        status = any_row_run(&run->made.row, &run->made.compute, false, spare_visit, run, &run->verdict);
+    } while (row_shorten(&run->made.row, status));
+    return status;
+}
+
+static size_t plain_count(domq_real dominoes)
+{
+    return dominoes < START_DOMINOES ? (size_t)dominoes : START_DOMINOES;
+}
+
+bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
+                struct start *start, struct problem *problem)
+{
+    struct plain_run run;
+    const struct scene scene = start_scene(query, train, plain_count(dominoes));
+    enum dom_status status = plain_run(&scene, &run, problem);
+    const struct domq_row *row = &run.made.row;
+    if (!run.made.domino)
+        return false;
+    *start = (struct start){
+        .count = row->count, .push = DOMQ_NAN, .engine = row->engine ? scene_engine_why(&scene) : NULL};
+    start->falls = status == DOM_OK && run.verdict.end == DOM_ROW_FALLS;
+    if (status == DOM_OK && !start->falls) {
+        start->end = run.verdict.end;
+        start->stops_at = run.verdict.domino;
+        /* The centre of a falling domino moves on a circle. If omega^2 h/2 > g, its weight is too small to
+         * keep it on the circle, and the domino lifts off the floor. */
+        const domq_real lifting = quad(sqrt)(2 * row->g / run.made.domino[0].height);
+        if (!start->engine)
+            status = push_find(&run.made, lifting, &start->push);
+    }
+    free(run.made.domino);
+    return row_status(query, problem, status);
 }
 
 double start_row_spare(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        enum dom_status *status)
 {
-    struct scene_row made;
-    struct domq_verdict verdict;
-    struct problem ignored = {.kind = PROBLEM_NONE};
-    const size_t count = dominoes < START_DOMINOES ? (size_t)dominoes : START_DOMINOES;
-    struct scene scene = start_scene(query, train, count);
-    enum dom_status ran;
-    struct least least;
-    if (!scene_row_make(&scene, &made, &ignored))
+    struct plain_run run;
+    const size_t count = plain_count(dominoes);
+    const struct scene scene = start_scene(query, train, count);
+    const enum dom_status ran = plain_run(&scene, &run, NULL);
+    if (!run.made.domino)
         return (double)-INFINITY;
-    made.row.floor = false;
-    do {
-        least = (struct least){HUGE_VAL, !isnan(made.row.push)};
-        ran = any_row_run(&made.row, &made.compute, false, spare_visit, &least, &verdict);
-    } while (row_shorten(&made.row, ran));
-    free(made.domino);
+    free(run.made.domino);
     if (ran == DOM_NO_MEMORY || ran == DOM_INTERRUPTED)
         *status = ran;
     /* If sizes are out of range, only the first dominoes are run. They must be enough to decide. */
-    if (ran == DOM_OK && made.row.count < count && made.row.count < FEW)
+    const bool is_short = run.made.row.count < count && run.made.row.count < FEW;
+    if (ran != DOM_OK || is_short || (run.verdict.end != DOM_ROW_FALLS && run.verdict.end != DOM_ROW_STOPS))
         return (double)-INFINITY;
-    if (ran != DOM_OK || (verdict.end != DOM_ROW_FALLS && verdict.end != DOM_ROW_STOPS))
-        return (double)-INFINITY;
-    if (verdict.end == DOM_ROW_STOPS)
-        return fmin(least.spare, 0) - (double)(count - verdict.domino);
-    return dominoes > START_DOMINOES ? fmin(least.spare, start_train_spare(query, train)) : least.spare;
+    if (run.verdict.end == DOM_ROW_STOPS)
+        return fmin(run.spare, 0) - (double)(count - run.verdict.domino);
+    return dominoes > START_DOMINOES ? fmin(run.spare, start_train_spare(query, train)) : run.spare;
 }
 
 double start_train_spare(const struct query *query, const struct domq_train *train)

@@ -9,10 +9,11 @@ extern const struct command cycle_commands[], walk_commands[], limit_commands[],
     effect_commands[];
 
 /* The parts of commands that are defined outside the files of their tables. */
-extern const struct column count_columns[], why_columns[], growths_columns[];
+extern const struct column count_columns[], why_columns[], growths_columns[], fewest_columns[];
 
 /* What 'curve' shows for each separation. */
 extern const struct command growths_command;
+bool run_fewest(const struct query *query, struct answer *a, struct problem *problem);
 bool run_count(const struct query *query, struct answer *a, struct problem *problem);
 bool run_why(const struct query *query, struct answer *a, struct problem *problem);
 

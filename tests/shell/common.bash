@@ -41,7 +41,7 @@ solve d : rmax = 5/3|value answer branch
 effect row 4; effect placement 5 mm; placement 50|sigma heights rows fall probability low high unknown stops_most errors costs_most without stops_there
 effect row 4; effect placement 5 mm; budget 0.9 50|probability sigma low high rows scaled
 reset; effect friction 0.2; goto 0.1|cycle event theta t omega before lost gained fallen kinetic potential rubbed
-fewest 112|kind start dominoes r s gap last reach share reason
+fewest 112|kind start dominoes r s gap last reach reason
 landmarks|name height what source
 print 0.1|value unit'
 

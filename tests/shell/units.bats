@@ -139,7 +139,7 @@ END
     same 'push' "$("$DOMINO" -n -e 'set output csv; effect row 6; effect push 8 rad*sqrt(g/h); verdict')" \
         "$("$DOMINO" -n -e 'set output csv; effect row 6; effect push 8*sqrt(g/h); verdict')"
     run "$DOMINO" -n -e 'count 1e9 m 1.0000001 details'
-    [[ $output == *'each 1.0000001 times as large'*'Which kinds of domino fall with growth 1.0000001'* ]]
+    [[ $output == *'each 1.0000001 times as large'* ]]
     run "$DOMINO" -n -e 'set q 2; set s 0.25; effect edges 0.01; set d 0.46409449423663324; rmax'
     [[ $output == *'can each be 1.000001 times as large'* ]]
 }
