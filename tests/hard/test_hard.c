@@ -39,17 +39,24 @@ static struct ref_input input_of(const struct hard_case *c, enum precision preci
     return input;
 }
 
-/* The error of an answer, and the scale of such errors (reference.h). */
+/* The error of an answer, and the scale of such errors (reference.h), or a part of it that is large enough.
+ */
 struct verdict {
     double want, scale, error;
 };
 
-static struct verdict judge(const struct hard_case *c, struct ref *ref, enum ref_quantity quantity,
-                            domq_real got)
+static double allowed_units(const struct hard_case *c, enum precision precision)
+{
+    return (c->units > 0 ? c->units : 16) * library_unit(precision);
+}
+
+static struct verdict judge(const struct hard_case *c, enum precision precision, struct ref *ref,
+                            enum ref_quantity quantity, domq_real got)
 {
     struct verdict v = {.want = ref_double(ref, quantity), .error = ref_error(ref, quantity, got)};
     /* The scale of a lengthy train would take minutes, so errors are compared with |F| alone. */
-    v.scale = c->lengthy ? fabs(v.want) : ref_scale(ref, quantity);
+    v.scale =
+        c->lengthy ? fabs(v.want) : ref_scale_up_to(ref, quantity, v.error / allowed_units(c, precision));
     return v;
 }
 
@@ -65,18 +72,19 @@ static struct verdict judge_growth(const struct ref_input *input, enum ref_quant
     return v;
 }
 
-static struct verdict judge_any(const struct hard_case *c, const struct ref_input *input, struct ref *ref,
-                                enum ref_quantity quantity, int digits2, const struct answers *answers)
+static struct verdict judge_any(const struct hard_case *c, enum precision precision,
+                                const struct ref_input *input, struct ref *ref, enum ref_quantity quantity,
+                                int digits2, const struct answers *answers)
 {
     const domq_real got = answers->value[quantity];
     if (quantity == REF_R_MAX || quantity == REF_PAIR)
         return judge_growth(input, quantity, digits2, answers);
     if (quantity != REF_STOP)
-        return judge(c, ref, quantity, got);
+        return judge(c, precision, ref, quantity, got);
     struct ref_input at = *input;
     at.tilt = got; /* the number of bits depends on the tilt */
     ref = ref_open_for(&at, digits2);
-    struct verdict v = judge(c, ref, quantity, got);
+    struct verdict v = judge(c, precision, ref, quantity, got);
     ref_close(ref);
     return v;
 }
@@ -102,14 +110,14 @@ static long check_case(int number, void *context)
         const enum ref_quantity quantity = c->check[k];
         library_ask(&train, input.tilt, quantity, &answers);
         const domq_real got = answers.value[quantity];
-        const struct verdict v = judge_any(c, &input, ref, quantity, digits2, &answers);
-        const double unit = v.scale * library_unit(precision), allowed = c->units > 0 ? c->units : 16;
-        if (v.error <= allowed * unit)
+        const struct verdict v = judge_any(c, precision, &input, ref, quantity, digits2, &answers);
+        const double most = v.scale * allowed_units(c, precision);
+        if (v.error <= most)
             continue;
         failures++;
-        fprintf(stderr, "# %s (%s), %s, %s: got %.17g, wanted %.17g: %.3g units of %.3g allowed\n", c->name,
-                c->trap, any_arithmetic(precision).name, ref_name(quantity), (double)got, v.want,
-                v.error / unit, allowed);
+        fprintf(stderr, "# %s (%s), %s, %s: got %.17g, wanted %.17g: off by %.3g, %.3g allowed\n", c->name,
+                c->trap, any_arithmetic(precision).name, ref_name(quantity), (double)got, v.want, v.error,
+                most);
     }
     ref_close(ref);
     return failures;

@@ -142,34 +142,3 @@ TEST(pairs_succeed_in_their_first_band)
     print_message("# %d bands, %d missed\n", bands, missed);
     assert_true(missed == 0 && bands >= part_of(400));
 }
-
-/* Checks that no separation of a dense sample allows more than the best one. */
-TEST(no_separation_allows_more)
-{
-    uint64_t seed = 31;
-    int missed = 0, found = 0;
-    for (int i = 0; i < part_of(40); i++) {
-        struct setup train = any_train(&seed, 0);
-        struct domq_best best;
-        struct domq_limit limit;
-        enum dom_status status = ask_limit_best(&train, &best);
-        if (status != DOM_OK && status != DOM_NO_GROWTH)
-            fail_msg("d %.17g q %.17g fuel %d: %s", (double)train.d, (double)train.q, train.fuel,
-                     dom_status_text(status));
-        found += status == DOM_OK;
-        double most = status == DOM_OK ? (double)best.r_max : 1;
-        for (int k = 0; k < 120; k++) {
-            train.s = k < 60 ? pow(10, -2 * random_unit(&seed))
-                             : (double)best.s * (0.98 + 0.04 * random_unit(&seed));
-            if (train.s > 1 || (status != DOM_OK && k >= 60))
-                continue;
-            assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
-            if (limit.ends != DOM_END_NONE && (double)limit.r_max > most * (1 + 1e-5) && ++missed)
-                print_error("d %.17g q %.17g fuel %d: %.12g at s %.12g, best %.12g at %.12g\n",
-                            (double)train.d, (double)train.q, train.fuel, (double)limit.r_max,
-                            (double)train.s, most, status == DOM_OK ? (double)best.s : (double)NAN);
-        }
-    }
-    print_message("# %d best separations, %d missed\n", found, missed);
-    assert_true(missed == 0 && found >= part_of(20));
-}

@@ -1,68 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: parallel */
 /* Needs: chance */
-/* Rare situations: dips of the margin, methods that cannot answer, interrupts, and memory that runs out. */
+/* Rare situations: methods that cannot answer, an interrupted pool, and memory that runs out. */
 #include "parallel/workers.h"
 #include "support.h"
 #include <errno.h>
 #include <pthread.h>
-
-/* ---- The first r counts, even if the train keeps falling again at larger ones ---- */
-
-static struct setup train_of(double s, double d, double q, enum dom_fuel fuel)
-{
-    struct setup t = setup_default();
-    t.s = s;
-    t.d = d;
-    t.q = q;
-    t.fuel = fuel;
-    return t;
-}
-
-static double margin_at(struct setup t, double r)
-{
-    struct domq_barrier b;
-    t.r = r;
-    enum dom_status status = ask_barrier_find(&t, &b);
-    assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
-    return status == DOM_NO_FUEL ? -1 : (double)b.margin;
-}
-
-/*
- * Checks trains whose margin falls below 0 and rises above 0 again within a few percent of r. This dip is
- * narrower than the steps in which r is raised. At 20,000 samples below the answer, the margin is positive.
- * Just above the answer it is negative, and farther up it is positive again, so a search that misses the dip
- * would find a larger answer.
- */
-TEST(dips_of_the_margin)
-{
-    static const struct {
-        double s, d, q;
-        enum dom_fuel fuel;
-    } dips[] = {{0.89707461069654282, 0.66076923965943846, 1.2165593014670335, DOM_FUEL_EXACT},
-                {0.36734999806042479, 0.45929295403908421, 0.32726005034519973, DOM_FUEL_EXACT},
-                {0.38560115946349943, 0.44546286174077077, 0.74467728097552022, DOM_FUEL_PAPER},
-                {0.37099426266065866, 0.38699109308628765, 0.98654822402858566, DOM_FUEL_EXACT},
-                {0.096285919065617093, 0.24748533405701234, 0.44528726227386245, DOM_FUEL_PAPER},
-                {0.50140717804106072, 0.50829806206800721, 0.47287566425845079, DOM_FUEL_EXACT}};
-    enum { SAMPLES = 20000 };
-    for (size_t i = 0; i < sizeof dips / sizeof *dips; i++) {
-        struct setup t = train_of(dips[i].s, dips[i].d, dips[i].q, dips[i].fuel);
-        struct domq_limit limit;
-        assert_status(ask_limit_rmax(&t, &limit), DOM_OK);
-        assert_int_equal(limit.ends, DOM_END_BARRIER);
-        double r_max = limit.r_max, reach = 1 / dips[i].s;
-        for (int k = 0; k < SAMPLES; k++)
-            assert_true(margin_at(t, 1 + (r_max * (1 - 1e-9) - 1) * k / SAMPLES) >= 0);
-        assert_true(margin_at(t, r_max * (1 + 1e-9)) < 0);
-        bool again = false;
-        for (int k = 1; k < 1000 && !again; k++)
-            again = margin_at(t, r_max + (reach - r_max) * k / 1000) > 0;
-        assert_true(again);
-    }
-}
-
-/* ---- Refusals ---- */
 
 /* Checks that the methods agree on the barrier and the duration. */
 TEST(methods_agree)
@@ -135,8 +78,8 @@ TEST(numbers_without_a_text)
     assert_string_equal(domq_effect(DOM_EFFECT_floor)->name, "floor");
 }
 
-/* Checks that an interrupt gives DOM_INTERRUPTED, and that nothing is written. */
-TEST(interrupted)
+/* Checks that the flag of the pool alone interrupts a study, and that nothing is written. */
+TEST(an_interrupted_pool)
 {
     const volatile sig_atomic_t now = 1;
     struct setup t = setup_default();
@@ -144,36 +87,12 @@ TEST(interrupted)
     struct domq_domino domino[5];
     struct row_setup row = row_setup_default(domino, 5, DOMQ_NAN);
     struct task_pool pool = {.threads = 2, .interrupt = &now};
-    struct dom_placement p = {
+    const struct dom_placement p = {
         .error[DOM_ERROR_gap].size = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
-    struct domq_limit limit = {.r_max = -1};
-    struct domq_best best = {.r_max = -1};
-    struct domq_verdict verdict = {.seconds = -1};
     struct dom_study study = {.low = -1};
-    struct dom_budget budget = {.sigma = -1};
     ask_row_of_train(&t, &scale, 1, domino, 5);
-    t.interrupt = row.interrupt = &now;
-    t.tol = 1e-6;
-    for (int method = DOM_METHOD_OURS; method <= DOM_METHOD_PAPER; method++) {
-        t.method = (enum dom_method)method;
-        assert_status(ask_limit_rmax(&t, &limit), DOM_INTERRUPTED);
-    }
-    t.method = DOM_METHOD_OURS;
-    assert_status(ask_limit_pair(&t, &limit), DOM_INTERRUPTED);
-    for (t.mu = 0; t.mu < 0.3; t.mu += 0.2) {
-        assert_status(ask_limit_rmax(&t, &limit), DOM_INTERRUPTED);
-        assert_status(ask_limit_best(&t, &best), DOM_INTERRUPTED);
-        row.mu = t.mu;
-        assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_INTERRUPTED);
-        assert_status(ask_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
-        assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &budget), DOM_INTERRUPTED);
-        p.parallel = p.parallel ? NULL : workers_tasks; /* the second time without a pool */
-    }
-    p.parallel = workers_tasks;
-    row.interrupt = NULL; /* only the pool's flag is raised */
     assert_status(ask_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
-    assert_true(limit.r_max == -1 && best.r_max == -1 && verdict.seconds == -1);
-    assert_true(study.low == -1 && budget.sigma == -1);
+    assert_true(study.low == -1);
 }
 
 /* ---- Failing allocations and threads: the linker redirects the library's calls to these functions ---- */
