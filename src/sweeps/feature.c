@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/feature.h"
-#include "sweeps/optimum.h"
 #include "sweeps/sweep.h"
 #include "sweeps/sweeps.h"
 #include "train/train.h"

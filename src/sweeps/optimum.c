@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'maximize' and 'minimize', which find the values of one or two parameters at which an answer
  * is largest or smallest. */
-#include "sweeps/optimum.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "parallel/workers.h"
 #include "session/parameters.h"
+#include "sweeps/peak.h"
+#include "sweeps/sweeps.h"
 #include "train/falling.h"
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -14,6 +15,16 @@
 #include <string.h>
 
 /* ---- The question ---- */
+
+enum { OPTIMUM_AXES = 2, OPTIMUM_POINTS = 41 /* along each of two parameters */ };
+
+/* The arguments of a search, after binding. */
+struct optimum {
+    struct ranged range[OPTIMUM_AXES];
+    int axes;
+    const struct question *question;
+    bool is_minimum;
+};
 
 struct optimum_parsed {
     struct ranged_parsed range[OPTIMUM_AXES];
@@ -86,6 +97,24 @@ bool optimum_bind(const struct question *q, const struct query *query, struct ar
 }
 
 /* ---- The search ---- */
+
+/* A search for the best answer. With two parameters, the answer for a value of the first one is the best
+ * answer over the range of the second one. Values that are sought as minima have the opposite sign here. */
+struct hunt {
+    const struct optimum *optimum;
+    struct probe probe;
+    struct slope slope[OPTIMUM_AXES];
+    double first;               /* the value of the first parameter, while the second one is varied */
+    struct problem fault;       /* the last error in the question itself; its kind is PROBLEM_NONE before */
+    double value[PEAK_POINTS];  /* the answers at the points along the first parameter */
+    bool is_wrong[PEAK_POINTS]; /* the question itself turned out to be wrong at this point */
+    size_t count, missing;      /* the number of these points, and of those without an answer */
+    struct peak peak[OPTIMUM_AXES]; /* the result for each parameter */
+    domq_real best;                 /* the best answer, with its own sign */
+    domq_real off;                  /* its error is at most this */
+    char reason[PROBLEM_TEXT / 2];  /* why the first of the missing answers is missing */
+    char beyond[PROBLEM_TEXT / 2];  /* why there is no answer beyond the best place, or "" */
+};
 
 /* Returns the answer at a place, with its sign changed for a minimum. */
 static double ask(struct hunt *h, const double place[OPTIMUM_AXES])
@@ -261,7 +290,9 @@ static bool hunt_check(const struct hunt *h, struct problem *problem)
                                              o->question->name, names, quad_text(h->best, 10), ranges);
 }
 
-struct hunt *optimum_find(const struct optimum *optimum, const struct query *query, struct problem *problem)
+/* Searches the whole range. The caller frees *hunt. On failure, sets *problem and returns NULL. */
+static struct hunt *optimum_find(const struct optimum *optimum, const struct query *query,
+                                 struct problem *problem)
 {
     struct hunt *h = calloc(1, sizeof *h);
     if (!h) {

@@ -98,9 +98,15 @@ bool solve_bind(const struct question *question, const struct query *query, stru
                 struct problem *problem);
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
+bool maximize_parse(struct reader *reader, struct question *question);
+bool minimize_parse(struct reader *reader, struct question *question);
+bool optimum_parse_answer(struct reader *reader, struct question *question);
+bool optimum_bind(const struct question *question, const struct query *query, struct arguments *given,
+                  struct problem *problem);
 
 /* names_lists (see names.h) */
-const char *solve_names(const void *context, int k);  /* the parameters that 'solve' and 'watch' change */
-const char *assert_names(const void *context, int k); /* the commands with a verdict */
+const char *solve_names(const void *context, int k);   /* the parameters that 'solve' and 'watch' change */
+const char *assert_names(const void *context, int k);  /* the commands with a verdict */
+const char *optimum_names(const void *context, int k); /* the parameters of 'maximize' and 'minimize' */
 
 #endif

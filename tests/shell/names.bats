@@ -109,10 +109,10 @@ END
 foo|unknown command 'foo'; 'help' lists the commands
 ba|'ba' is ambiguous: barrier, back
 friction 0.2|'friction' is an effect; enter 'set friction MU'
-plot foo|plot: unknown picture 'foo'; use one of: growth, marginal, energy, climb, omega, inertia, chain, cost, placement, fit, fall, speed, gaps, sweep, maximize, minimize
+plot foo|plot: unknown picture 'foo'; use one of: growth, marginal, energy, climb, omega, inertia, chain, cost, placement, fit, fall, speed, gaps, sweep
 plot rmax|plot: unknown picture 'rmax'; 'plot sweep s 0.1 0.9 33 : rmax' shows this answer
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
-plot c|plot: unknown picture 'c'; use one of: growth, marginal, energy, climb, omega, inertia, chain, cost, placement, fit, fall, speed, gaps, sweep, maximize, minimize
+plot c|plot: unknown picture 'c'; use one of: growth, marginal, energy, climb, omega, inertia, chain, cost, placement, fit, fall, speed, gaps, sweep
 goto lanch|step to: unknown event 'lanch'; did you mean 'launch'?
 END
 }
