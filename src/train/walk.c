@@ -19,10 +19,6 @@ struct walk_units walk_units(const struct query *query, int cycle)
         .energy_unit = known       ? "J"
                        : cycle > 1 ? "mgh/2 of the first head"
                                    : "mgh/2",
-        .weight = (known ? mass * scale.g : 1) * heavier / grown,
-        .weight_unit = known       ? "N"
-                       : cycle > 1 ? "(m g of the first head)"
-                                   : "m g",
     };
 }
 
@@ -110,34 +106,13 @@ static struct measured energy_at(const struct place *p, domq_real energy)
     return text;
 }
 
-/* A list of the impulses at the first few contacts in the collision. */
-struct impulses {
-    const struct walk_units *units;
-    char text[160];
-    int count;
-    bool bounded;
-};
-
-static bool impulse_add(const struct domq_force *f, void *context)
-{
-    struct impulses *i = context;
-    if (f->i > 0 && isnan(f->impulse)) /* this is the last domino; no other domino leans on it */
-        return false;
-    i->bounded = i->bounded && isfinite(f->impulse);
-    text_add(i->text, sizeof i->text, "%s%.4g", i->count ? ", " : "",
-             (double)(f->impulse * i->units->weight * i->units->tau));
-    return ++i->count < 4;
-}
-
 static void say_launch(const struct place *p)
 {
     const struct walk *w = p->walk;
     struct domq_launch l;
     struct domq_barrier b;
-    struct impulses impulses = {.units = &p->units, .bounded = true};
     enum dom_status found = any_barrier_find(&w->train, &w->compute, &b);
-    if (any_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
-        any_cycle_forces(&w->train, &w->compute, 0, impulse_add, &impulses) != DOM_OK)
+    if (any_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS))
         return;
     domq_real omega = quad(sqrt)(l.omegasq);
     const char *inertia = p->has_losses ? "A(0)" : "J(0)";
@@ -159,16 +134,6 @@ static void say_launch(const struct place *p)
         answer_detail(p->answer,
                       "i(theta) is the inertia of a domino about its line of contact with the floor, "
                       "divided by its inertia with sharp edges.");
-    if (impulses.bounded)
-        answer_detail(
-            p->answer,
-            "The impulses at the contacts, from the head down the train: %s%s %s s; all are positive, "
-            "so every contact pushes.",
-            impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
-    else
-        answer_detail(p->answer,
-                      "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is "
-                      "0, and its impulse has no upper bound in this model (14; b10).");
     answer_detail(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s is left.",
                   (double)(100 * p->state->lost / p->state->before),
                   p->has_losses   ? ""
@@ -208,15 +173,6 @@ static void say_top(const struct place *p)
             angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
-/* Returns the potential energy of a domino with tilt theta, relative to the floor, in units of the domino's
- * m g h/2. */
-static domq_real height_of(const struct domq_train *train, domq_real theta)
-{
-    const domq_real rho = train->rho, alpha = train->alpha, from_plumb = theta + alpha;
-    return 2 * rho * (quad(cos)(alpha) - theta * quad(sin)(alpha)) + (1 - 2 * rho) * quad(cos)(from_plumb) +
-           (train->d - 2 * rho) * quad(sin)(from_plumb);
-}
-
 static void say_fall(const struct place *p)
 {
     const struct walk *w = p->walk;
@@ -224,17 +180,14 @@ static void say_fall(const struct place *p)
     size_t domino = w->events[w->event].domino;
     if (any_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
         return;
-    const domq_real weight = quad(pow)(w->train.r, -w->train.q * (domq_real)domino);
     answer_detail(
         p->answer,
         "Domino %zu detaches from domino %zu, which has reached theta_leave = %s: the lever arm of the "
         "contact force is 0. Like all dominoes behind it, the detached domino comes to rest at theta_f = %s "
-        "and no longer pushes the train %s. It has supplied %s of the energy released since the launch, and "
-        "keeps a potential energy of %s.",
+        "and no longer pushes the train %s. It has supplied %s of the energy released since the launch.",
         domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
         p->is_rounded ? "(as in equations (41; A17) and (42; A18))" : "(41; A17), (42; A18)",
-        energy_at(p, 0 - p->state->fallen).text,
-        energy_at(p, weight * height_of(&w->train, angles.theta_f)).text);
+        energy_at(p, 0 - p->state->fallen).text);
 }
 
 static void say_stop(const struct place *p)

@@ -6,17 +6,14 @@
 #include "session/query.h"
 
 /* The units in which the model measures one cycle. The head of each cycle is r times as large as the head
- * before it, and the units grow with the head. If the mass of the dominoes is not known, `energy` and
- * `weight` are relative to the energy and the weight of the first head. */
+ * before it, and the units grow with the head. If the mass of the dominoes is not known, `energy` is
+ * relative to the energy of the first head. */
 struct walk_units {
     domq_real height; /* height of the head, in m */
     domq_real tau;    /* unit of time, in s */
     /* m g h / 2 of the head, in J if a mass is known */
     domq_real energy;
     const char *energy_unit;
-    /* m g of the head, in N if a mass is known */
-    domq_real weight;
-    const char *weight_unit;
 };
 
 /* Cycles are numbered from 1. */

@@ -95,11 +95,10 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     [[ $output != *'- 1) omega_1'* && $output != *'1/J(0)'* && $output != *': sin theta_c'* && $output != *'no trigonometry'* ]]
     run -0 "$DOMINO" -e 'effect friction 0.1; effect edges 0.01; step details; effect row 4; scene'
     [[ $output == *'(A(0) - i(0)) omega_1'* && $output == *'S_i i(theta_i) theta_i'* && $output == *"Halley's method"* ]]
-    # A domino that detaches keeps its potential energy, which depends on the floor and on the edges.
-    for with in 'slope 0|(41; A17), (42; A18)|0.0638494' 'slope 1 deg|(41; A17), (42; A18)|0.0604271' 'edges 0.005|(as in equations (41; A17) and (42; A18))|0.0625102'; do
-        IFS='|' read -r effect label keeps <<<"$with"
+    for with in 'slope 0|(41; A17), (42; A18)' 'edges 0.005|(as in equations (41; A17) and (42; A18))'; do
+        IFS='|' read -r effect label <<<"$with"
         run -0 "$DOMINO" -n -e "set s 0.54; set r 1.7; set q hollow; effect $effect; step; step details"
-        [[ $output == *"Domino 1 detaches from domino 0"*"$label"*"and keeps a potential energy of $keeps mgh/2."* ]]
+        [[ $output == *"Domino 1 detaches from domino 0"*"$label"* ]]
     done
     same 'no paper fuel' null "$(json 'effect edges 0.01; fuel' | values fuel_paper)"
     same "no paper fuel on a slope" null "$(json 'effect slope 2 deg; fuel' | values fuel_paper)"
