@@ -2,7 +2,6 @@
 /* The command 'prove', which computes rigorous bounds on an answer. */
 #include "domino_proof.h"
 #include "language/quad.h"
-#include "proof/proof.h"
 #include "train/row_start.h"
 
 enum what { PROVE_RMAX, PROVE_PAIR, PROVE_BARRIER, PROVE_VERDICT, PROVE_COUNT };

@@ -2,7 +2,7 @@
 /* The command 'cost', which measures computing time. It uses a single thread: more threads would compete for
  * caches and memory, and lower the clock rate. */
 #include "train/cost.h"
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "train/seconds.h"
@@ -210,7 +210,7 @@ static void times_say(struct answer *a, const char *what, double seconds, double
 
 /* Compares the times for 3, 6 and 12 correct digits. The true error, not the tolerance, decides how many
  * digits are correct. */
-static void cost_say(struct answer *a, const struct cost *cost, int which, const struct cost_more *more)
+static void cost_say(struct answer *a, const struct cost *cost, int which)
 {
     double few = seconds_for(cost, DOM_METHOD_OURS, IN_DOUBLE, 1e-3);
     double six = seconds_for(cost, DOM_METHOD_OURS, IN_DOUBLE, 1e-6);
@@ -222,8 +222,6 @@ static void cost_say(struct answer *a, const struct cost *cost, int which, const
     times_say(a, "quad", quad * twelve, twelve, "ours, for 12 digits");
     times_say(a, "GSL", seconds_for(cost, DOM_METHOD_GSL, IN_DOUBLE, 1e-6), six, "ours, for 6 digits");
     times_say(a, "paper", seconds_for(cost, DOM_METHOD_PAPER, IN_DOUBLE, 1e-6), six, "ours, for 6 digits");
-    if (more->method)
-        times_say(a, more->method, more->twelve, twelve, "ours, for 12 digits");
     if (isnan(twelve))
         answer_say(a, "Double precision cannot give 12 digits here, because the answer depends too strongly "
                       "on the parameters.");
@@ -237,12 +235,7 @@ static bool run_cost(const struct query *query, struct answer *a, struct problem
         return false;
     for (int k = 0; k < cost.rows; k++)
         cost_line(a, &cost, &cost.row[k]);
-    struct cost_more more = {which == COST_RMAX, which == COST_PAIR, cost.cheapest, NULL, (double)NAN};
-    const struct feature_extension *e;
-    for (int k = 0; (e = feature_extension("cost", k)) != NULL; k++)
-        if (e->add)
-            e->add(query, a, &more);
-    cost_say(a, &cost, which, &more);
+    cost_say(a, &cost, which);
     return true;
 }
 

@@ -10,16 +10,6 @@
 /* The names of the quantities that can be measured, as a names_list (see names.h). */
 const char *cost_names(const void *context, int k);
 
-/* What 'cost' passes to the features that add rows to its table. */
-struct cost_more {
-    bool is_rmax, is_pair;
-    double cheapest; /* the shortest time of the table, in s */
-    /* The feature stores how many seconds its method takes with a tolerance of 1e-12, or NaN, and the name of
-     * the method. */
-    const char *method;
-    double twelve;
-};
-
 struct cost_row {
     enum dom_method method;
     enum precision precision;

@@ -7,7 +7,6 @@ extern const struct plot fit_plots[];
 
 static const struct plot *const plots[] = {fit_plots, NULL};
 
-static const struct feature_extension extension[] = {{.command = "fit", .picture = picture_fit},
-                                                     {.command = NULL}};
+static const struct feature_picture picture[] = {{"fit", picture_fit}, {NULL, NULL}};
 
-const struct feature fit_pictures_feature = {.name = "fit_pictures", .plots = plots, .extension = extension};
+const struct feature fit_pictures_feature = {.name = "fit_pictures", .plots = plots, .picture = picture};

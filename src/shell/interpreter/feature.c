@@ -50,19 +50,11 @@ const struct feature *feature_at(int k)
     return features[k];
 }
 
-const struct feature_extension *feature_extension(const char *command, int k)
+const struct feature_picture *feature_picture(const struct command *command)
 {
     for (const struct feature *const *f = features; *f; f++)
-        for (const struct feature_extension *e = (*f)->extension; e && e->command; e++)
-            if (strcmp(e->command, command) == 0 && k-- == 0)
-                return e;
+        for (const struct feature_picture *p = (*f)->picture; p && p->command; p++)
+            if (strcmp(p->command, command->name) == 0)
+                return p;
     return NULL;
-}
-
-const struct feature_extension *feature_picture(const struct command *command)
-{
-    const struct feature_extension *e;
-    for (int k = 0; (e = feature_extension(command->name, k)) && !e->picture;)
-        k++;
-    return e;
 }

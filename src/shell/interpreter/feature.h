@@ -9,20 +9,18 @@
 struct engine_driver;
 struct plot;
 
-/* What a feature adds to a command of another feature. */
-struct feature_extension {
+/* How a feature draws the answer of a command of another one if it goes to a picture file, such as
+ * 'train.svg'. */
+struct feature_picture {
     const char *command;
-    /* draws the answer if it goes to a picture file, such as 'train.svg'; may be NULL */
-    bool (*picture)(const struct query *query, struct answer *answer, struct problem *problem);
-    /* adds to the answer; the command says in its header what it passes as `context`; may be NULL */
-    void (*add)(const struct query *query, struct answer *answer, void *context);
+    bool (*draw)(const struct query *query, struct answer *answer, struct problem *problem);
 };
 
 struct feature {
     const char *name;                            /* its folder; a_b for a folder b in a folder a */
     const struct command_group *groups;          /* its commands; the last title is NULL */
     const struct plot *const *plots;             /* tables of charts for 'plot'; the last one is NULL */
-    const struct feature_extension *extension;   /* the last command is NULL */
+    const struct feature_picture *picture;       /* the last command is NULL */
     const struct engine_driver *engine;          /* a rigid-body engine */
     const struct parameter *(*parameter)(int k); /* its effects, from k = 0; NULL after the last one */
 };
@@ -36,10 +34,7 @@ void features_register(const struct feature *const *list);
 /* Returns feature number k, counted from 0, or NULL if there are no more. */
 const struct feature *feature_at(int k);
 
-/* Returns the extension number k, counted from 0, of this command, or NULL if there are no more. */
-const struct feature_extension *feature_extension(const char *command, int k);
-
-/* Returns an extension that draws the command's answer, or NULL. */
-const struct feature_extension *feature_picture(const struct command *command);
+/* Returns what draws the command's answer, or NULL. */
+const struct feature_picture *feature_picture(const struct command *command);
 
 #endif

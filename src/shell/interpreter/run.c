@@ -74,7 +74,7 @@ static bool run_function(struct session *session, const struct command *c, const
     if (c->act)
         return c->act(session, query->given, answer, problem);
     if (answer->path && extension_of(answer->path)->terminal && feature_picture(c))
-        return feature_picture(c)->picture(query, answer, problem);
+        return feature_picture(c)->draw(query, answer, problem);
     return command_compute(c, query, answer, problem);
 }
 

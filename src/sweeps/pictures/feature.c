@@ -12,8 +12,7 @@ static const struct command_group groups[] = {
 
 static const struct plot *const plots[] = {sweep_plots, NULL};
 
-static const struct feature_extension extension[] = {{.command = "sweep", .picture = plot_sweep},
-                                                     {.command = NULL}};
+static const struct feature_picture picture[] = {{"sweep", plot_sweep}, {NULL, NULL}};
 
 const struct feature sweeps_pictures_feature = {
-    .name = "sweeps_pictures", .groups = groups, .plots = plots, .extension = extension};
+    .name = "sweeps_pictures", .groups = groups, .plots = plots, .picture = picture};
