@@ -22,10 +22,6 @@ struct engine_row scene_boxes(const struct scene *scene)
     row.push = scene->push;
     row.mu = scene->mu;
     row.bevel = scene->bevel;
-    row.bounce = scene->bounce;
-    row.slope = scene->slope;
-    row.radius = scene->radius;
-    row.feet = scene->feet > 0 ? scene->feet : (double)INFINITY;
     for (size_t k = 0; k < scene->count; k++) {
         double h = pow(scene->r, (double)k);
 

@@ -11,9 +11,6 @@ struct scene {
     size_t count;       /* number of dominoes, at most SCENE_MOST; the first has the height 1, and g is 1 */
     double push;        /* initial angular velocity of the first domino */
     double bevel;       /* bevel of the boxes in the engine */
-    /* Effects that only the engine applies here. `feet` is the friction of the floor, or 0 if the feet are
-     * hinges. */
-    double feet, bounce, slope, radius;
 };
 
 enum { SCENE_MOST = 64 };

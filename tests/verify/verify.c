@@ -4,7 +4,6 @@
  * cycle lasts.
  */
 #include "../hard/workers.h"
-#include "known.h"
 #include "scene.h"
 
 #include <math.h>
@@ -265,6 +264,5 @@ int main(void)
         judge(&tally, &answers[k]);
     print_tally(&tally);
     workers_unshare(answers, JOBS * sizeof *answers);
-    int unlike = known_compare();
-    return tally.wrong > 0 || unlike > 0;
+    return tally.wrong > 0;
 }
