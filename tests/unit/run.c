@@ -41,6 +41,31 @@ void make_row(struct run *run, size_t count, double s, double r, double mu)
     run->row.mu = mu;
 }
 
+/* Makes a random row of equal, growing, shrinking or uneven dominoes. The push is between slightly less and
+ * much more than a single domino needs to turn over. */
+void random_row(struct run *run, uint64_t *seed, int kind)
+{
+    static const double mus[] = {0, 0.1, 0.4}, pushes[] = {0.98, 1.02, 1.5, 4, 15};
+    size_t count = 1 + (size_t)(25 * random_unit(seed));
+    double s = 0.05 + 0.6 * random_unit(seed), r = 1;
+    if (kind == 1)
+        r = 1 + (fmin(0.98 / s, 1.9) - 1) * random_unit(seed);
+    if (kind == 2)
+        r = 1 - (1 - 1 / sqrt(1 + s * s)) * random_unit(seed);
+    make_row(run, count, s, r, mus[(int)(3 * random_unit(seed))]);
+    for (size_t k = 0; k < count; k++) {
+        struct domq_domino *d = &run->domino[k];
+        double few = kind == 3 ? 0.03 : 0;
+        d->height *= 1 + few * (2 * random_unit(seed) - 1);
+        if (kind == 3) {
+            d->thickness *= 0.5 + random_unit(seed);
+            d->gap *= 0.7 + 0.6 * random_unit(seed);
+            d->mass *= 0.5 + random_unit(seed);
+        }
+    }
+    run->row.push = pushes[(int)(5 * random_unit(seed))] * push_over(run->domino);
+}
+
 void newton_run(const struct run *run, struct newton *n)
 {
     for (size_t k = 0; k < run->row.count; k++) {

@@ -5,6 +5,7 @@
 
 #include "ask.h"
 #include "direct.h"
+#include <stdint.h>
 
 enum { ROW_MOST = 64 };
 
@@ -29,6 +30,9 @@ double push_over(const struct domq_domino *domino);
 /* Makes a row of `count` standard dominoes, each r times as large as the one before. The first has a mass of
  * 10 g, and is pushed three times as hard as push_over says. */
 void make_row(struct run *run, size_t count, double s, double r, double mu);
+
+/* Makes a random row of equal (kind 0), growing, shrinking or uneven dominoes (kind 3). */
+void random_row(struct run *run, uint64_t *seed, int kind);
 
 struct newton {
     double height[ROW_MOST], thickness[ROW_MOST], gap[ROW_MOST], mass[ROW_MOST], lean[ROW_MOST],

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Needs: chance proof */
-/* Air: rows against Newton's equations with the torque of the air (direct.c), single plates against closed
- * forms, trains against long rows. Without air nothing changes. Giants feel it, small dominoes do not. */
+/* Needs: proof */
+/* Air: single plates against closed forms, trains against long rows; test_row compares rows with Newton's
+ * equations. Without air nothing changes. Giants feel it, small dominoes do not. */
 #include "domino_proof.h"
 #include "run.h"
 #include "support.h"
@@ -18,73 +18,6 @@ static double inertia_of(const struct domq_domino *d, double air)
 {
     const double h = (double)d->height, w = d->width > 0 ? (double)d->width : h / 2, t = (double)d->thickness;
     return (double)d->mass * (h * h + t * t) / 3 + air * acos(-1) * w * w * pow(h, 3) / 12;
-}
-
-/* ---- Rows against Newton's equations ---- */
-
-static void random_airy_row(struct run *run, uint64_t *seed, int i)
-{
-    make_row(run, 2 + (size_t)(12 * random_unit(seed)), 0.15 + 0.5 * random_unit(seed),
-             1 + 0.6 * random_unit(seed), i % 3 == 0 ? 0.3 * random_unit(seed) : 0);
-    for (size_t k = 0; k < run->row.count; k++) {
-        struct domq_domino *d = &run->domino[k];
-        d->thickness *= 0.6 + 0.8 * random_unit(seed);
-        d->gap *= 0.8 + 0.4 * random_unit(seed);
-        d->mass *= random_log(seed, 0.02, 2);
-        d->width = i % 2 ? d->height * (domq_real)(0.2 + random_unit(seed)) : 0;
-    }
-    run->row.air = random_log(seed, 0.1, 20);
-    run->row.drag = i % 4 ? 0 : random_log(seed, 0.1, 10);
-    if (i % 5 == 0)
-        run->row.alpha = 0.05 * (2 * random_unit(seed) - 1);
-    if (i % 7 == 0)
-        run->row.walls = run->domino[0].thickness / 5;
-    run->row.push = (2 + 6 * random_unit(seed)) * push_over(run->domino);
-}
-
-TEST(newton_agrees)
-{
-    static struct run run;
-    static struct newton n;
-    uint64_t seed = 1501;
-    int met[DOM_ROW_SKEWED + 1] = {0}, near = 0;
-    for (int i = 0; i < 300; i++) {
-        random_airy_row(&run, &seed, i);
-        assert_status(run_whole(&run), DOM_OK);
-        newton_run(&run, &n);
-        met[run.verdict.end]++;
-        if (!run_is_clear(&run)) {
-            near++;
-            continue;
-        }
-        newton_compare(&run, &n);
-    }
-    print_message("# %d fall, %d stop, %d part; %d near\n", met[DOM_ROW_FALLS], met[DOM_ROW_STOPS],
-                  met[DOM_ROW_PARTS], near);
-    assert_true(met[DOM_ROW_FALLS] > 50 && met[DOM_ROW_STOPS] > 50 && near < 10);
-}
-
-TEST(precisions_agree)
-{
-    static struct run run;
-    uint64_t seed = 1502;
-    for (int i = 0; i < 20; i++) {
-        struct domq_verdict v[3];
-        random_airy_row(&run, &seed, i);
-        if (i % 4 == 0)
-            run.row.rho = 0.02;
-        for (int p = IN_FLOAT; p <= IN_QUAD; p++) {
-            run.row.precision = (enum precision)p;
-            run.row.tol = p == IN_FLOAT ? 1e-5 : 1e-12;
-            assert_status(run_whole(&run), DOM_OK);
-            v[p] = run.verdict;
-        }
-        assert_int_equal(v[IN_DOUBLE].domino, v[IN_QUAD].domino);
-        if (v[IN_QUAD].end != DOM_ROW_FALLS || fabs((double)v[IN_QUAD].spare) < 0.1)
-            continue;
-        assert_near("double", (double)v[IN_DOUBLE].seconds, (double)v[IN_QUAD].seconds, 1e-10);
-        assert_near("float", (double)v[IN_FLOAT].seconds, (double)v[IN_QUAD].seconds, 1e-3);
-    }
 }
 
 /* ---- A single plate ---- */
@@ -391,31 +324,6 @@ TEST(refusals)
     assert_int_equal(proof.gap, DOM_PROOF_EFFECT);
 }
 
-/* Rough runs of random rows have the verdicts of precise ones. A row in which a domino leans is run
- * precisely. */
-TEST(random_rows)
-{
-    static struct run run;
-    uint64_t seed = 1504;
-    int fall = 0, rows = 0;
-    for (int i = 0; i < 80; i++) {
-        struct dom_placement p = {.seed = 1, .rows = 40};
-        struct dom_study rough, precise;
-        random_airy_row(&run, &seed, i);
-        if (row_end(&run) != DOM_ROW_FALLS)
-            continue;
-        p.error[DOM_ERROR_place].size = (double)run.domino[0].height / 10;
-        assert_status(ask_placement_study(&run.row, &p, &rough, NULL), DOM_OK);
-        run.domino[0].lean = (domq_real)1e-13;
-        assert_status(ask_placement_study(&run.row, &p, &precise, NULL), DOM_OK);
-        assert_int_equal(rough.fall, precise.fall);
-        fall += (int)rough.fall;
-        rows += (int)p.rows;
-    }
-    print_message("# %d of %d fall\n", fall, rows);
-    assert_true(fall > rows / 2 && fall < rows - 20);
-}
-
 /* ---- Without air, and who feels it ---- */
 
 TEST(no_air_changes_nothing)
@@ -423,8 +331,7 @@ TEST(no_air_changes_nothing)
     static struct run run, bare;
     uint64_t seed = 1503;
     for (int i = 0; i < 40; i++) {
-        random_airy_row(&run, &seed, i);
-        run.row.air = 0;
+        random_row(&run, &seed, i % 4);
         run.row.drag = 2; /* without air it has no effect */
         run.row.rho = i % 6 == 0 ? 0.01 : 0;
         bare = run;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Dominoes that are not plumb, compared with Newton's equations (direct.h), and in limiting cases. */
+/* Dominoes that are not plumb, in limiting cases; test_row compares rows of them with Newton's equations. */
 #include "run.h"
 #include "support.h"
 #include <float.h>
@@ -8,54 +8,6 @@
 static double tips_at(const struct domq_domino *d)
 {
     return atan((double)(d->thickness / d->height));
-}
-
-/* Makes a row of equal, growing or uneven dominoes. No lean is more than a random part of the largest
- * possible lean. */
-static void leaning_row(struct run *run, uint64_t *seed, int kind)
-{
-    static const double mus[] = {0, 0.1, 0.4}, pushes[] = {1.1, 1.5, 4, 15}, most[] = {0.02, 0.4, 0.9};
-    size_t count = 2 + (size_t)(18 * random_unit(seed));
-    double s = 0.05 + 0.6 * random_unit(seed), r = 1;
-    if (kind == 1)
-        r = 1 + (fmin(0.98 / s, 1.7) - 1) * random_unit(seed);
-    make_row(run, count, s, r, mus[(int)(3 * random_unit(seed))]);
-    double part = most[(int)(3 * random_unit(seed))];
-    for (size_t k = 0; k < count; k++) {
-        struct domq_domino *d = &run->domino[k];
-        if (kind == 2) {
-            d->height *= 0.97 + 0.06 * random_unit(seed);
-            d->thickness *= 0.7 + 0.6 * random_unit(seed);
-            d->gap *= 0.7 + 0.6 * random_unit(seed);
-            d->mass *= 0.5 + random_unit(seed);
-        }
-        d->lean = part * tips_at(d) * (2 * random_unit(seed) - 1);
-    }
-    run->row.push = pushes[(int)(4 * random_unit(seed))] * push_over(run->domino);
-}
-
-TEST(newton_agrees)
-{
-    static struct run run;
-    static struct newton n;
-    uint64_t seed = 18;
-    int met[9] = {0}, backwards = 0;
-    for (int i = 0; i < 200; i++) {
-        leaning_row(&run, &seed, i % 3);
-        assert_status(run_whole(&run), DOM_OK);
-        newton_run(&run, &n);
-        met[run.verdict.end]++;
-        if (!run_is_clear(&run) || run.verdict.end == DOM_ROW_SKEWED)
-            continue;
-        newton_compare(&run, &n);
-        for (size_t k = 1; k < run.falls; k++)
-            backwards += run.domino[k].lean < 0;
-    }
-    print_message("# %d fall, %d stop, %d pass, %d part, %d lock, %d skewed; %d hit lean backwards\n",
-                  met[DOM_ROW_FALLS], met[DOM_ROW_STOPS], met[DOM_ROW_PASSES], met[DOM_ROW_PARTS],
-                  met[DOM_ROW_LOCKS], met[DOM_ROW_SKEWED], backwards);
-    assert_true(met[DOM_ROW_FALLS] > 50 && met[DOM_ROW_STOPS] > 30 && met[DOM_ROW_PASSES] > 10 &&
-                backwards > 100);
 }
 
 /* ---- Limits ---- */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A first domino that is released at a tilt, compared with Newton's equations (direct.h), in limiting cases,
- * and with a push that brings it to the same state. */
+/* A first domino that is released at a tilt, in limiting cases, and with a push that brings it to the same
+ * state; test_row compares such rows with Newton's equations. */
 #include "run.h"
 #include "support.h"
 
@@ -20,16 +20,6 @@ static void released(struct run *run, size_t count, double s, double r, double r
 }
 
 /* ---- Against Newton's equations ---- */
-
-/* Returns the smallest margin / kinetic energy of the dominoes that are hit, without the sign. */
-static double clearance(const struct run *run)
-{
-    double least = INFINITY;
-    for (size_t k = 0; k < run->falls; k++)
-        if (run->fall[k].kinetic > 0)
-            least = fmin(least, fabs((double)(run->fall[k].margin / run->fall[k].kinetic)));
-    return least;
-}
 
 static void compare(struct run *run, struct newton *n)
 {
@@ -53,40 +43,6 @@ TEST(equal_dominoes_from_20_degrees)
                 run.fall->time == 0 && run.verdict.weakest > 1);
     assert_near("hit 2", (double)run.fall[1].time, n.hit[1].time, 1e-10);
     assert_near("the end", (double)run.verdict.seconds, n.result.end_time, 1e-10);
-}
-
-/* Rows of all kinds, at rest and with a push. */
-TEST(newton_agrees)
-{
-    static struct run run;
-    static struct newton n;
-    static const double mus[] = {0, 0.1, 0.4};
-    uint64_t seed = 513;
-    int falls = 0, stops = 0;
-    for (int i = 0; i < 150; i++) {
-        const double s = 0.2 + 0.6 * random_unit(&seed),
-                     r = 1 + (fmin(0.98 / s, 1.6) - 1) * random_unit(&seed);
-        make_row(&run, 2 + (size_t)(14 * random_unit(&seed)), s, r, mus[i % 3]);
-        run.row.alpha = i % 5 == 0 ? 0.06 * (2 * random_unit(&seed) - 1) : 0;
-        run.row.walls = i % 4 == 0 ? 0.2 * (double)run.domino->thickness : 0;
-        run.row.air = i % 7 == 0 ? 1.2 : 0;
-        for (size_t k = 1; i % 2 == 0 && k < run.row.count; k++)
-            run.domino[k].gap *= 0.8 + 0.2 * random_unit(&seed);
-        const double most = asin((double)(run.domino[1].gap / run.domino->height)),
-                     least = tips_at(run.domino) - (double)run.row.alpha;
-        if (most < least + 0.01)
-            continue;
-        run.row.release = least + (most - least) * (0.01 + 0.98 * random_unit(&seed));
-        run.row.push = i % 6 == 1 ? 3 * random_unit(&seed) : 0;
-        assert_status(run_whole(&run), DOM_OK);
-        if (clearance(&run) < 1e-5)
-            continue;
-        compare(&run, &n);
-        falls += run.verdict.end == DOM_ROW_FALLS;
-        stops += run.verdict.end == DOM_ROW_STOPS;
-    }
-    print_message("# %d fall, %d stop\n", falls, stops);
-    assert_true(falls > 40 && stops > 10);
 }
 
 /* ---- The first domino touches the second ---- */

@@ -22,7 +22,7 @@ static enum dom_status in_full(const struct dom_row *row, const struct dom_compu
 struct kind {
     const char *name;
     size_t count, rows;
-    double s, r, q, push, sigma, heights, mu, alpha, walls, rho;
+    double s, r, q, push, sigma, heights, mu, alpha, walls, rho, air;
     struct dom_random_error error[DOM_ERROR_COUNT]; /* more errors */
 };
 
@@ -43,6 +43,16 @@ static const struct kind KIND[] = {
     {.name = "uphill", .r = 1.4, .s = 0.3, .alpha = -0.03, .sigma = 0.004},
     {.name = "walls", .r = 1.3, .s = 0.4, .sigma = 0.003, .walls = 0.0005, .heights = 0.02},
     {.name = "rounded", .r = 1.5, .s = 0.4, .sigma = 0.004, .rho = 0.01, .rows = 20},
+    {.name = "air", .r = 1.45, .s = 0.4, .sigma = 0.005, .air = 2},
+    {.name = "air, rounded", .r = 1.45, .s = 0.4, .sigma = 0.005, .air = 20, .rho = 0.01, .rows = 20},
+    {.name = "air, masses",
+     .r = 1,
+     .s = 0.3,
+     .push = 15,
+     .air = 20,
+     .sigma = 0.002,
+     .error = {SIZE(mass, 0.9), SIZE(thickness, 0.4)}},
+    {.name = "air, friction", .r = 1.3, .s = 0.4, .sigma = 0.004, .air = 20, .mu = 0.2, .rows = 30},
     {.name = "friction", .r = 1.3, .s = 0.4, .sigma = 0.004, .mu = 0.2, .rows = 30},
     {.name = "friction, many stop", .r = 1.6, .s = 0.5, .sigma = 0.004, .mu = 0.2, .rows = 30},
     {.name = "friction, pushed", .r = 1.45, .s = 0.2, .push = 4, .sigma = 0.004, .mu = 0.2, .rows = 30},
@@ -122,7 +132,8 @@ static struct dom_row row_of(const struct kind *k, struct dom_domino *domino)
                             .mu = k->mu,
                             .alpha = k->alpha,
                             .walls = k->walls,
-                            .rho = k->rho};
+                            .rho = k->rho,
+                            .air = k->air};
 }
 
 /* Checks that the same number of rows end at each domino as when each row is run in full. */
