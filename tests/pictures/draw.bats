@@ -70,7 +70,7 @@ record="effect row \"$root/examples/record.csv\""
     cd "$dir" || false
     one_line 'T = 9 rad is outside the cycle' 'draw 9 > a.svg'
     one_line 'T is an angle, not a length' 'draw 10 mm'
-    one_line "'9' is one argument too many; usage: draw, draw at 2.5 s, " 'draw forces 9'
+    one_line "'8' is one argument too many; usage: draw, draw at 2.5 s, " 'draw forces 0.3 8'
     one_line "'sideways' is neither a value nor a word that fits here; usage: draw" 'draw sideways'
     one_line "'forces' is one argument too many; usage: draw" 'draw forces forces'
     one_line 'it stops at 0.02802163121 rad, before the top of the barrier' 'set r 1.7; draw 0.3 > a.svg'
@@ -310,14 +310,14 @@ END
     one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
     one_line "domino 5 is never hit: the fall ends at domino 2; 'draw at end' shows how far the row falls" 'set r 1.6; effect row 12; draw at domino 5'
     one_line "times count from the push and cannot be negative; 'draw at 0' shows the row at the push" 'effect row 5; effect push 5; draw at -1'
-    one_line "'at' needs a time, not a length; write, for example, 'draw at 2.5 s'" "$record; draw at 2 m"
+    one_line "this needs a time such as 2.5 s, not a length" "$record; draw at 2 m"
     one_line "'at' needs a time, 'domino N' or 'end'; usage: draw, draw at 2.5 s, " "$record; draw at"
     one_line "'never' is neither a value nor a word that fits here; usage: draw" "$record; draw at never"
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
-    one_line "the number of the domino is missing; write, for example, 'draw at domino 8'" "$record; draw at domino"
+    one_line "the value of 'domino' is missing; usage: draw, draw at 2.5 s, draw at domino 8" "$record; draw at domino"
     one_line "the file extension of 'a.mov' is unknown; use .gif" "$record; animate > a.mov"
-    one_line 'the speed must be in the range 0.001 .. 1000; 1 is real time, and 0.5 is half as fast' "$record; animate a.gif speed 0"
-    one_line 'the rate must be from 1 to 50 frames per second' "$record; animate a.gif rate 1000"
+    one_line 'speed is 0; it must be in the range 0.001 .. 1000' "$record; animate a.gif speed 0"
+    one_line 'rate is 1000 frames per second; it must be in the range 1 .. 50 frames per second' "$record; animate a.gif rate 1000"
     one_line "at most 3000 are drawn; enter 'speed" "$record; animate a.gif speed 0.01"
     one_line "'speed' and 'rate' are for rows; first enter 'set row N'" 'animate a.gif speed 2'
     one_line "'quickly' is neither a value nor a word that fits here; usage: animate, animate slow" "$record; animate a.gif quickly"

@@ -338,7 +338,7 @@ END
     for width in '8 cm' 8 '80 mm'; do "$DOMINO" -e "plot growth width $width > d.gp" && grep -q '^set terminal pdfcairo size 8cm' d.gp; done
     all_fail <<END
 plot growth width 2 cm > a.svg|width is 2 cm; it must be in the range 6 .. 30 cm
-plot growth font 40 > a.svg|font is 40; it must be in the range 5 .. 30 points
+plot growth font 40 > a.svg|font is 40 points; it must be in the range 5 .. 30 points
 plot growth width|the value of 'width' is missing
 plot growth title "x|never closed
 plot growth paper paper|one argument too many

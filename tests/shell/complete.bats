@@ -78,9 +78,9 @@ animate a.gif speed 2; set ou|output
 draw |at tower train forces
 draw f|forces
 draw 0.3 f|forces
-draw 0.3 forces |(nothing)
+draw 0.3 forces |train
 draw at |domino end
-draw forces |(nothing)
+draw forces |train
 draw train |forces
 animate |speed rate slow train tower
 animate a.gif |speed rate slow train tower

@@ -61,14 +61,14 @@ static int cycles_within(double r, double grown_most, int most)
 
 static bool cycles_count(struct train_film *f)
 {
-    const struct draw_options *options = f->film.options;
-    domq_real cycles = options->value[DRAW_CYCLES];
+    const struct options *options = f->film.options;
+    domq_real cycles = options->value[FILM_CYCLES][0];
     int most = cycles_within(f->r, GROWN_MOST, CYCLES_MOST);
     bool good = cycles >= 1 && cycles <= most && cycles == quad(floor)(cycles);
     f->cycles = good ? (int)cycles : cycles_within(f->r, 4, 5);
-    if (good || !options->has[DRAW_CYCLES])
+    if (good || !options->has[FILM_CYCLES])
         return true;
-    f->film.problem->place = options->column;
+    f->film.problem->place = options->column[FILM_CYCLES];
     return problem_no_answer(f->film.problem,
                              "N = %s is out of range; at this r, N is an integer in 1 .. %d, because one "
                              "picture has no room for more cycles",
@@ -87,7 +87,7 @@ static bool train_film_make(struct train_film *f)
     f->r = (double)f->train.r;
     f->pitch = (double)(f->train.s + f->train.d);
     f->tau = (double)domq_scale_tau(&scene->scale, &f->train);
-    f->film.delay = FRAMES_DELAY * (f->film.options->slow ? SLOWER : 1);
+    f->film.delay = FRAMES_DELAY * (f->film.options->has[FILM_SLOW] ? SLOWER : 1);
     if (!cycles_count(f))
         return false;
     if (!cycle_events(f->film.query, &f->compute, events, &count, &f->stops, f->film.problem))

@@ -2,7 +2,6 @@
 /* The command 'draw', which shows the row or the train at a given moment, to scale. */
 #include "language/quad.h"
 #include "language/text.h"
-#include "pictures/drawing/draw_words.h"
 #include "pictures/drawing/falling_row.h"
 #include "pictures/drawing/film.h"
 #include "pictures/drawing/tower.h"
@@ -29,6 +28,43 @@ static const struct column draw_columns[] = {
     {"of_own", "m g", "the same push, but m is the mass of this domino", 0},
     {NULL, NULL, NULL, 0},
 };
+
+/* ---- The words of the command ---- */
+
+enum { DRAW_AT, DRAW_DOMINO, DRAW_END, DRAW_TOWER, DRAW_TRAIN, DRAW_FORCES, DRAW_TILT, DRAW_TIME };
+
+static const struct argument any_value = {.name = "the value", .kind = ARGUMENT_ANY},
+                             tilt_value = {.name = "T", .kind = ARGUMENT_TILT};
+
+static const struct option_list draw_options = {
+    .options =
+        (const struct option[]){
+            [DRAW_AT] = {"at", .beside = BIT(DRAW_DOMINO) | BIT(DRAW_END) | BIT(DRAW_TIME)},
+            [DRAW_DOMINO] = {"domino", &any_value, 1, BIT(DRAW_AT), BIT(DRAW_AT)},
+            [DRAW_END] = {"end", .beside = BIT(DRAW_AT), .after = BIT(DRAW_AT)},
+            [DRAW_TOWER] = {"tower"},
+            [DRAW_TRAIN] = {"train", .beside = BIT(DRAW_FORCES) | BIT(DRAW_TILT)},
+            [DRAW_FORCES] = {"forces", .beside = BIT(DRAW_TRAIN) | BIT(DRAW_TILT)},
+            [DRAW_TILT] = {"", &tilt_value, 1, BIT(DRAW_TRAIN) | BIT(DRAW_FORCES)},
+            [DRAW_TIME] = {"", &any_value, 1, BIT(DRAW_AT), BIT(DRAW_AT), .time = 1},
+            {NULL},
+        },
+    .usage =
+        "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces, draw tower",
+    .is_whole = true,
+};
+
+static bool draw_parse(struct reader *r, struct question *q)
+{
+    struct options_parsed *p = q->parsed = reader_memory(r, sizeof *p);
+    if (!p || !options_parse(r, &draw_options, p))
+        return false;
+    reader_place(r, r->at);
+    return p->seen != BIT(DRAW_AT) ||
+           problem_error(r->problem, "'at' needs a time, 'domino N' or 'end'; %s", draw_options.usage);
+}
+
+/* ---- Data ---- */
 
 static struct cell cell_double(double value)
 {
@@ -84,20 +120,21 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
 }
 
 /* Fails if the row has no such moment. */
-static bool moment_time(struct problem *problem, const struct draw_options *options,
-                        const struct falling_row *row, domq_real *time)
+static bool moment_time(struct problem *problem, const struct options *options, const struct falling_row *row,
+                        domq_real *time)
 {
-    problem->place = options->column;
+    const bool is_end = options->has[DRAW_END];
+    problem->place = options->column[options->has[DRAW_DOMINO] ? DRAW_DOMINO : is_end ? DRAW_END : DRAW_TIME];
     if (options->has[DRAW_DOMINO])
-        return domino_time(problem, options->value[DRAW_DOMINO], row, time);
-    *time = options->end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
+        return domino_time(problem, options->value[DRAW_DOMINO][0], row, time);
+    *time = is_end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME][0];
     const char *start = falling_row_start(row);
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(
             problem, "times count from the %s and cannot be negative; 'draw at 0' shows the row at the %s",
             start, start);
     /* An end time that the user copied from an answer may have been rounded up. */
-    return options->end || !((double)*time > row->end * 1.005) ||
+    return is_end || !((double)*time > row->end * 1.005) ||
            problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows the row at this time",
                              measured((domq_real)row->end, "s", 4).text);
 }
@@ -128,16 +165,17 @@ static bool moment_show(const struct domq_moment *moment, void *context)
 }
 
 static bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
-                     const struct draw_options *options)
+                     const struct options *options)
 {
     struct falling_row row;
     domq_real time = 0;
     a->note = NULL; /* no TRAIN_NOTE, because the picture shows the row */
-    if (!falling_row_make(query, problem, picture_marks(a), options->tower && answer_for_people(a), &row))
+    if (!falling_row_make(query, problem, picture_marks(a), options->has[DRAW_TOWER] && answer_for_people(a),
+                          &row))
         return false;
-    bool good = draw_at(options) ? moment_time(problem, options, &row, &time) : moment_show(NULL, &row);
+    bool good = options->has[DRAW_AT] ? moment_time(problem, options, &row, &time) : moment_show(NULL, &row);
     enum dom_status status = DOM_OK;
-    if (good && draw_at(options))
+    if (good && options->has[DRAW_AT])
         status = falling_row_watch(&row, &time, 1, moment_show, &row);
     problem->place = 0;
     if (good && row.has_tower && !tower_zoom(&row))
@@ -189,7 +227,7 @@ static void train_caption(const struct query *query, struct stage *stage, domq_r
 }
 
 static bool draw_train(const struct query *query, struct answer *a, struct problem *problem,
-                       const struct draw_options *options)
+                       const struct options *options)
 {
     struct stage stage;
     /* If the user typed no tilt, the train is drawn at the current position of the walk, with the walk's
@@ -197,22 +235,22 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
     const struct walk *walk = options->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct any_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
-    domq_real theta = walk ? walk->theta : options->value[DRAW_TILT];
-    if (options->train)
+    domq_real theta = walk ? walk->theta : options->value[DRAW_TILT][0];
+    if (options->has[DRAW_TRAIN])
         a->note = NULL; /* a user who asked for the train needs no note that the picture shows the train */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;
     enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta, 0);
     /* Output for programs always includes the forces, unless the margin is too small to compute them. */
-    if (status == DOM_OK && (options->forces || !people))
+    if (status == DOM_OK && (options->has[DRAW_FORCES] || !people))
         forces = stage_forces(&stage, train, compute, theta);
-    if (status == DOM_OK && options->forces)
+    if (status == DOM_OK && options->has[DRAW_FORCES])
         status = forces;
     if (status != DOM_OK) {
         good = problem_status(problem, query->scene, status);
     } else if (people) {
-        stage.forces = options->forces;
+        stage.forces = options->has[DRAW_FORCES];
         train_caption(query, &stage, theta, picture_marks(a));
         good = stage_show(&stage, a, query->scene->compute.interrupt, problem);
     } else {
@@ -224,10 +262,10 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
 
 static bool run_draw(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct draw_options *options = draw_options_of(query);
+    const struct options *options = options_of(query);
     bool row = query->scene->effect[DOM_EFFECT_row].on,
-         train = options->train || options->forces || options->has[DRAW_TILT];
-    if (draw_at(options) && !row) {
+         train = options->has[DRAW_TRAIN] || options->has[DRAW_FORCES] || options->has[DRAW_TILT];
+    if (options->has[DRAW_AT] && !row) {
         problem->place = query->given->column[0];
         return problem_error(
             problem,
@@ -235,7 +273,7 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
     }
     if (!picture_ready(a, problem))
         return false;
-    if (options->tower) {
+    if (options->has[DRAW_TOWER]) {
         struct tower tower;
         const bool good = tower_make(query, &tower, problem) && draw_row(&tower.query, a, problem, options);
         tower_free(&tower);
@@ -248,8 +286,11 @@ const struct command draw_commands[] = {
     {.name = "draw",
      .synonyms = "picture image drawing figure svg png pdf show",
      .train = true,
-     .argument =
-         {{.name = "WHAT", .kind = ARGUMENT_WORDS, .optional = true, .parse = draw_parse, .bind = draw_bind}},
+     .argument = {{.name = "WHAT",
+                   .kind = ARGUMENT_WORDS,
+                   .optional = true,
+                   .parse = draw_parse,
+                   .bind = options_bind_argument}},
      .summary = "a picture of the row or the train, to scale",
      .help =
          "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the row. "
@@ -273,8 +314,11 @@ const struct command draw_commands[] = {
     {.name = "animate",
      .synonyms = "picture image film movie video gif",
      .train = true,
-     .argument =
-         {{.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
+     .argument = {{.name = "HOW",
+                   .kind = ARGUMENT_WORDS,
+                   .optional = true,
+                   .parse = film_parse,
+                   .bind = options_bind_argument}},
      .summary = "a film of the falling row or of the train, at the terminal or in a file",
      .help =
          "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The space "

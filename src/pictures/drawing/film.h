@@ -3,8 +3,11 @@
 #ifndef SHELL_FILM_H
 #define SHELL_FILM_H
 
-#include "pictures/drawing/draw_words.h"
+#include "pictures/options.h"
 #include "pictures/picture/play.h"
+
+/* The words of 'animate'. */
+enum { FILM_SPEED, FILM_RATE, FILM_SLOW, FILM_TRAIN, FILM_TOWER, FILM_CYCLES };
 
 /* 'animate slow' is this many times slower. */
 enum { SLOWER = 4 };
@@ -14,7 +17,7 @@ struct film {
     struct problem *problem;
     struct answer *out;
     bool is_data; /* the frames are written as data, rather than drawn */
-    const struct draw_options *options;
+    const struct options *options;
     struct player *player;  /* shows the frames at the terminal; NULL for a file */
     struct picture picture; /* for a file: its script has a plot command for each frame */
     struct sheet sheet;     /* the size of all frames, and the part of the stage that the next frame shows */
@@ -36,7 +39,8 @@ bool film_frame(struct film *film, const struct stage *stage);
 
 bool animate_train(const struct film *film);
 
-/* The command 'animate', for the table in draw.c. */
+/* The command 'animate', for the table in draw.c. The file of the film may come first, without a '>'. */
+bool film_parse(struct reader *reader, struct question *question);
 extern const struct column animate_columns[];
 bool run_animate(const struct query *query, struct answer *a, struct problem *problem);
 

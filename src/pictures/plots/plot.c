@@ -35,7 +35,7 @@ static const struct column *plot_columns(int k, const char **name, const char **
 
 /* The parsed text after the name of a plot. */
 struct plot_parsed {
-    struct look_parsed look;
+    struct options_parsed look;
     bool has_argument;
     void *argument; /* the result of plot->argument->parse, or NULL */
 };
@@ -69,7 +69,7 @@ static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = plot_at((int)q->item[0].number);
     struct plot_parsed *p = reader_memory(r, sizeof *p);
-    if (!p || !look_parse(r, &p->look))
+    if (!p || !options_parse(r, &look_options, &p->look))
         return false;
     reader_place(r, r->at);
     p->has_argument = !reader_ends(r);
@@ -77,7 +77,7 @@ static bool more_parse(struct reader *r, struct question *q)
         return false;
     p->argument = q->parsed;
     q->parsed = p;
-    return look_parse(r, &p->look) &&
+    return options_parse(r, &look_options, &p->look) &&
            (reader_ends(r) || problem_error(r->problem, "'%.20s' is one argument too many", r->at));
 }
 
@@ -97,7 +97,8 @@ static bool more_bind(const struct question *q, const struct query *query, struc
         return false;
     g->has_argument = p->has_argument;
     g->argument = argument;
-    return look_bind(&p->look, q->text, query, &g->look, problem);
+    struct options look = {.has = {false}};
+    return options_bind(&p->look, q->text, query, &look, problem) && look_make(&look, &g->look, problem);
 }
 
 static bool run_plot(const struct query *query, struct answer *a, struct problem *problem)

@@ -8,7 +8,7 @@
 #ifndef SHELL_PLOTS_H
 #define SHELL_PLOTS_H
 
-#include "interpreter/question.h"
+#include "pictures/options.h"
 #include "pictures/picture/show.h"
 
 /* Computes the rows of a plot and writes them to the answer `a`. For csv and json, nothing else is needed,
@@ -75,35 +75,9 @@ struct plot {
 bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
                 struct answer *a, struct problem *problem);
 
-/* The keywords for the look of a chart. In pairs of keywords for the two axes, the keyword for y comes
- * directly after the keyword for x. */
-enum look_word {
-    LOOK_WIDTH,
-    LOOK_HEIGHT,
-    LOOK_FONT,
-    LOOK_FAMILY,
-    LOOK_TITLE,
-    LOOK_XLABEL,
-    LOOK_YLABEL,
-    LOOK_XRANGE,
-    LOOK_YRANGE,
-    LOOK_XSCALE,
-    LOOK_YSCALE,
-    LOOK_LEGEND,
-    LOOK_WORDS
-};
-
-/* The values after each keyword. If a keyword was not typed, its items are zero and its text is NULL. */
-struct look_parsed {
-    struct item item[LOOK_WORDS][2];
-    const char *text[LOOK_WORDS];
-};
-
-/* Parses keywords for the look of a chart with their values, such as 'title "..." width 8 cm'. Stops before
- * the first word that is not such a keyword. */
-bool look_parse(struct reader *reader, struct look_parsed *parsed);
-bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
-               struct chart_look *look, struct problem *problem);
+/* The words for the look of a chart, such as 'title' and 'width'. */
+extern const struct option_list look_options;
+bool look_make(const struct options *options, struct chart_look *look, struct problem *problem);
 
 /* Draws the answer of the command 'sweep', for output to a picture file. */
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);

@@ -7,7 +7,7 @@
 #include "interpreter/command.h"
 #include "language/text.h"
 
-enum { OFFER_LISTS = 8 };
+enum { OFFER_LISTS = 16 };
 
 /* What completion offers at the cursor, besides names and values. */
 enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
