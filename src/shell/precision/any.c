@@ -144,35 +144,24 @@ enum dom_status any_row_watch(const struct domq_row *row, const struct any_compu
                context, verdict);
 }
 
-/* Returns the power of ten that is nearest to a number between 1e-40 and 1, to the last digit of the widest
- * arithmetic. */
-static domq_real power_of_ten(double x)
-{
-    domq_real power = 1;
-    for (long n = lround(-log10(x)); n > 0; n--)
-        power *= 10;
-    return 1 / power;
-}
+/* The tolerances of the library are powers of ten, here with all digits of quad. */
+#define TENTH(power) (1 / (domq_real)(power))
 
 struct domq_arithmetic any_arithmetic(enum precision precision)
 {
-    const struct domf_arithmetic *of_float = domf_arithmetic();
-    const struct dom_arithmetic *of_double = dom_arithmetic();
-    return precision == IN_QUAD     ? *domq_arithmetic()
-           : precision == IN_DOUBLE ? (struct domq_arithmetic){of_double->name,
-                                                               of_double->type,
-                                                               of_double->bits,
-                                                               of_double->epsilon,
-                                                               power_of_ten(of_double->tol_default),
-                                                               power_of_ten(of_double->tol_floor),
-                                                               of_double->digits}
-                                    : (struct domq_arithmetic){of_float->name,
-                                                               of_float->type,
-                                                               of_float->bits,
-                                                               of_float->epsilon,
-                                                               power_of_ten((double)of_float->tol_default),
-                                                               power_of_ten((double)of_float->tol_floor),
-                                                               of_float->digits};
+    const struct domf_arithmetic *f = domf_arithmetic();
+    const struct dom_arithmetic *d = dom_arithmetic();
+    switch (precision) {
+    case IN_FLOAT:
+        return (struct domq_arithmetic){f->name,    f->type,    f->bits,  f->epsilon,
+                                        TENTH(1e5), TENTH(1e6), f->digits};
+    case IN_DOUBLE:
+        return (struct domq_arithmetic){d->name,     d->type,     d->bits,  d->epsilon,
+                                        TENTH(1e12), TENTH(1e15), d->digits};
+    case IN_QUAD:
+        break;
+    }
+    return *domq_arithmetic();
 }
 
 struct any_compute any_compute_default(void)
