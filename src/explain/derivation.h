@@ -5,8 +5,8 @@
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
+#include "explain/formula.h"
 #include "interpreter/symbols.h"
-#include "language/formula.h"
 
 /* Bits for the properties of a train that decide which equations hold for it. */
 enum {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "language/formula.h"
+#include "explain/formula.h"
 #include "language/quad.h"
 #include <stdlib.h>
 #include <string.h>
