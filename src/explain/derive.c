@@ -3,7 +3,7 @@
 #include "explain/derivation.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "session/effects.h"
+#include "session/parameters.h"
 #include "train/falling.h"
 #include "train/train.h"
 #include <stdlib.h>

@@ -313,12 +313,12 @@ static void effects_write(const struct class_row *class, FILE *out)
             continue;
         random = random || effect_is_random(k);
         const char *name = effect_at(k)->name;
-        const int share = parameter_share(parameter_find(name));
+        const enum share share = parameter_find(name)->share;
         text_add(text, sizeof text, "%s%s ", *text ? ", " : "", name);
         const bool touches = k == DOM_EFFECT_release && isinf(class->row.run.scene.row.release);
         if (strcmp(effect_at(k)->argument[0].unit, "rad") == 0 && !touches)
             text_add(text, sizeof text, "%.4g deg", degrees(scene->effect[k].value[0]));
-        else if (share >= 0 && share != SHARE_push && scene->length[share].m > 0)
+        else if (share != SHARE_push && scene->length[share].m > 0)
             text_add(text, sizeof text, "%s", length_of(class, (double)scene->length[share].m).text);
         else
             text_add(text, sizeof text, "%s", effect_setting(scene, k));

@@ -39,10 +39,11 @@ bool sweep_parse_grid(struct reader *r, struct question *q)
 /* A names_list (see names.h) of the commands that can be swept. */
 static const char *sweepable_names(const void *context, int k)
 {
-    const char *name;
-    for (int i = 0; (name = command_names(context, i)) != NULL; i++)
-        if (command_find(name)->columns && !command_find(name)->sweep.refusal && k-- == 0)
-            return name;
+    const struct command *c;
+    (void)context;
+    for (int i = 0; (c = command_at(i)) != NULL; i++)
+        if (c->columns && !c->sweep.refusal && k-- == 0)
+            return c->name;
     return NULL;
 }
 

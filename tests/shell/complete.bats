@@ -18,7 +18,7 @@ load common
     # 'step back', 'step to' and 'step where' and other phrases stand for commands that completion does not offer.
     all=$(json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|effect' | paste -sd ' ' -)
     parameters=$(json show | values name | paste -sd ' ' -)
-    effects=$(completed 'effect ')
+    effects=$(json help | grep '"kind":"effect"' | values name | paste -sd ' ' -)
     landmarks=$(csv landmarks | sed '1d; s/,.*//' | paste -sd ' ' -)
     [ "$(wc -w <<<"$effects")" -ge 5 ]
     [ "$(wc -w <<<"$all")" -ge 22 ]

@@ -14,7 +14,7 @@ build=$(dirname "$DOMINO")
 
 @test "domino-effects(7) has a section for each effect, with an example that runs" {
     page=$root/man/domino-effects.7
-    same effects "$("$DOMINO" -e 'complete effect ' | sort)" "$(sed -n 's/^\.Ss //p' "$page" | sort)"
+    same effects "$(json help | grep '"kind":"effect"' | values name | sort)" "$(sed -n 's/^\.Ss //p' "$page" | sort)"
     sed -n 's/^\.Dl //p' "$page" >examples
     same examples "$(grep -c '^\.Ss ' "$page")" "$(wc -l <examples)"
     while IFS= read -r example; do

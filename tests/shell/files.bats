@@ -158,10 +158,6 @@ END
     done
 }
 
-@test "'|' leads to a message that names '>'" {
-    wrong 'rmax | head' "^-e:1:6: rmax: pipes are not supported; 'COMMAND > FILE' writes a file\$"
-}
-
 @test "an inner command cannot write the file that an outer one is writing" {
     mkdir folder
     ln -s . again

@@ -32,7 +32,7 @@ load common
     differ 'a scene' "$(json 'effect row 5; fall; verdict')" "$(json "$scene; fall; verdict")"
     same saved "$(json "$scene; fall; verdict")" "$(json "$scene; save scene.dom; reset; source scene.dom; fall; verdict")"
     grep -qx 'set friction 0.3' "scene.dom"
-    grep -qx 'set placement 0.002 0.01' "scene.dom"
+    grep -qx 'set placement 2 mm 0.01' "scene.dom"
 }
 
 @test "save and source: every parameter comes back as it was" {

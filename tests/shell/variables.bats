@@ -88,7 +88,6 @@ END
     wrong 'z(a) = 3' "'let z\(...\) = VALUE' defines a function"
     wrong 'foo+1' "'foo' has no value"
     wrong '1/0' 'division by zero'
-    wrong '.help' "commands have no '.' before"
     wrong 's 0.3' "'s' is a parameter; 's = VALUE'"
     wrong 'q 3' "'q' is a parameter"
 }

@@ -16,13 +16,6 @@ load ../shell/common
 }
 
 # bats test_tags=rows,proof,planning
-@test "--check after a command: the message says how to use assert instead" {
-    run --separate-stderr "$DOMINO" --keep-going -e 'verdict --check; prove --check; design 1 m --check'
-    same 'what would be right' "'assert verdict' 'assert prove WHAT [VALUE]' 'assert design H [WISHES]'" \
-        "$(grep -o "'assert [^']*'" <<<"$stderr" | paste -sd ' ' -)"
-}
-
-# bats test_tags=rows,proof,planning
 @test "assert: a script fails where a row does not fall" {
     run -0 "$DOMINO" -e 'effect row 5; assert verdict; assert fall; assert barrier; assert count 1 1.2; assert design 1 m'
     same answers "$("$DOMINO" -e 'effect row 5; verdict')" "$("$DOMINO" -e 'effect row 5; assert verdict')"

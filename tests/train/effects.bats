@@ -165,7 +165,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 
 # bats test_tags=rows,chance,engine
 @test "values of effects: units, ranges, missing and surplus arguments" {
-    wrong 'effect friction' "MU, the friction coefficient, is missing; enter, for example, 'set friction 0.2'"
+    wrong 'effect friction' "VALUE is missing; usage: effect NAME VALUE"
     wrong 'effect friction -1' 'MU = -1 is out of range'
     wrong 'effect friction 0.1 0.2' 'one argument too many; usage: set friction MU'
     wrong 'effect friction 3 mm' 'MU is a plain number, not a length'
@@ -173,7 +173,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 0' 'out of range'
     wrong 'effect row 4; effect push 3 mm' 'OMEGA is'
     wrong 'effect row 4; effect placement 3 rad' 'SIGMA is a length, not an angle'
-    wrong 'effect foo 1' "unknown effect 'foo'; use one of: friction, slope, .*row, .*bounce"
+    wrong 'effect foo 1' "unknown parameter 'foo'"
     wrong 'effect row 4; place 1 1 cm' 'there is no gap before domino 1; choose a domino from 2 to 4'
     wrong 'effect row 1; place 2 1 cm' 'a row of one domino has no gap'
     wrong 'effect row 4; place 2 -1' "a change of the gap by -1 needs a unit, as in '-1 m'"

@@ -300,7 +300,7 @@ static void help_several(FILE *out, const char *word)
     help_say(out, "'%s' can mean any of these; 'help NAME' explains each:", word);
     for (int k = 0; (name = topic_by_synonym(word, k)) != NULL; k++) {
         const struct command *c = command_find(name);
-        topic_entry(out, "", name, c ? c->summary : parameter_meaning(parameter_find(name)));
+        topic_entry(out, "", name, c ? c->summary : parameter_find(name)->meaning);
     }
 }
 

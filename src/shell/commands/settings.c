@@ -82,7 +82,7 @@ static struct typed_length length_typed(const struct arguments *given)
         if (stop && (isspace((unsigned char)*stop) || !*stop || *stop == ';'))
             name_copy(unit, (size_t)(stop - unit), length.unit, sizeof length.unit);
     }
-    if (length.m > 0 && !*length.unit && parameter_share(given->parameter) == SHARE_push)
+    if (length.m > 0 && !*length.unit && given->parameter->share == SHARE_push)
         name_copy("m/s", strlen("m/s"), length.unit, sizeof length.unit);
     return length;
 }
@@ -177,11 +177,8 @@ static const struct column step_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_undo(struct session *session, const struct arguments *given, struct answer *a,
-                     struct problem *problem)
+static bool step_make(struct session *session, bool back, struct answer *a, struct problem *problem)
 {
-    (void)given;
-    bool back = strcmp(a->command, "undo") == 0;
     const char *text = undo_step(session->undo, &session->state, back);
     if (!text)
         return problem_error(problem, back ? "there is no change to undo"
@@ -190,6 +187,20 @@ static bool run_undo(struct session *session, const struct arguments *given, str
         return answer_cells(a, cell_word(text));
     answer_say(a, "%s: %s", back ? "undone" : "done again", text);
     return true;
+}
+
+static bool run_undo(struct session *session, const struct arguments *given, struct answer *a,
+                     struct problem *problem)
+{
+    (void)given;
+    return step_make(session, true, a, problem);
+}
+
+static bool run_redo(struct session *session, const struct arguments *given, struct answer *a,
+                     struct problem *problem)
+{
+    (void)given;
+    return step_make(session, false, a, problem);
 }
 
 /* Says which settings of the calculator keep values that are not the defaults. */
@@ -276,7 +287,7 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
     const struct variables *variables = &query->state->variables;
     const struct parameter *p;
     (void)a;
-    if (!save_allowed(query->scene, path, problem) || !effects_savable(query->scene, problem))
+    if (!save_allowed(query->scene, path, problem) || !parameters_savable(query->scene, problem))
         return false;
     const char *wrong = file_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
@@ -309,13 +320,17 @@ static bool run_quit(struct session *session, const struct arguments *given, str
 #define A_PARAMETER                                                                                          \
     .name = "NAME", .kind = ARGUMENT_PARAMETER, .noun = "parameter", .choices = parameter_names
 
+#define A_SETTING                                                                                            \
+    {A_PARAMETER}, {.name = "VALUE", .kind = ARGUMENT_VALUE},                                                \
+        {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true},                                             \
+    {                                                                                                        \
+        .name = "Z", .kind = ARGUMENT_VALUE, .optional = true                                                \
+    }
+
 const struct command session_commands[] = {
     {.name = "set",
      .synonyms = "change assign parameter",
-     .argument = {{A_PARAMETER},
-                  {.name = "VALUE", .kind = ARGUMENT_VALUE},
-                  {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true},
-                  {.name = "Z", .kind = ARGUMENT_VALUE, .optional = true}},
+     .argument = {A_SETTING},
      .summary = "give a parameter or an effect a value",
      .help = "VALUE is one of the words of the parameter, such as hollow or json, or an expression: 7/48, "
              "4.8 cm, 0.9*s, rmax. 'set s = 0.3', 'set s to 0.3' and 's = 0.3' mean the same. Only the range "
@@ -329,11 +344,8 @@ const struct command session_commands[] = {
     {.name = "effect",
      .typed.is_hidden = true,
      .synonyms = "switch turn",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .noun = "effect", .choices = effect_names},
-                  {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
-                  {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true},
-                  {.name = "Z", .kind = ARGUMENT_VALUE, .optional = true}},
-     .summary = "turn an effect on with these values, or off with 'off'",
+     .argument = {A_SETTING},
+     .summary = "the same as set",
      .help = "Effects add to the paper's model: 'set friction 0.2', 'set slope 1 deg', 'set walls 1 "
              "mm', 'set row 13', 'set row record.csv', 'set push 3', 'set placement 1 mm', "
              "'set floor 0.4'. 'effects' lists all effects, and 'help friction' explains one. 'set "
@@ -393,7 +405,7 @@ const struct command session_commands[] = {
      .see = "undo",
      .sweep.refusal = "it computes nothing",
      .columns = step_columns,
-     .act = run_undo},
+     .act = run_redo},
     {.name = "print",
      .synonyms = "calculate calculator convert units feet inch evaluate",
      .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY},

@@ -46,11 +46,10 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
     else
         snprintf(shown->value, sizeof shown->value, "%s",
                  parameter_text(p, value, (int)query->state->settings.style.digits, number));
-    const struct typed_length *length =
-        parameter_share(p) >= 0 ? &query->scene->length[parameter_share(p)] : NULL;
+    const struct typed_length *length = &query->scene->length[p->share];
     char typed[LENGTH_TEXT];
     const char *unit = people && p->effect ? "" : p->value->unit;
-    const bool is_length = people && length && length->m > 0 && value != EFFECT_OFF;
+    const bool is_length = people && length->m > 0 && value != EFFECT_OFF;
     if (is_length) {
         char setting[EFFECT_SETTING];
         snprintf(setting, sizeof setting, "%s", shown->value);
@@ -73,7 +72,7 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
                                  cell_word(unit),
                                  cell_word(shown->range),
                                  as_number ? cell_real(fallback) : cell_word(shown->fallback),
-                                 cell_word(parameter_meaning(p))};
+                                 cell_word(p->meaning)};
     memcpy(shown->cell, cells, sizeof cells);
 }
 
@@ -109,9 +108,8 @@ enum listed { LIST_ALL, LIST_PARAMETERS, LIST_CHANGED, LIST_VARIABLES };
 
 static bool is_changed(const struct query *query, const struct parameter *p)
 {
-    const int share = parameter_share(p);
     return parameter_get(query->state, p) != parameter_fallback(query->state, p) ||
-           (share >= 0 && query->scene->length[share].m > 0 && parameter_is_number(p));
+           (query->scene->length[p->share].m > 0 && parameter_is_number(p));
 }
 
 /* Prints the parameter or variable that the arguments name. Without a name, prints what `listed` selects, and

@@ -43,10 +43,10 @@ static void topic_of_parameter(const struct parameter *p, struct topic *t)
     *t = (struct topic){.parameter = p,
                         .name = p->name,
                         .kind = p->effect ? "effect" : "parameter",
-                        .summary = parameter_meaning(p),
+                        .summary = p->meaning,
                         .equation = p->effect ? p->effect->source : NULL,
-                        .text = parameter_help(p),
-                        .synonyms = parameter_synonyms(p)};
+                        .text = p->help,
+                        .synonyms = p->synonyms};
     if (p->effect) {
         snprintf(t->usage, sizeof t->usage, "set %s", effect_usage(p->which));
         t->example = p->example;

@@ -5,31 +5,24 @@
 #include "language/text.h"
 #include "session/parameters.h"
 #include "session/row.h"
-#include <limits.h>
 #include <string.h>
 
 static const struct command_group no_group[] = {{NULL, NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* The commands of all groups. To find a command quickly, all commands with the same first letter form a
- * linked list, which begins at first[letter]. A link in `first` or `next` is 1 more than the index of a
- * command in `every`, so that 0 can mark the end of a list. */
 enum { COMMANDS_MOST = 128 };
-static const struct command *every[COMMANDS_MOST];
+static const struct command *every[COMMANDS_MOST]; /* the commands of all groups */
+static char letters[COMMANDS_MOST];                /* the first letter of each */
 static int every_count;
-static unsigned char first[UCHAR_MAX + 1], next[COMMANDS_MOST];
 
 void command_registry(const struct command_group *all)
 {
     groups = all;
     every_count = 0;
-    memset(first, 0, sizeof first);
     for (const struct command_group *g = groups; g->title; g++)
         for (const struct command *c = g->commands; c->name && every_count < COMMANDS_MOST; c++) {
-            unsigned char *letter = &first[(unsigned char)*c->name];
-            every[every_count] = c;
-            next[every_count++] = *letter;
-            *letter = (unsigned char)every_count;
+            letters[every_count] = *c->name;
+            every[every_count++] = c;
         }
 }
 
@@ -44,6 +37,11 @@ bool group_named(const char *word)
     for (const struct command_group *g = groups; g->title; g++)
         found = found || strcmp(g->word, word) == 0;
     return found;
+}
+
+const struct command *command_at(int k)
+{
+    return k < every_count ? every[k] : NULL;
 }
 
 const char *command_names(const void *context, int k)
@@ -91,7 +89,7 @@ static bool topic_has(const char *topic, const char *word)
     const struct command *c = command_find(topic);
     const struct parameter *p = parameter_find(topic);
     return (c && names_index(c->synonyms, ' ', word) >= 0) ||
-           (p && names_index(parameter_synonyms(p), ' ', word) >= 0) ||
+           (p && names_index(p->synonyms, ' ', word) >= 0) ||
            (p && !p->effect && names_exact(parameter_words, p, word) >= 0);
 }
 
@@ -139,10 +137,11 @@ const char *command_keys(const void *command, int k)
 
 const struct command *command_find(const char *name)
 {
-    int k = first[(unsigned char)*name];
-    while (k > 0 && strcmp(every[k - 1]->name, name) != 0)
-        k = next[k - 1];
-    return k > 0 ? every[k - 1] : NULL;
+    const char *end = letters + every_count;
+    for (const char *at = letters; (at = memchr(at, *name, (size_t)(end - at))) != NULL; at++)
+        if (strcmp(every[at - letters]->name, name) == 0)
+            return every[at - letters];
+    return NULL;
 }
 
 int command_principal(const struct command *c)
@@ -234,8 +233,7 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
     if (is_share && quantity_alike(*q, length))
         *q = (struct quantity){.value = q->value / query->scene->scale.h};
     /* The push may be entered as the speed of the first domino's upper edge. */
-    const bool is_push =
-        a->kind == ARGUMENT_VALUE_OF && parameter_share(parameter_find(a->parameter)) == SHARE_push;
+    const bool is_push = a->kind == ARGUMENT_VALUE_OF && parameter_find(a->parameter)->share == SHARE_push;
     if (is_push && quantity_alike(*q, (struct quantity){.length = 1, .time = -1}))
         *q = (struct quantity){.value = q->value / scene_first_height(query->scene)};
     /* An angular velocity may be entered without radians, as in 8*sqrt(g/h). */

@@ -8,6 +8,7 @@
 #include "language/names.h"
 #include "session/parameters.h"
 #include "session/query.h"
+#include "session/row.h"
 
 /* The kind of an argument determines how it is parsed and checked, and what completion offers. */
 enum argument_kind {
@@ -24,9 +25,8 @@ enum argument_kind {
     ARGUMENT_PLACE,
     /* Arguments that are words or names: */
     ARGUMENT_CHOICE,    /* one of the choices, stored as its index */
-    ARGUMENT_EFFECT,    /* the name of an effect */
     ARGUMENT_PARAMETER, /* the name of a parameter; variables are accepted if no ARGUMENT_VALUE follows */
-    ARGUMENT_VALUE,     /* a value of the parameter or effect that an earlier argument names, or a file */
+    ARGUMENT_VALUE,     /* a value of the parameter that an earlier argument names, or a file */
     ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
     ARGUMENT_WORD,      /* a single word, or several words in double quotes */
     ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
@@ -76,7 +76,7 @@ struct arguments {
     const char *word[ARGUMENTS_MAX];
     const char *typed[ARGUMENTS_MAX]; /* where the argument begins in the line; may be NULL */
     int column[ARGUMENTS_MAX];        /* the column of each argument in the typed line, for messages */
-    /* The parameter that was named as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. NULL if there is none. */
+    /* The parameter that was named as an ARGUMENT_PARAMETER. NULL if there is none. */
     const struct parameter *parameter;
     /* The variable that an argument names. The argument may be an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or
      * the name after 'let'. NULL if no variable was named. */
@@ -211,6 +211,9 @@ const char *value_names(const void *context, int k);
 const char *topic_by_synonym(const char *word, int k);
 
 const struct command *command_find(const char *name);
+
+/* Returns command number k, counted from 0, or NULL if there are no more. */
+const struct command *command_at(int k);
 
 /* Returns the unit that a column of the command's answer has in this scene. */
 const char *command_unit(const struct command *command, int column, const struct scene *scene);

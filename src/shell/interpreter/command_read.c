@@ -110,31 +110,6 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Users sometimes call a command like a function, as in "print(2)" or "quit()". Returns true for such a call
- * and moves the reader past the name and past an empty "()". The parentheses of 'print' may contain anything.
- * Those of other commands must be empty, and a command that can be used in an expression is left to the
- * parser of expressions. */
-static bool is_called(struct reader *r, const struct head *h)
-{
-    int fewest;
-    bool is_empty = h->end[0] == '(' && h->end[1] == ')' && word_ends(h->end + 2);
-    if (!h->command || *h->end != '(' || command_arity(h->command, &fewest) >= 0 ||
-        (!is_empty && !h->command->is_print))
-        return false;
-    reader_named(r, h->begin, h->end);
-    r->at = h->end + (is_empty ? 2 : 0);
-    return true;
-}
-
-/* Returns true for the names that other calculators give to earlier results: '_', '%', '%1', 'ans2'. */
-static bool is_history(const struct head *h)
-{
-    const char *c = h->begin;
-    size_t n = (size_t)(h->end - c);
-    bool is_numbered = n > 3 && strncmp(c, "ans", 3) == 0 && strspn(c + 3, "0123456789") == n - 3;
-    return n == 0 ? *c == '%' || *c == '$' : (is_numbered || strspn(c, "_") == n) && !h->variable;
-}
-
 /* Returns the command that the line "NAME = VALUE" stands for. This command is 'set' if NAME is a parameter,
  * and 'let' if it is a variable. If NAME is unknown, reports a problem and returns NULL. */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
@@ -169,7 +144,8 @@ static const struct command *shorthand_read(struct reader *r)
     struct head h = head_read(r);
     struct variable v;
     /* Most lines of a script consist of a command and a number, so they skip the tests for shorthands. */
-    if (h.command && h.next > h.end && isdigit((unsigned char)*h.next)) {
+    const bool is_called = h.command && h.command->is_print && *h.end == '('; /* as in "print(2)" */
+    if (is_called || (h.command && h.next > h.end && isdigit((unsigned char)*h.next))) {
         reader_place(r, h.begin);
         reader_named(r, h.begin, h.end);
         r->at = h.end;
@@ -186,22 +162,6 @@ static const struct command *shorthand_read(struct reader *r)
     if (h.end > h.begin && strncmp(h.next, "==", 2) == 0)
         return command_find("print");
     h.variable = *h.name ? variable_find(&r->query->state->variables, h.name) : NULL;
-    bool is_history_name = is_history(&h);
-    if (is_history_name || ((*h.begin == '.' || *h.begin == '\\') && name_start(h.begin[1]))) {
-        reader_place(r, h.begin);
-        if (is_history_name)
-            problem_error(
-                r->problem,
-                "the last value is 'ans', as in '2*ans'; 'let x = ans' keeps this value for later lines");
-        else
-            problem_error(r->problem,
-                          "commands have no '%c' before their names; 'help' lists them, 'apropos WORD' finds "
-                          "one",
-                          *h.begin);
-        return NULL;
-    }
-    if (is_called(r, &h))
-        return h.command;
     if (h.is_alone && h.variable && h.variable->body)
         return command_find("show");
     if (is_expression(r->query->state, &h))
@@ -216,22 +176,21 @@ static const struct command *shorthand_read(struct reader *r)
  * NAMES_SEVERAL. */
 static int reserved_command(const char *name)
 {
-    const char *all;
-    for (int k = 0; (all = command_names(NULL, k)) != NULL; k++) {
-        const char *shortest = command_find(all)->typed.shortest;
-        if (shortest && strlen(name) >= strlen(shortest) && strncmp(all, name, strlen(name)) == 0)
+    const struct command *c;
+    for (int k = 0; (c = command_at(k)) != NULL; k++)
+        if (c->typed.shortest && strlen(name) >= strlen(c->typed.shortest) &&
+            strncmp(c->name, name, strlen(name)) == 0)
             return k;
-    }
     return NAMES_SEVERAL;
 }
 
 /* Returns the first command with this synonym, or NULL. A word of one or two letters is not looked up. */
 static const char *synonym_command(const char *word)
 {
-    const char *name;
-    for (int k = 0; strlen(word) > 2 && (name = command_names(NULL, k)) != NULL; k++)
-        if (names_index(command_find(name)->synonyms, ' ', word) >= 0)
-            return name;
+    const struct command *c;
+    for (int k = 0; strlen(word) > 2 && (c = command_at(k)) != NULL; k++)
+        if (names_index(c->synonyms, ' ', word) >= 0)
+            return c->name;
     return NULL;
 }
 

@@ -131,18 +131,6 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     return k >= 0 || problem_error(r->problem, "%s", message);
 }
 
-/* An '=' may follow the name of an effect directly. */
-static bool effect_parse(struct reader *r, const struct argument *a, struct question *q, int i)
-{
-    const char *outer = r->stops;
-    r->stops = "=";
-    bool good = item_parse_choice(r, a, &q->item[i]);
-    r->stops = outer;
-    if (good)
-        q->parameter = parameter_find(a->choices(NULL, (int)q->item[i].number));
-    return good;
-}
-
 /* ---- All arguments ---- */
 
 static bool argument_parse(struct reader *r, struct question *q, int i)
@@ -164,8 +152,6 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
         return item_parse_choice(r, a, item);
     case ARGUMENT_PLACE:
         return item_parse_place(r, a, item);
-    case ARGUMENT_EFFECT:
-        return effect_parse(r, a, q, i);
     case ARGUMENT_FILE:
         offer_kind(r, OFFER_FILE);
         item->word = read_file(r);
@@ -189,18 +175,6 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
 
-/* If '--check' follows a yes-or-no command, reports that commands have no options, suggests 'assert', and
- * returns true. */
-static bool check_wrong(const struct reader *r, const struct command *c)
-{
-    if (!c->holds || strncmp(r->at, "--check", strlen("--check")) != 0)
-        return false;
-    problem_error(r->problem,
-                  "commands have no options such as '--check'; 'assert %s' checks that the answer is yes",
-                  command_usage(c));
-    return true;
-}
-
 /* Parses "with NAME VALUE ...". Also returns true if no 'with' follows. */
 static bool with_parse(struct reader *r, struct question *q)
 {
@@ -222,13 +196,9 @@ static bool with_parse(struct reader *r, struct question *q)
 static bool end_check(struct reader *r, const struct command *c)
 {
     reader_place(r, r->at);
-    if (*r->at == '|')
-        return problem_error(r->problem, "pipes are not supported; 'COMMAND > FILE' writes a file");
     if (command_ends(r->at) || *r->at == '>' || (r->stops && strchr(r->stops, *r->at)) ||
         (r->details && word_is_next(r, "details")))
         return true;
-    if (check_wrong(r, c))
-        return false;
     const char *word = read_word(r, false);
     return too_many(r, word ? word : "", "", command_usage(c));
 }
@@ -251,14 +221,14 @@ static bool arguments_parse(struct reader *r, struct question *q)
             r->problem->command = q->command->name;
             break;
         }
-        if (check_wrong(r, c) || !argument_parse(r, q, q->count))
+        if (!argument_parse(r, q, q->count))
             return false;
     }
     c = q->command;
     r->at = skip_blanks(r->at);
     reader_place(r, r->at);
     const struct argument *missing = q->count < ARGUMENTS_MAX ? &c->argument[q->count] : NULL;
-    if (missing && missing->kind && !missing->optional && *r->at != '|')
+    if (missing && missing->kind && !missing->optional)
         return problem_error(r->problem, "%s is missing; usage: %s", missing->name, command_usage(c));
     return with_parse(r, q) && end_check(r, c);
 }
@@ -329,12 +299,11 @@ static const struct command *command_named(const char *word, size_t length, int 
 
 const char *question_names(const void *context, int k)
 {
-    const char *name;
-    for (int i = 0; (name = command_names(context, i)) != NULL; i++) {
-        const struct command *c = command_find(name);
+    const struct command *c;
+    (void)context;
+    for (int i = 0; (c = command_at(i)) != NULL; i++)
         if ((c->principal || c->holds) && !c->sweep.refusal && k-- == 0)
-            return name;
-    }
+            return c->name;
     return NULL;
 }
 

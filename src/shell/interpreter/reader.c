@@ -110,7 +110,7 @@ bool reader_takes(struct reader *r, const char *word)
 bool reader_ends(struct reader *r)
 {
     r->at = skip_blanks(r->at);
-    return command_ends(r->at) || *r->at == '>' || *r->at == '|' || (r->stops && strchr(r->stops, *r->at)) ||
+    return command_ends(r->at) || *r->at == '>' || (r->stops && strchr(r->stops, *r->at)) ||
            word_is_next(r, "with") || (r->details && word_is_next(r, "details"));
 }
 

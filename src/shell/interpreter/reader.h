@@ -73,7 +73,7 @@ static inline bool command_ends(const char *c)
 }
 
 /* Skips blanks. Returns true if there are no more arguments, because the command ends here, or because there
- * is a '>', a '|', one of the words 'with' and 'details', or one of the characters in `stops`. */
+ * is a '>', one of the words 'with' and 'details', or one of the characters in `stops`. */
 bool reader_ends(struct reader *reader);
 
 /* Returns true if the next word is `word`, not a longer word that begins with `word`. */

@@ -70,8 +70,9 @@ static void emit_values(const struct completion *c)
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (parameter_is_number(p) && p != c->offer.parameter && (is_any || fits(a, p->name, p->value->unit)))
             emit_name(c, p->name, "", !is_any);
-    for (int i = 0; (name = command_names(NULL, i)) != NULL; i++) {
-        const struct command *command = command_find(name);
+    const struct command *command;
+    for (int i = 0; (command = command_at(i)) != NULL; i++) {
+        name = command->name;
         if (c->offer.is_inside && *c->name && command_is_table(command) && (command->train || has_row)) {
             command_values(command, &fewest);
             emit_name(c, name, fewest ? "(" : "", false);

@@ -1,46 +1,60 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Turns effects on and off. */
+/* The numbers and descriptions of all effects: first the effects of the library, then those that features of
+ * the program describe. To add an effect of the model, follow src/train/model/dynamics/README.md. */
 #ifndef SHELL_EFFECTS_H
 #define SHELL_EFFECTS_H
 
-#include "language/names.h"
-#include "language/quad.h"
-#include "session/query.h"
-#include "session/row.h"
+#include "domino_quad.h"
+#include <math.h>
 
-/* Returns the values of an effect for messages, as in "1 m, 0.1", "record.csv" or "off". The text lives until
- * the end of the caller's block. */
-enum { EFFECT_SETTING = 256 }; /* the longest file name has 255 bytes */
-#define effect_setting(scene, effect) effect_setting_write(scene, effect, (char[EFFECT_SETTING]){""})
-const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING]);
+/* The effects of the rigid-body engine, which the feature 'engine' describes. */
+#define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
-/* Returns the path of the effect's file, or NULL if the user gave none. */
-const char *effect_file(const struct scene *scene, int effect);
+/* The kinds of random error that have their own effect, which the feature 'chance' describes, and the feature
+ * without which there is no such effect. Errors in gaps and heights belong to 'placement'. */
+#define ERROR_EFFECTS(X)                                                                                     \
+    X(place, "chance")                                                                                       \
+    X(thickness, "chance")                                                                                   \
+    X(mass, "chance")                                                                                        \
+    X(lean, "chance")                                                                                        \
+    X(radius, "chance") X(friction, "chance") X(slope, "chance") X(floor, "engine") X(push, "chance")
 
-/* Fills the array `all` with the values of an effect. The user has given the first `given` values, in the
- * array `value`. The other values are the usual ones. value[0] may be EFFECT_OFF or EFFECT_ON. Sets *problem
- * and returns false if a required value is missing, or if the effect cannot be turned off because another
- * effect needs it. */
-bool effect_complete(const struct scene *scene, int effect, const domq_real *value, int given,
-                     domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
+enum {
+    /* The numbers of the shell's effects continue after the library's last effect. */
+    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1,
+#define ENGINE_EFFECT_ENUM(name) EFFECT_##name,
+    ENGINE_EFFECTS(ENGINE_EFFECT_ENUM)
+#undef ENGINE_EFFECT_ENUM
+        EFFECT_ENGINE_END,
+    EFFECTS_BEFORE_ERRORS = EFFECT_ENGINE_END - 1,
+#define ERROR_EFFECT_ENUM(name, feature) EFFECT_error_##name,
+    ERROR_EFFECTS(ERROR_EFFECT_ENUM)
+#undef ERROR_EFFECT_ENUM
+        EFFECT_COUNT
+};
 
-/* Sets the values of an effect: value[0] to `value`, which may be EFFECT_OFF, and the other values to
- * `others`. If `others` is NULL, an effect that is already on keeps its other values, and an effect that is
- * off gets the usual ones. If the effect is 'row', the memory of the row is not freed, so the scene must not
- * own this memory. */
-void effect_put(struct scene *scene, int effect, domq_real value, const domq_real *others);
+/* Returns true for an effect that gives rows random errors. */
+static inline bool effect_is_random(int effect)
+{
+    return effect == DOM_EFFECT_placement || effect >= EFFECT_ENGINE_END;
+}
 
-/* Returns true if an effect can be turned on: all effects that it needs must be on, and the current 'fuel'
- * must not exclude it. If the effect cannot be turned on, sets *problem and returns false. */
-bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem);
+/* First values of an effect that stand for the words "off" and "on". EFFECT_ON turns an effect on with its
+ * usual values. If the effect is already on, its values do not change. */
+#define EFFECT_OFF ((domq_real)-HUGE_VAL)
+#define EFFECT_ON  ((domq_real)HUGE_VAL)
 
-/* Returns true if the effects can be saved as a script. A saved script names the file of the row. If the path
- * contains a control character, the text after it might be read as another command, so this is reported as a
- * problem. */
-bool effects_savable(const struct scene *scene, struct problem *problem);
+/* The value of the effect 'release' that stands for the word "touch": the domino leans against the next one,
+ * which it touches before it lies flat. */
+#define RELEASE_TOUCH ((domq_real)1.5707963267948966)
 
-/* Writes the command that gives an effect its current values. `folder` is the directory of the script, or
- * NULL. */
-void effect_save(const struct scene *scene, int effect, const char *folder, FILE *out);
+/* Returns the description of effect number k, counted from 0, or NULL if this build lacks the effect. */
+const struct domq_effect *effect_at(int k);
+
+/* Returns the usage of an effect, such as "friction MU". The text lives until the end of the caller's
+ * block. */
+enum { EFFECT_USAGE = 64 };
+#define effect_usage(effect) effect_usage_write(effect, (char[EFFECT_USAGE]){""})
+const char *effect_usage_write(int effect, char usage[EFFECT_USAGE]);
 
 #endif

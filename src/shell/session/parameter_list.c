@@ -2,6 +2,7 @@
 #include "session/parameter_list.h"
 #include "answer/format.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include "session/engine.h"
 #include <float.h>
 
@@ -79,17 +80,20 @@ static const char method_help[] =
     "A row can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or "
     "'set bounce', because the model lacks these two effects. Endless trains always use the model.";
 
-static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
+static bool fuel_check(const struct state *state, const struct parameter *p, domq_real fuel,
+                       struct problem *problem)
 {
+    (void)p;
     const struct domq_effect *effect = domq_first_effect(&state->scene.train);
     return fuel != DOM_FUEL_PAPER || !effect ||
            problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'set %s off'",
                              effect->name, effect->name);
 }
 
-static bool precision_check(const struct state *state, domq_real precision, struct problem *problem)
+static bool precision_check(const struct state *state, const struct parameter *p, domq_real precision,
+                            struct problem *problem)
 {
-    (void)state;
+    (void)state, (void)p;
     const struct domq_arithmetic arithmetic = any_arithmetic((enum precision)precision);
     return arithmetic.bits > 0 ||
            problem_error(problem, "%s: %s", arithmetic.name, dom_status_text(DOM_NO_PRECISION));
@@ -115,32 +119,32 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
 /* The library's lists of parameters and effects give only some members of an entry. These macros give the others. */
 #define RANGE(from_, to_) .from = from_, .to = to_
-#define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help, RANGE(0.02, 1), .of_row = true,
+#define MORE_s .share = SHARE_s, .synonyms = "gap separation spacing distance apart", .help = s_help, RANGE(0.02, 1), .of_row = true,
 #define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help, RANGE(1, 4), .of_row = true,
-#define MORE_d .synonyms = "thickness thin thick depth", .help = d_help, RANGE(0.01, 1), .of_row = true,
+#define MORE_d .share = SHARE_d, .synonyms = "thickness thin thick depth", .help = d_help, RANGE(0.01, 1), .of_row = true,
 #define MORE_q .synonyms = "exponent wood block box weight material", .help = q_help, RANGE(1, 6), \
     .words = WORD_LIST({"hollow", 3}, {"solid", 4}, {"massive", 4}),
-#define MORE_width .synonyms = "wide broad breadth", .help = width_help, RANGE(0.05, 5),
+#define MORE_width .share = SHARE_width, .synonyms = "wide broad breadth", .help = width_help, RANGE(0.05, 5),
 #define MORE_tol .synonyms = "tolerance accuracy precision", .help = tol_help, .of_precision = true,
 #define MORE_h .synonyms = "height size tall scale", RANGE(0.005, 10), .of_row = true,
 #define MORE_g .synonyms = "gravity acceleration weight moon planet", RANGE(0.1, 30),
 #define MORE_friction .example = "set q hollow; set friction 0.2; rmax 0.4; set friction off", RANGE(0, 2),
 #define MORE_slope .example = "set slope on; scene", RANGE(-0.14, 0.14),
-#define MORE_edges .example = "set q hollow; set edges 0.01; rmax 0.2; set edges off", RANGE(0, 0.05),
-#define MORE_walls .example = "set walls 1 mm; duration; set walls off", RANGE(1e-4, 0.07),
+#define MORE_edges .share = SHARE_edges, .example = "set q hollow; set edges 0.01; rmax 0.2; set edges off", RANGE(0, 0.05),
+#define MORE_walls .share = SHARE_walls, .example = "set walls 1 mm; duration; set walls off", RANGE(1e-4, 0.07),
 #define MORE_air .example = "set density 650; set air on; rmax 0.4; set air off", RANGE(0, 5),
 #define MORE_drag .example = "set density 650; set air on; set drag 2; rmax 0.4; set drag off; set air off", RANGE(0.5, 3),
 #define MORE_row .feature = "rows",
-#define MORE_push .example = "set push 3; rmax 0.4; set push off", RANGE(0, 30),
+#define MORE_push .share = SHARE_push, .example = "set push 3; rmax 0.4; set push off", RANGE(0, 30),
 #define MORE_release .example = "set release 20 deg; rmax 0.4; set release off", RANGE(0, 1.5),
 #define MORE_floor .feature = "rows", .example = "set row 5; set floor 0.4; fall; set floor off; set row off", RANGE(0, 3),
 #define MORE_placement .feature = "chance", RANGE(0, 0.1), \
     .example = "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
-/* The first members of an entry: the name, and the offset and description of the value. */
+/* The first members of an entry: the name, and the meaning, the offset and the description of the value. */
 #define ENTRY(name_, member, unit_, meaning_, ...) \
-    .name = name_, .offset = offsetof(struct state, member), \
-    .value = (const struct domq_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}
+    .name = name_, .offset = offsetof(struct state, member), .meaning = meaning_, \
+    .value = (const struct domq_effect_argument[]){{.name = name_, .unit = unit_, __VA_ARGS__}}
 #define NUMBER(of, name_, default_, lowest_, highest_, unit_, meaning_) \
     {ENTRY(#name_, of.name_, unit_, meaning_, .usual = (domq_real)(default_), .lowest = (domq_real)(lowest_), \
          .highest = (domq_real)(highest_)), MORE_##name_},
@@ -159,7 +163,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON}, {NULL, 0}};
 
 static const struct word release_words[] = {
-    {"off", EFFECT_OFF}, {"on", EFFECT_ON}, {RELEASE_TOUCH_WORD, RELEASE_TOUCH}, {NULL, 0}};
+    {"off", EFFECT_OFF}, {"on", EFFECT_ON}, {"touch", RELEASE_TOUCH}, {NULL, 0}};
 
 static const struct parameter every_parameter[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
@@ -221,18 +225,78 @@ enum { EVERY = sizeof every_parameter / sizeof *every_parameter };
 static struct parameter built[EVERY], *end = built;
 const struct parameter *session_parameters = built;
 
+static const struct domq_effect *effects[EFFECT_COUNT]; /* those that features describe */
+
+const struct domq_effect *effect_at(int k)
+{
+    return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k) : effects[k];
+}
+
+const char *effect_usage_write(int effect, char usage[EFFECT_USAGE])
+{
+    const struct domq_effect *e = effect_at(effect);
+    snprintf(usage, EFFECT_USAGE, "%s", e->name);
+    for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
+        text_add(usage, EFFECT_USAGE,
+                 e->argument[i].optional  ? " [%s]"
+                 : e->argument[i].or_file ? " %s|FILE"
+                                          : " %s",
+                 e->argument[i].name);
+    return usage;
+}
+
+bool effect_needs(int effect, int other)
+{
+    return other != DOM_EFFECT_row && (effect_at(effect)->needs >> other & 1) != 0;
+}
+
+bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem)
+{
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        if (effect_needs(effect, k) && !scene->effect[k].on)
+            return problem_error(problem, "'set %s' needs the effect %s; first enter 'set %s %s'",
+                                 effect_at(effect)->name, effect_at(k)->name, effect_at(k)->name,
+                                 effect_at(k)->argument[0].name);
+    return effect >= DOM_DYNAMICS_COUNT || effect_at(effect)->cancels ||
+           scene->train.fuel != DOM_FUEL_PAPER ||
+           problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
+                             effect_at(effect)->name);
+}
+
+/* The hook parameter.check of all effects. */
+static bool effect_check(const struct state *state, const struct parameter *p, domq_real value,
+                         struct problem *problem)
+{
+    return value == EFFECT_OFF || effect_check_needs(&state->scene, p->which, problem);
+}
+
+/* An effect is a parameter whose texts are in its description. */
+static struct parameter complete(const struct parameter *p)
+{
+    struct parameter whole = *p;
+    if (p->effect) {
+        whole.meaning = p->effect->adds;
+        whole.help = p->effect->help;
+        whole.synonyms = p->effect->synonyms;
+        whole.check = effect_check;
+        whole.offset = offsetof(struct state, scene.effect) + (size_t)p->which * sizeof(struct effect_state) +
+                       offsetof(struct effect_state, value);
+    }
+    return whole;
+}
+
 void parameters_of_features(bool (*has)(const char *feature))
 {
     end = built;
     for (const struct parameter *p = every_parameter; p->name; p++)
         if (p->value && (!p->feature || has(p->feature)))
-            *end++ = *p;
+            *end++ = complete(p);
     end->name = NULL;
 }
 
 void parameters_add(const struct parameter *p, bool (*has)(const char *feature))
 {
-    effect_use(p->which, p->effect);
+    effects[p->which] = p->effect;
     if (end == built + EVERY - 1 || (p->feature && !has(p->feature)))
         return;
     /* in the order of the effects, whatever the order of the features */
@@ -243,7 +307,7 @@ void parameters_add(const struct parameter *p, bool (*has)(const char *feature))
         memmove(at, at + 1, (size_t)(end-- - at) * sizeof *at);
         at--;
     }
-    *at = *p;
+    *at = complete(p);
     end->name = NULL;
 }
 

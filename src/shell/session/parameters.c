@@ -12,15 +12,6 @@ const char *parameter_names(const void *context, int k)
     return session_parameters[k].name;
 }
 
-const char *effect_names(const void *context, int k)
-{
-    (void)context;
-    const struct parameter *p = session_parameters;
-    while (p->name && !(p->effect && k-- == 0))
-        p++;
-    return p->name;
-}
-
 bool effect_exists(int effect)
 {
     return effect_at(effect) && parameter_find(effect_at(effect)->name);
@@ -54,7 +45,7 @@ const struct parameter *parameter_by_synonym(const char *word, bool any)
     const struct parameter *found = NULL;
     int first = any ? INT_MAX : 1;
     for (const struct parameter *p = session_parameters; p->name && *word; p++) {
-        int index = names_index(parameter_synonyms(p), ' ', word);
+        int index = names_index(p->synonyms, ' ', word);
         if (index >= 0 && index < first) {
             found = p;
             first = index;
@@ -121,35 +112,25 @@ const struct domq_effect_argument *parameter_argument(const struct parameter *p,
     return i < (p->effect ? DOM_EFFECT_ARGUMENTS : 1) && p->value[i].name ? &p->value[i] : NULL;
 }
 
-const char *parameter_meaning(const struct parameter *p)
-{
-    return p->effect ? p->effect->adds : p->value->meaning;
-}
-
-const char *parameter_help(const struct parameter *p)
-{
-    return p->effect ? p->effect->help : p->help;
-}
-
-const char *parameter_synonyms(const struct parameter *p)
-{
-    return p->effect ? p->effect->synonyms : p->synonyms;
-}
-
 bool parameter_is_number(const struct parameter *p)
 {
     return !p->words_only && !p->effect;
 }
 
-domq_real parameter_get(const struct state *state, const struct parameter *p)
+domq_real parameter_value(const struct state *state, const struct parameter *p, int i)
 {
-    const struct effect_state *effect = &state->scene.effect[p->which];
     const char *place = (const char *)state + p->offset;
-    if (p->effect)
-        return effect->on ? effect->value[0] : EFFECT_OFF;
-    if (!p->words_only)
-        return *(const domq_real *)(const void *)place;
-    return *(const unsigned *)(const void *)place;
+    return p->words_only ? *(const unsigned *)(const void *)place
+                         : ((const domq_real *)(const void *)place)[i];
+}
+
+bool parameter_equal(const struct state *a, const struct state *b, const struct parameter *p)
+{
+    const size_t size = p->words_only ? sizeof(unsigned)
+                        : p->effect   ? sizeof a->scene.effect->value
+                                      : sizeof(domq_real);
+    return (!p->share || a->scene.length[p->share].m == b->scene.length[p->share].m) &&
+           memcmp((const char *)a + p->offset, (const char *)b + p->offset, size) == 0;
 }
 
 domq_real parameter_fallback(const struct state *state, const struct parameter *p)
@@ -164,35 +145,20 @@ static domq_real parameter_lowest(const struct state *state, const struct parame
     return p->of_precision ? any_arithmetic(state->scene.compute.precision).tol_floor : p->value[i].lowest;
 }
 
-#define SHARE_NAME(name) #name,
-static const char *const share_names[] = {SHARES(SHARE_NAME)};
-#undef SHARE_NAME
-
-int parameter_share(const struct parameter *p)
-{
-    for (int k = 0; k < SHARE_COUNT && (*p->value->unit == 'h' || *p->value->unit == 'r'); k++)
-        if (strcmp(share_names[k], p->name) == 0)
-            return k;
-    return -1;
-}
-
 bool lengths_check(const struct state *state, struct problem *problem)
 {
     bool good = true;
-    for (int k = 0; k < SHARE_COUNT && good; k++) {
-        const struct parameter *p = state->scene.length[k].m > 0 ? parameter_find(share_names[k]) : NULL;
-        good = !p || parameter_get(state, p) == EFFECT_OFF ||
+    for (const struct parameter *p = session_parameters; p->name && good; p++)
+        good = !p->share || !(state->scene.length[p->share].m > 0) || parameter_get(state, p) == EFFECT_OFF ||
                parameter_check(state, p, 0, parameter_get(state, p), problem);
-    }
     return good;
 }
 
 static void parameter_put(struct state *state, const struct assigned *a)
 {
     const struct parameter *p = a->parameter;
-    const int share = parameter_share(p);
-    if (share >= 0)
-        state->scene.length[share] = a->length;
+    if (p->share)
+        state->scene.length[p->share] = a->length;
     char *place = (char *)state + p->offset;
     if (p->before)
         p->before(state, a->value);
@@ -226,10 +192,7 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
     scene_apply_lengths(&state->scene);
     for (int i = 0; i < count; i++) {
         const struct parameter *p = assigned[i].parameter;
-        if (p->effect && state->scene.effect[p->which].on &&
-            !effect_check_needs(&state->scene, p->which, problem))
-            return false;
-        if (p->check && !p->check(state, assigned[i].value, problem))
+        if (p->check && !p->check(state, p, assigned[i].value, problem))
             return false;
     }
     return true;
@@ -246,17 +209,40 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
     return state_assign(state, assigned, count, problem) && lengths_check(state, problem);
 }
 
+/* Fills the array `all` with the values that were given and the usual ones. Fails if a required value is
+ * missing, or if an effect cannot be turned off because another effect needs it. */
+static bool values_complete(const struct scene *scene, const struct parameter *p, const domq_real *value,
+                            int given, domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem)
+{
+    const struct domq_effect_argument *a;
+    const bool off = value[0] == EFFECT_OFF, usual = off || value[0] == EFFECT_ON;
+    for (int i = 0; (a = parameter_argument(p, i)) != NULL; i++) {
+        if (i >= given && !a->optional && !usual)
+            return problem_error(problem, "%s, the %s, is missing; enter, for example, 'set %s %s%s%s'",
+                                 a->name, a->meaning, p->name, quad_text(a->usual, 4), *a->unit ? " " : "",
+                                 a->unit);
+        all[i] = i < given && !usual ? value[i] : a->usual;
+    }
+    if (!off)
+        return true;
+    all[0] = EFFECT_OFF;
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        if (scene->effect[k].on && effect_needs(k, p->which))
+            return problem_error(problem, "'set %s' needs the %s; first enter 'set %s off'",
+                                 effect_at(k)->name, p->name, effect_at(k)->name);
+    return true;
+}
+
 bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,
                    const struct typed_length *length, struct problem *problem)
 {
     struct state next = *state;
-    domq_real all[DOM_EFFECT_ARGUMENTS];
-    if (p->effect && given > 0 && value[0] == EFFECT_ON && state->scene.effect[p->which].on)
+    domq_real all[DOM_EFFECT_ARGUMENTS] = {0};
+    if (value[0] == EFFECT_ON && parameter_get(state, p) != EFFECT_OFF)
         return true; /* 'set NAME on' does not change an effect that is already on */
-    if (p->effect && !effect_complete(&state->scene, p->which, value, given, all, problem))
+    if (!values_complete(&state->scene, p, value, given, all, problem))
         return false;
-    struct assigned assigned = {
-        .parameter = p, .value = p->effect ? all[0] : value[0], .others = p->effect ? all + 1 : NULL};
+    struct assigned assigned = {.parameter = p, .value = all[0], .others = all + 1};
     if (length)
         assigned.length = *length;
     if (!state_assign(&next, &assigned, 1, problem))
@@ -289,31 +275,80 @@ const struct parameter *parameter_in_order(const struct state *state, int k)
     return NULL;
 }
 
+bool parameters_savable(const struct scene *scene, struct problem *problem)
+{
+    const char *path = scene->listed.domino ? scene->listed.path : "";
+    for (const char *c = path; *c; c++)
+        if ((unsigned char)*c < ' ' || *c == 0x7f)
+            return problem_error(
+                problem,
+                "cannot save: the name of the row's file, '%s', contains a control character; "
+                "rename the file, or enter 'set row off'",
+                names_shown(path));
+    return true;
+}
+
+/* Returns true if value i and all values after it are optional and have their usual values. */
+static bool usual_from(const domq_real *value, const struct domq_effect_argument *a, int i)
+{
+    bool usual = i > 0;
+    for (; i < DOM_EFFECT_ARGUMENTS && a[i].name; i++)
+        usual = usual && a[i].optional && value[i] == a[i].usual;
+    return usual;
+}
+
+/* Returns the word for value i of a parameter, or NULL if it is a number. */
+static const char *value_word(const struct parameter *p, int i, domq_real value)
+{
+    return i > 0                    ? p->value[i].words ? p->value[i].words[(int)value] : NULL
+           : parameter_is_number(p) ? NULL
+                                    : parameter_word(p, value);
+}
+
+/* Writes a path in double quotes. If the file is below the directory `folder` of the script, the path is
+ * written relative to the script, beginning with "./". The script and the file can then be moved together. */
+static void save_name(const char *path, const char *folder, FILE *out)
+{
+    size_t length = folder ? strlen(folder) : 0;
+    bool below = length > 0 && strncmp(path, folder, length) == 0 && path[length] == '/';
+    fputs(below ? " \"." : " \"", out);
+    for (const char *c = below ? path + length : path; *c; c++)
+        fputs(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, out);
+    putc('"', out);
+}
+
+static void save_value(const struct parameter *p, int i, domq_real value, FILE *out)
+{
+    const char *word = value_word(p, i, value), *unit = p->value[i].unit;
+    const struct quantity quantity = expression_unit(unit);
+    if (word)
+        fprintf(out, " %s", word);
+    else if (strcmp(unit, "m") == 0)
+        fprintf(out, " %s", length_write(value, "", (char[LENGTH_TEXT]){""}));
+    else
+        fprintf(out, " %s", quad_exact(value, WIDE_DIGITS, (char[WIDE_TEXT]){""}));
+    if (!word && strcmp(unit, "m") != 0 && !quantity_is_dimensionless(quantity) && !quantity.angle)
+        fprintf(out, " %s", unit_write(quantity, "*", (char[UNIT_TEXT]){""}));
+}
+
 void parameter_save(const struct state *state, const struct parameter *p, const char *folder, FILE *out)
 {
-    char text[WIDE_TEXT];
-    if (p->effect) {
-        effect_save(&state->scene, p->which, folder, out);
-        if (p->save)
-            p->save(&state->scene, out);
-        return;
-    }
-    const char *value = parameter_text(p, parameter_get(state, p), WIDE_DIGITS, text);
-    struct quantity quantity = expression_unit(p->value->unit);
-    const int share = parameter_share(p);
-    if (share >= 0 && state->scene.length[share].m > 0) {
-        const struct typed_length *length = &state->scene.length[share];
-        fprintf(out, "set %s %s\n", p->name, length_write(length->m, length->unit, (char[LENGTH_TEXT]){""}));
-        return;
-    }
-    if (strcmp(p->value->unit, "m") == 0) {
-        fprintf(out, "set %s %s\n", p->name,
-                length_write(parameter_get(state, p), "", (char[LENGTH_TEXT]){""}));
-        return;
-    }
-    bool has_unit = parameter_is_number(p) && !quantity_is_dimensionless(quantity) && !quantity.angle;
-    fprintf(out, "set %s %s%s%s\n", p->name, value, has_unit ? " " : "",
-            has_unit ? unit_write(quantity, "*", (char[UNIT_TEXT]){""}) : "");
+    const char *path = p->effect ? effect_file(&state->scene, p->which) : NULL;
+    const struct typed_length *length = &state->scene.length[p->share];
+    const bool is_length = length->m > 0 && parameter_get(state, p) != EFFECT_OFF;
+    fprintf(out, "set %s", p->name);
+    if (path)
+        save_name(path, folder, out);
+    else if (is_length)
+        fprintf(out, " %s", length_write(length->m, length->unit, (char[LENGTH_TEXT]){""}));
+    else
+        save_value(p, 0, parameter_get(state, p), out);
+    const domq_real *value = state->scene.effect[p->which].value;
+    for (int i = 1; p->effect && !path && value[0] != EFFECT_OFF && !usual_from(value, p->value, i); i++)
+        save_value(p, i, value[i], out);
+    putc('\n', out);
+    if (p->save)
+        p->save(&state->scene, out);
 }
 
 const char *parameter_word(const struct parameter *p, domq_real value)
@@ -385,6 +420,46 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
                              of->unit, is_degrees ? "; enter degrees as in '20 deg'" : "",
                              p->words && !p->effect ? ", or a word such as " : "",
                              p->words && !p->effect ? p->words->name : "");
+}
+
+/* ---- Effects ---- */
+
+const char *effect_file(const struct scene *scene, int effect)
+{
+    return effect == DOM_EFFECT_row && scene->listed.domino ? scene->listed.path : NULL;
+}
+
+const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING])
+{
+    const domq_real *value = scene->effect[effect].value;
+    const struct domq_effect_argument *a = effect_at(effect)->argument;
+    const struct parameter *p = parameter_find(effect_at(effect)->name);
+    const char *path = effect_file(scene, effect), *slash = path ? strrchr(path, '/') : NULL;
+    const bool on = scene->effect[effect].on;
+    snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : path ? path : on ? "" : "off");
+    for (int i = 0; on && !path && i < DOM_EFFECT_ARGUMENTS && a[i].name; i++) {
+        if (usual_from(value, a, i))
+            break;
+        const char *word = p ? value_word(p, i, value[i]) : NULL;
+        text_add(setting, EFFECT_SETTING, "%s%s%s%s", i ? ", " : "", word ? word : quad_text(value[i], 10),
+                 *a[i].unit && !word ? " " : "", word ? "" : a[i].unit);
+    }
+    /* a row from which dominoes were removed, or into which some were inserted */
+    if (effect == DOM_EFFECT_row && scene_row_count(scene) != scene_row_planned(scene))
+        text_add(setting, EFFECT_SETTING, ", now %zu", scene_row_count(scene));
+    return setting;
+}
+
+void effect_put(struct scene *scene, int effect, domq_real value, const domq_real *others)
+{
+    struct effect_state *state = &scene->effect[effect];
+    for (int i = 1; (others || !state->on) && i < DOM_EFFECT_ARGUMENTS; i++)
+        state->value[i] = others ? others[i - 1] : effect_at(effect)->argument[i].usual;
+    state->on = value != EFFECT_OFF;
+    state->value[0] = value;
+    if (effect == DOM_EFFECT_row)
+        scene->listed = (struct listed_row){.domino = NULL};
+    effects_apply(scene);
 }
 
 struct answer_style state_style(const struct state *state)

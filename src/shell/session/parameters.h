@@ -3,6 +3,7 @@
 #ifndef SHELL_PARAMETERS_H
 #define SHELL_PARAMETERS_H
 
+#include "language/names.h"
 #include "language/quad.h"
 #include "session/parameter_list.h"
 #include "session/query.h"
@@ -11,8 +12,6 @@
 
 /* A names_list (see names.h) of all parameters. */
 const char *parameter_names(const void *context, int k);
-const char *effect_names(const void *context, int k);
-
 /* Returns true if this build has effect number `effect`, as in effect_at. */
 bool effect_exists(int effect);
 
@@ -40,13 +39,6 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
  * several values. */
 const struct domq_effect_argument *parameter_argument(const struct parameter *parameter, int i);
 
-/* Returns what the parameter means, as a short phrase. */
-const char *parameter_meaning(const struct parameter *parameter);
-
-/* Return the text that 'help' shows, and a list of synonyms. Both may be NULL. */
-const char *parameter_help(const struct parameter *parameter);
-const char *parameter_synonyms(const struct parameter *parameter);
-
 /* Returns true if expressions can use the parameter as a number, as in 'print 2*s'. */
 bool parameter_is_number(const struct parameter *parameter);
 
@@ -67,13 +59,18 @@ const char *parameter_range_write(const struct state *state, const struct parame
 const char *parameter_text(const struct parameter *parameter, domq_real value, int digits,
                            char text[WIDE_TEXT]);
 
-/* Returns which share of the height the parameter is, or -1. */
-int parameter_share(const struct parameter *parameter);
-
 /* ---- Values ---- */
 
-/* Returns the value of a parameter. For an effect, returns its first value, or EFFECT_OFF. */
-domq_real parameter_get(const struct state *state, const struct parameter *parameter);
+/* Returns value number i of a parameter. The first value of an effect that is off is EFFECT_OFF. */
+domq_real parameter_value(const struct state *state, const struct parameter *parameter, int i);
+
+static inline domq_real parameter_get(const struct state *state, const struct parameter *parameter)
+{
+    return parameter_value(state, parameter, 0);
+}
+
+/* Returns true if two states have the same values of a parameter. */
+bool parameter_equal(const struct state *a, const struct state *b, const struct parameter *parameter);
 
 /* Returns the default of a parameter at the precision of the state, or EFFECT_OFF for an effect. */
 domq_real parameter_fallback(const struct state *state, const struct parameter *parameter);
@@ -86,7 +83,7 @@ bool parameter_check(const struct state *state, const struct parameter *paramete
 struct assigned {
     const struct parameter *parameter;
     domq_real value;
-    const domq_real *others; /* the other values of an effect, or NULL, as in effect_put */
+    const domq_real *others; /* the other values of an effect, or NULL (effect_put) */
     /* For a share of the height that was given as a length; `value` is then not used. */
     struct typed_length length;
 };
@@ -103,9 +100,8 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
 static inline struct typed_length share_length(const struct parameter *parameter,
                                                const struct quantity *typed)
 {
-    const int share = typed->length == 1 ? parameter_share(parameter) : -1;
-    const struct quantity unit = {.length = 1, .time = share == SHARE_push ? -1 : 0};
-    return (struct typed_length){.m = share >= 0 && quantity_alike(*typed, unit) ? typed->value : 0};
+    const struct quantity unit = {.length = 1, .time = parameter->share == SHARE_push ? -1 : 0};
+    return (struct typed_length){.m = parameter->share && quantity_alike(*typed, unit) ? typed->value : 0};
 }
 
 /* Returns true if the lengths that were given fit to the height. */
@@ -117,9 +113,10 @@ bool lengths_check(const struct state *state, struct problem *problem);
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
 
-/* Sets a parameter. `value` is an array with `given` elements. Only effects take more than one value. If the
- * first value was given as a length, `length` is this length; otherwise, it may be NULL. The state must own
- * its memory. On failure, sets *problem, changes nothing and returns false. */
+/* Sets a parameter. `value` is an array with `given` elements; only effects take more than one value. The
+ * first may be EFFECT_OFF or EFFECT_ON, and values that are not given are the usual ones. If the first value
+ * was given as a length, `length` is this length; otherwise, it may be NULL. The state must own its memory.
+ * On failure, sets *problem, changes nothing and returns false. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    const struct typed_length *length, struct problem *problem);
 
@@ -128,9 +125,32 @@ bool parameter_set(struct state *state, const struct parameter *parameter, const
  * counted from 0, or NULL after the last one. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
-/* Writes the commands that set a parameter to its current value. For `folder`, see effect_save. */
+/* Returns true if the parameters can be saved as a script. A saved script names the file of the row. If the
+ * path contains a control character, the text after it might be read as another command, so this is reported
+ * as a problem. */
+bool parameters_savable(const struct scene *scene, struct problem *problem);
+
+/* Writes the commands that set a parameter to its current values. `folder` is the directory of the script, or
+ * NULL. */
 void parameter_save(const struct state *state, const struct parameter *parameter, const char *folder,
                     FILE *out);
+
+/* ---- Effects ---- */
+
+/* Returns the values of an effect for messages, as in "1 m, 0.1", "record.csv" or "off". The text lives until
+ * the end of the caller's block. */
+enum { EFFECT_SETTING = 256 }; /* the longest file name has 255 bytes */
+#define effect_setting(scene, effect) effect_setting_write(scene, effect, (char[EFFECT_SETTING]){""})
+const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING]);
+
+/* Returns the path of the effect's file, or NULL if the user gave none. */
+const char *effect_file(const struct scene *scene, int effect);
+
+/* Sets the values of an effect: value[0] to `value`, which may be EFFECT_OFF, and the other values to
+ * `others`. If `others` is NULL, an effect that is already on keeps its other values, and an effect that is
+ * off gets the usual ones. If the effect is 'row', the memory of the row is not freed, so the scene must not
+ * own this memory. */
+void effect_put(struct scene *scene, int effect, domq_real value, const domq_real *others);
 
 /* Returns the style of answers, including the members that depend on the precision and on tol. */
 struct answer_style state_style(const struct state *state);

@@ -251,20 +251,21 @@ domq_real scene_release(const struct scene *scene)
     return !release->on ? 0 : release->value[0] == RELEASE_TOUCH ? (domq_real)HUGE_VAL : release->value[0];
 }
 
+static void length_apply(const struct scene *scene, enum share share, domq_real *value)
+{
+    if (scene->length[share].m > 0)
+        *value = scene->length[share].m / scene->scale.h;
+}
+
 void scene_apply_lengths(struct scene *scene)
 {
-    domq_real share[SHARE_COUNT];
-    for (int k = 0; k < SHARE_COUNT; k++)
-        share[k] = scene->length[k].m / scene->scale.h;
-    scene->train.s = share[SHARE_s] > 0 ? share[SHARE_s] : scene->train.s;
-    scene->train.d = share[SHARE_d] > 0 ? share[SHARE_d] : scene->train.d;
-    scene->train.width = share[SHARE_width] > 0 ? share[SHARE_width] : scene->train.width;
-    if (share[SHARE_walls] > 0)
-        scene->effect[DOM_EFFECT_walls].value[0] = share[SHARE_walls];
-    if (share[SHARE_edges] > 0)
-        scene->effect[DOM_EFFECT_edges].value[0] = share[SHARE_edges];
+    length_apply(scene, SHARE_s, &scene->train.s);
+    length_apply(scene, SHARE_d, &scene->train.d);
+    length_apply(scene, SHARE_width, &scene->train.width);
+    length_apply(scene, SHARE_walls, &scene->effect[DOM_EFFECT_walls].value[0]);
+    length_apply(scene, SHARE_edges, &scene->effect[DOM_EFFECT_edges].value[0]);
     effects_apply(scene);
-    if (share[SHARE_push] > 0 && scene->effect[DOM_EFFECT_push].on)
+    if (scene->length[SHARE_push].m > 0 && scene->effect[DOM_EFFECT_push].on)
         scene->effect[DOM_EFFECT_push].value[0] = scene_push(scene, scene_first_height(scene));
 }
 

@@ -14,6 +14,7 @@ void state_init(struct state *state)
                                       .scale = domq_scale_default(),
                                       .seed = SEED_DEFAULT},
                             .settings = {.style = {.digits = DIGITS_DEFAULT, .header = true}, .hints = 1}};
+    effects_reset(&state->scene);
 }
 
 void state_close(struct state *state)
@@ -97,7 +98,7 @@ domq_real scene_air(const struct scene *scene)
 void effects_reset(struct scene *scene)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
-        scene->effect[k] = (struct effect_state){.on = false};
+        scene->effect[k] = (struct effect_state){.value[0] = EFFECT_OFF};
     scene->length[SHARE_walls] = scene->length[SHARE_edges] = scene->length[SHARE_push] =
         (struct typed_length){.m = 0};
     listed_free(&scene->listed);

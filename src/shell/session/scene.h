@@ -8,12 +8,12 @@
 #include "answer/measure.h"
 #include "language/variables.h"
 #include "precision/any.h"
-#include "session/effect_list.h"
+#include "session/effects.h"
 #include "session/problem.h"
 
 struct effect_state {
     bool on;
-    domq_real value[DOM_EFFECT_ARGUMENTS];
+    domq_real value[DOM_EFFECT_ARGUMENTS]; /* the first one is EFFECT_OFF if the effect is off */
 };
 
 /* The measurements of a domino that 'change' can change. */
@@ -62,7 +62,7 @@ struct listed_row {
  * domino's upper edge, it stays the same speed when the height of this domino changes. */
 #define SHARES(X)        X(s) X(d) X(width) X(walls) X(edges) X(push)
 #define SHARE_ENUM(name) SHARE_##name,
-enum share { SHARES(SHARE_ENUM) SHARE_COUNT };
+enum share { SHARE_NONE, SHARES(SHARE_ENUM) SHARE_COUNT };
 #undef SHARE_ENUM
 
 struct typed_length {

@@ -46,15 +46,9 @@ struct state *undo_begin(const struct state *state)
 
 static bool state_equal(const struct state *a, const struct state *b)
 {
-    for (const struct parameter *p = session_parameters; p->name; p++) {
-        const int share = parameter_share(p);
-        if (parameter_get(a, p) != parameter_get(b, p) ||
-            (share >= 0 && a->scene.length[share].m != b->scene.length[share].m))
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (!parameter_equal(a, b, p))
             return false;
-        for (int i = 1; p->effect && a->scene.effect[p->which].on && parameter_argument(p, i); i++)
-            if (a->scene.effect[p->which].value[i] != b->scene.effect[p->which].value[i])
-                return false;
-    }
     return a->scene.listed.domino == b->scene.listed.domino && row_changes_equal(&a->scene, &b->scene) &&
            variables_equal(&a->variables, &b->variables);
 }

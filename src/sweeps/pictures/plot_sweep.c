@@ -52,7 +52,7 @@ static void axis_label(const struct axis *a, struct chart_axis *to)
     const char *unit = a->parameter->value->unit;
     /* The unit h is left out, because the label says that the parameter is divided by the height. */
     bool shown = *unit && strcmp(unit, "h") != 0;
-    snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, parameter_meaning(a->parameter),
+    snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, a->parameter->meaning,
              shown ? ", in " : "", shown ? unit : "");
     to->logarithmic = a->logarithmic;
 }
