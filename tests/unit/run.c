@@ -43,7 +43,7 @@ void make_row(struct run *run, size_t count, double s, double r, double mu)
 
 /* Makes a random row of equal, growing, shrinking or uneven dominoes. The push is between slightly less and
  * much more than a single domino needs to turn over. */
-void random_row(struct run *run, uint64_t *seed, int kind)
+void row_of_kind(struct run *run, uint64_t *seed, int kind)
 {
     static const double mus[] = {0, 0.1, 0.4}, pushes[] = {0.98, 1.02, 1.5, 4, 15};
     size_t count = 1 + (size_t)(25 * random_unit(seed));

@@ -32,7 +32,7 @@ double push_over(const struct domq_domino *domino);
 void make_row(struct run *run, size_t count, double s, double r, double mu);
 
 /* Makes a random row of equal (kind 0), growing, shrinking or uneven dominoes (kind 3). */
-void random_row(struct run *run, uint64_t *seed, int kind);
+void row_of_kind(struct run *run, uint64_t *seed, int kind);
 
 struct newton {
     double height[ROW_MOST], thickness[ROW_MOST], gap[ROW_MOST], mass[ROW_MOST], lean[ROW_MOST],

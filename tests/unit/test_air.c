@@ -331,7 +331,7 @@ TEST(no_air_changes_nothing)
     static struct run run, bare;
     uint64_t seed = 1503;
     for (int i = 0; i < 40; i++) {
-        random_row(&run, &seed, i % 4);
+        row_of_kind(&run, &seed, i % 4);
         run.row.drag = 2; /* without air it has no effect */
         run.row.rho = i % 6 == 0 ? 0.01 : 0;
         bare = run;

@@ -75,7 +75,7 @@ TEST(newton_agrees)
     int met[EFFECTS][DOM_ROW_BACK + 1] = {{0}}, dropped = 0, near = 0;
     for (int i = 0; i < 100 * EFFECTS; i++) {
         const int effect = i % EFFECTS;
-        random_row(&run, &seed, i % 4);
+        row_of_kind(&run, &seed, i % 4);
         effect_add(&run, &seed, effect, i / EFFECTS);
         assert_status(run_whole(&run), DOM_OK);
         newton_run(&run, &n);
@@ -371,7 +371,7 @@ TEST(verdict_sums_up)
     for (int i = 0; i < 200; i++) {
         struct domq_verdict v;
         struct dom_work work = {0};
-        random_row(&run, &seed, i % 4);
+        row_of_kind(&run, &seed, i % 4);
         run.row.work = &work;
         assert_status(run_whole(&run), DOM_OK);
         domq_real least = INFINITY;
@@ -408,7 +408,7 @@ TEST(light_dominoes_end_no_sum)
     uint64_t seed = 65;
     int checked = 0;
     for (int i = 0; i < 200; i++) {
-        random_row(&rough, &seed, 0);
+        row_of_kind(&rough, &seed, 0);
         if (rough.row.count < 4)
             continue;
         for (size_t k = 1; k + 1 < rough.row.count; k += 3)
@@ -436,7 +436,7 @@ TEST(precisions_agree)
     static struct run run[3];
     uint64_t seed = 64;
     for (int i = 0; i < 12; i++) {
-        random_row(&run[0], &seed, i % 4);
+        row_of_kind(&run[0], &seed, i % 4);
         run[0].row.count = run[0].row.count < 8 ? run[0].row.count : 8;
         for (size_t k = 0; k < run[0].row.count; k++) { /* numbers that a float represents exactly */
             struct domq_domino *d = &run[0].domino[k];
