@@ -206,7 +206,6 @@ static const struct csv_column pool_columns[FIELDS] = {
 static const struct csv_kind pool_kind = {
     .column = pool_columns,
     .columns = FIELDS,
-    .headless = true, /* sorting the lines may have moved the column names away from the first line */
     .rows_most = COUNT_MAX,
     .item = "block",
     .items = "blocks of a study",

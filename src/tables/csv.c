@@ -95,7 +95,7 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
         skip_cell_blanks(file);
     }
     char *to = file->next;
-    *cell = (struct csv_cell){to, file->at, quoted};
+    *cell = (struct csv_cell){to, file->at};
     while (quoted ? *file->next && !closed : !at_end(file) && *file->next != file->separator) {
         bool quote = quoted && *file->next == '"';
         if (quote)
@@ -193,17 +193,6 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
 
 /* ---- Decimal marks ---- */
 
-static bool mark_wrong(struct csv_file *file, struct csv_place at, const char *number, size_t before,
-                       char mark)
-{
-    const int whole = (int)before;
-    const char *part = number + before + 1;
-    return csv_wrong(file, at,
-                     "'%.*s%c%.3s' can be read as %.*s.%.3s or as %.*s%.3s; write %.*s.%.3s0 or %.*s%.3s",
-                     whole, number, mark, part, whole, number, part, whole, number, part, whole, number, part,
-                     whole, number, part);
-}
-
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
 {
     int depth = 0;
@@ -216,17 +205,18 @@ bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
         const bool is_comma = *c == ',' && depth == 0 && after > 0;
         if (!is_comma && (*c != '.' || before + after == 0))
             continue;
-        const char *end = c + 1 + after, *number = c - before;
+        const char *end = c + 1 + after;
         if (before > 0 && (*end == '.' || (*end == ',' && depth == 0)))
             return csv_wrong(
                 file, at,
                 "this number has more than one decimal mark; write it without thousands separators");
-        /* The mark may set thousands apart. */
-        const bool is_doubtful =
-            before >= 1 && before <= 3 && *number != '0' && after == 3 && (*end | 0x20) != 'e';
         file->has_comma = file->has_comma || (is_comma && file->separator != ',');
-        if (is_doubtful && (is_comma ? file->separator == ',' : file->has_comma))
-            return mark_wrong(file, at, number, before, *c);
+        const bool is_doubtful = before >= 1 && before <= 3 && *(c - before) != '0' && after == 3;
+        if (is_doubtful && (*end | 0x20) != 'e' && (is_comma ? file->separator == ',' : file->has_comma))
+            return csv_wrong(file, at,
+                             "the %s in this number may set thousands apart; write one more digit behind it, "
+                             "or leave it out",
+                             is_comma ? "comma" : "point");
         *c = '.';
         c += after;
     }

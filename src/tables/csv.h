@@ -7,9 +7,8 @@
  * - Lines end with LF, CRLF or CR.
  * - A byte order mark, empty lines, and blanks around a cell are skipped.
  * - A line that begins with '#' is a comment.
- * - The decimal mark is a point. With ';' or tabs as separators, it may be a comma. With ',', it may be a
- * comma in a quoted cell. But "1,234" between quotes, and "1.234" below a number with a decimal comma, could
- * mean 1234. These are errors.
+ * - The decimal mark is a point, or a comma in a file whose separator is ';' or a tab, or in a quoted cell. A
+ * mark that could set thousands apart is an error.
  */
 #ifndef TABLES_CSV_H
 #define TABLES_CSV_H
@@ -30,7 +29,6 @@ struct csv_place {
 struct csv_cell {
     const char *text; /* the contents of the cell without the quotes and blanks around them */
     struct csv_place at;
-    bool is_quoted;
 };
 
 /* A line of cells. A record spans several lines of the file if a quoted cell contains newlines. */

@@ -182,18 +182,6 @@ bool csv_is_average(const char *name)
     return repeat_read(name).is_average;
 }
 
-const char *csv_percent_advice(const struct csv_kind *kind, int k, char text[CSV_ADVICE])
-{
-    char share[NAMES_SHOWN];
-    snprintf(share, sizeof share, "%.32s %%", kind->column[k].name);
-    *text = '\0';
-    for (int i = 0; i < kind->columns; i++)
-        if (strcmp(kind->column[i].name, share) == 0)
-            snprintf(text, CSV_ADVICE, "; for a percentage, write '%.32s (%%)' in the first line",
-                     kind->column[k].name);
-    return text;
-}
-
 const char *csv_single_advice(const struct csv_kind *kind, char text[CSV_ADVICE])
 {
     while (kind && (!kind->example || strchr(kind->example, ',')))

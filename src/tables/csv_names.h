@@ -44,9 +44,6 @@ struct csv_column {
 struct csv_kind {
     const struct csv_column *column;
     int columns; /* at most CSV_COLUMNS_MOST */
-    /* The first line, which names the columns, may be missing. The columns must then be those of `column`, in
-     * the same order. */
-    bool headless;
     size_t rows_most;
     /* for messages: the noun for what a row describes, and its plural, such as "domino" and "dominoes" */
     const char *item, *items;
@@ -80,9 +77,7 @@ bool csv_is_average(const char *name);
 
 enum { CSV_ADVICE = 128 };
 
-/* Advice for messages, or "" if it does not apply: how to name a column in per cent that can take the place
- * of column k, and how to head a file that has only one column. */
-const char *csv_percent_advice(const struct csv_kind *kind, int k, char text[CSV_ADVICE]);
+/* Advice for messages: how to head a file that has only one column. "" if no kind has one column. */
 const char *csv_single_advice(const struct csv_kind *kind, char text[CSV_ADVICE]);
 
 #endif

@@ -118,25 +118,15 @@ static bool is_missing(const struct csv_table *csv, int k)
     return traits & CSV_REQUIRED && csv->column[k] == 0 && !(traits & CSV_ONE_OF && one_of_find(csv) >= 0);
 }
 
-/* Reports that a required column is missing. Lists the columns of the file, and what each of them could be.
- */
+/* Reports that a required column is missing. */
 static bool column_missing(struct csv_table *csv, const char *missing)
 {
     const struct csv_kind *kind = csv->kind;
-    char found[320] = "", absent[128] = "", name[NAMES_SHOWN];
+    char found[320] = "";
     bool is_utf8 = true;
-    for (int k = 0; k < kind->columns; k++)
-        if (is_missing(csv, k))
-            text_add(absent, sizeof absent, "%s%s", *absent ? " or " : "", kind->column[k].name);
     for (int i = 0; i < csv->head.cells; i++) {
-        const int k = csv_column_find(kind, name, csv_name_split(csv->head.cell[i].text, name));
-        const char *close = k == kind->columns ? names_closest(column_names, kind, name) : NULL;
         is_utf8 = is_utf8 && escape_is_utf8(csv->head.cell[i].text);
-        text_add(found, sizeof found, "%s'%.24s' (%s%s)", i ? ", " : "", names_shown(csv->head.cell[i].text),
-                 k == kind->columns ? "could be " : "",
-                 k < kind->columns ? kind->column[k].name
-                 : close           ? close
-                                   : absent);
+        text_add(found, sizeof found, "%s'%.24s'", i ? ", " : "", names_shown(csv->head.cell[i].text));
     }
     if (!is_utf8)
         return csv_wrong(&csv->file, csv->head.at,
@@ -219,13 +209,6 @@ static bool head_read(struct csv_table *csv)
                          "tabs; delete a "
                          "title above it, or begin the title with '#'",
                          csv_single_advice(kind, (char[CSV_ADVICE]){""}), kind->names);
-    if (kind->headless && isdigit((unsigned char)*csv->head.cell[0].text)) {
-        csv->row = csv->head;
-        csv->is_read_ahead = true;
-        csv->head.cells = kind->columns;
-        for (int k = 0; k < kind->columns; k++)
-            csv->head.cell[k].text = kind->column[k].name;
-    }
     for (int i = 0; i < csv->head.cells && good; i++) {
         const char *name = csv->head.cell[i].text;
         if (!text_make(&text, name, strlen(name)))
@@ -318,8 +301,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
         return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q), c->advice);
     const bool percent = strchr(text->line, '%');
     if (percent && *c->unit)
-        return csv_wrong(&csv->file, cell, "%s: this is a percentage; %s%s", c->name, c->advice,
-                         csv_percent_advice(csv->kind, k, (char[CSV_ADVICE]){""}));
+        return csv_wrong(&csv->file, cell, "%s: this is a percentage; %s", c->name, c->advice);
     domq_real unit = csv->unit[k] > 0 && !percent ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
     if (bare && unit == 0 && q.value != 0)
         return unit_missing(csv, k, text->line);
@@ -406,25 +388,6 @@ static bool value_read(struct csv_table *csv, int k)
     return good;
 }
 
-/* Reports that a row has more cells than the first line, and returns false. If a decimal comma without quotes
- * may have split a number into two cells, the message says so. */
-static bool cells_many(struct csv_table *csv, int cells)
-{
-    const struct csv_record *row = &csv->row;
-    char reading[160] = "";
-    for (int i = 0; i + 1 < cells && !*reading && csv->file.separator == ','; i++) {
-        const struct csv_cell *a = &row->cell[i], *b = a + 1;
-        int one = (int)strspn(a->text, "0123456789"), two = (int)strspn(b->text, "0123456789");
-        if (one && two && !a->text[one] && !a->is_quoted && b->at.column == a->at.column + one + 1)
-            snprintf(reading, sizeof reading,
-                     "; '%.9s,%.9s' is read as the cells %.9s and %.9s: if it is one number, write %.9s.%.9s",
-                     a->text, b->text, a->text, b->text, a->text, b->text);
-    }
-    return csv_wrong(&csv->file, row->cell[csv->head.cells].at,
-                     "too many cells: %d, but the first line has %d; the separator is %s%s", cells,
-                     csv->head.cells, csv_separator_name(&csv->file), reading);
-}
-
 /* Reads the next row. Skips copies of the first line, which occur in concatenated files. */
 static bool row_read(struct csv_table *csv)
 {
@@ -459,7 +422,10 @@ bool csv_next(struct csv_table *csv)
     int cells = csv->row.cells;
     while (cells > csv->head.cells && !*csv->row.cell[cells - 1].text) /* spreadsheets append empty cells */
         cells--;
-    bool good = cells <= csv->head.cells || cells_many(csv, cells);
+    bool good = cells <= csv->head.cells ||
+                csv_wrong(&csv->file, csv->row.cell[csv->head.cells].at,
+                          "too many cells: %d, but the first line has %d; the separator is %s", cells,
+                          csv->head.cells, csv_separator_name(&csv->file));
     for (int k = 0; k < kind->columns && good; k++)
         good = value_read(csv, k);
     csv->rows += good;

@@ -248,7 +248,7 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     try '1:31: both repeated measurements, whose spread is their error, and a column of errors are given' 'gap (mm), v1 (m/s), v2 (m/s), error (%)\n9, 1.3, 1.2, 2\n'
     try '1:25: .\(m/s\). differs from the unit of speed in the first line; use one unit in all its columns' 'gap (mm), v1 (cm/s),    v2 (m/s)\n9, 130, 1.2\n'
     try '2:7: speed is missing' 'gap (mm), v1 (m/s), v2 (m/s)\n9,    , -\n'
-    try '2:9: error: this is a percentage; write a speed such as 1.3 m/s; for a percentage, write .error \(%\). in the first line' 'gap (mm), speed (m/s), error\n9, 1.3, 2 %\n'
+    try '2:9: error: this is a percentage; write a speed such as 1.3 m/s' 'gap (mm), speed (m/s), error\n9, 1.3, 2 %\n'
     try '2:9: error: this is a percentage; write a speed' 'gap (mm), speed (m/s), error (m/s)\n9, 1.3, 2 %\n'
     try '2:9: error % = 2 is too large; the range of error % is more than 0, up to 100 %' 'gap (mm), speed (m/s), relative error\n9, 1.3, 2\n'
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 50 %%, 20\n' >share.csv

@@ -36,12 +36,10 @@ static void byte_write(FILE *out, uint8_t byte)
 }
 
 /* Reads a row. Returns false if the row is rejected. Aborts if there is no message that says why. */
-static bool row_read(const char *text, size_t size, bool headless, struct listed_row *row)
+static bool row_read(const char *text, size_t size, struct listed_row *row)
 {
-    struct csv_kind kind = rowfile_kind;
-    kind.headless = headless;
     FILE *in = fmemopen((void *)(uintptr_t)text, size, "r");
-    struct csv_table *csv = in ? csv_open(in, NULL, &kind) : NULL;
+    struct csv_table *csv = in ? csv_open(in, NULL, &rowfile_kind) : NULL;
     if (!csv)
         abort();
     bool good = !*csv->file.problem.text && rowfile_read(csv, 0, row);
@@ -69,7 +67,7 @@ static void others_check(const struct listed_row *row)
     struct listed_row again = {.domino = NULL};
     bool long_lines = size > CSV_LINE_MOST; /* escapes may have made a line longer than can be read */
     if (!long_lines &&
-        (!row_read(text, size, false, &again) || again.count != row->count ||
+        (!row_read(text, size, &again) || again.count != row->count ||
          memcmp(again.others, row->others, (size_t)(others + strlen(others) + 1 - row->others)) != 0)) {
         fprintf(stderr, "this is not read back: %s\n", text);
         abort();
@@ -87,7 +85,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (size_t i = 0; i < size && ftell(out) < 1 << 20; i++)
         byte_write(out, data[i]);
     fclose(out);
-    if (length > 0 && row_read(text, length, data[0] & 8, &row)) {
+    if (length > 0 && row_read(text, length, &row)) {
         for (size_t k = 0; k < row.count; k++)
             if (!(row.domino[k].height > 0 && row.domino[k].thickness > 0 && row.domino[k].gap >= 0 &&
                   row.domino[k].mass > 0))

@@ -132,9 +132,9 @@ END
     printf '48, 7.5, 20\n' >nameless.csv
     wrong 'effect row nameless.csv' "the first line has a number, but must name the columns: write 'height \(mm\), "
     printf 'height (mm),thickness (mm),gap (mm)\n48,0,7,5,-\n' >commas.csv
-    wrong 'effect row commas.csv' "commas.csv:2:8: too many cells: 5, .*'48,0' is read as the cells 48 and 0: if it is one number, write 48\.0"
+    wrong 'effect row commas.csv' "commas.csv:2:8: too many cells: 5, but the first line has 3"
     printf 'height (mm),thickness (mm),gap (mm)\n"1,200",75,-\n' >thousands.csv
-    wrong 'effect row thousands.csv' "thousands.csv:2:2: '1,200' can be read as 1\.200 or as 1200; write 1\.2000 or 1200"
+    wrong 'effect row thousands.csv' "thousands.csv:2:2: the comma in this number may set thousands apart"
     printf 'height (mm)\tthickness (mm)\tgap (mm)\n1,234\t0,75\t-\n' >commas.csv
     same 'tabs: decimal commas' 0.001234 "$(json 'effect row commas.csv; row' | values height)"
     printf 'height (mm);thickness (mm);gap (mm)\n48;7;-;;\n50;7;20;;\n' >cells.csv
@@ -220,7 +220,7 @@ END
 @test "a file that cannot be read changes nothing, and the message lists its columns" {
     printf 'Höhe (mm);b (mm);gap (mm)\n48;7;-\n' >bad.csv
     printf 'height (mm),thickness (mm),gap (mm)\n48,7,-\n50,7,20\n' >good.csv
-    wrong 'effect row bad.csv' "the column 'thickness' is missing; .*; found: 'Höhe \(mm\)' \(height\), 'b \(mm\)' \(could be thickness\), 'gap \(mm\)' \(gap\)$"
+    wrong 'effect row bad.csv' "the column 'thickness' is missing; .*; found: 'Höhe \(mm\)', 'b \(mm\)', 'gap \(mm\)'$"
     for bad in bad.csv none.csv "$PWD"; do
         for row in 5 good.csv; do
             same "$row stays after $bad" "$("$DOMINO" -e "effect row $row; effect push 3; row; fall")" \
@@ -285,7 +285,7 @@ END
         same "$head" "$(json 'set row position.csv; print sum(row.gap)')" "$(json 'set row front.csv; print sum(row.gap)')"
     done
     printf 'height (mm),front face (in)\n48,0\n' >front.csv
-    wrong 'set row front.csv' "'front face \(in\)' \(position\)$"
+    wrong 'set row front.csv' "found: 'height \(mm\)', 'front face \(in\)'$"
     # The examples: the last position minus the first, 42.5 in - 13 in, and the sum of the pitches.
     length() { jq -s '[.[1:][] | .gap + .thickness] | add*1000' <<<"$1"; }
     close tape "$(awk 'BEGIN { print 29.5*25.4 }')" "$(length "$(json "set row $root/examples/measured/tape.csv; row")")" 1e-5

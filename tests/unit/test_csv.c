@@ -15,10 +15,8 @@ static const struct csv_column columns[] = {
     {"count", CSV_EMPTY | CSV_WHOLE, "", "none", "", "write a number", 1, 9, "1 .. 9"},
     {"word", 0, NULL, NULL, NULL, NULL, 0, 0, NULL},
 };
-static const struct csv_kind kind = {
-    columns, 4, false, 3, "thing", "things", "size, gap", "size (mm), gap (mm)", NULL};
-static const struct csv_kind headless = {columns,  4,           true,        3,   "thing",
-                                         "things", "size, gap", "size, gap", NULL};
+static const struct csv_kind kind = {columns, 4, 3, "thing", "things", "size, gap", "size (mm), gap (mm)",
+                                     NULL};
 
 /* Writes the table: first the names and units of the other columns, then all rows as "size gap count word
  * others; ...", and then the error, if there is one, as "line:column: ...". */
@@ -124,13 +122,13 @@ TEST(decimal_marks)
         {HEAD "\"max(1.500,2)\",,", "2 - - ,; "},
     };
     CHECK(sure, &kind);
-#define EITHER(a, b) "can be read as " a "." b " or as " a b "; write " a "." b "0 or " a b
+#define THOUSANDS " in this number may set thousands apart; write one more digit behind it, or leave it out"
     static const struct reading doubtful[] = {
-        {HEAD "1.5,,\n1,\"12,345 mm\",", "1.5 - - ,; 3:4: '12,345' " EITHER("12", "345")},
-        {HEAD "\"1,200\",,", "2:2: '1,200' " EITHER("1", "200")},
+        {HEAD "1.5,,\n1,\"12,345 mm\",", "1.5 - - ,; 3:4: the comma" THOUSANDS},
+        {HEAD "\"1,200\",,", "2:2: the comma" THOUSANDS},
         {HEAD "\"0,200\",,", "0.2 - - ,; "},
         {SEMICOLONS "1,234;;\n1.5;0;", "1.234 - - ; 1.5 0 - ; "},
-        {SEMICOLONS "1,5;;\n1.234;0;", "1.5 - - ; 3:1: '1.234' " EITHER("1", "234")},
+        {SEMICOLONS "1,5;;\n1.234;0;", "1.5 - - ; 3:1: the point" THOUSANDS},
     };
     CHECK(doubtful, &kind);
     static const struct reading wrong[] = {
@@ -138,8 +136,7 @@ TEST(decimal_marks)
         {SEMICOLONS "1,234,567;;", "2:1: this number has more than one decimal mark"},
         {SEMICOLONS "48,;;", "2:3: unexpected ',' after the value of size"},
         {HEAD "1,,x\n48,5,7,x",
-         "1 - - ,x; 3:8: too many cells: 4, but the first line has 3; the separator is ','; "
-         "'48,5' is read as the cells 48 and 5: if it is one number, write 48.5"},
+         "1 - - ,x; 3:8: too many cells: 4, but the first line has 3; the separator is ','"},
         {HEAD "1, 2, 3, 4", "2:10: too many cells: 4, but the first line has 3; the separator is ','"},
     };
     CHECK(wrong, &kind);
@@ -189,12 +186,6 @@ TEST(names)
         {"size m,gap m\n1,1\n1,1\n1,1\n1,1\n", "1 1 - ; 1 1 - ; 1 1 - ; 5:1: there are more than 3 things"},
     };
     CHECK(cases, &kind);
-    static const struct reading without[] = {
-        {"1 m,2 m,3,a\nsize,gap,count,word\n4 m,5 m,,b", "1 2 3 a; 4 5 - b; "},
-        {"size,gap,count,word\n1 m,2 m,3,a", "1 2 3 a; "},
-        {"1 m;2,5 m;3;a", "1 2.5 3 a; "},
-    };
-    CHECK(without, &headless);
 }
 
 /* Checks headers and rows with the largest number of cells, one cell less and one more, lines of the largest
