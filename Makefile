@@ -41,13 +41,12 @@ STRICT  := $(if $(WERROR),-Werror -Wframe-larger-than=16384)
 # reads errno after a square root, and without errno a square root is a single instruction.
 C_FLAGS := $(STD) $(WARN) $(STRICT) -ffp-contract=off -fno-math-errno -fno-asynchronous-unwind-tables $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
-BSD     := $(if $(PORTABLE),-lbsd)
-GSL     := -lgsl -lgslcblas -lm -pthread $(BSD)
+GSL     := -lgsl -lgslcblas -lm -pthread
 # The program links GSL and Readline statically if their archives are installed, because loading the shared libraries
 # takes a quarter of the start-up time.
 THERE    = $(filter /%,$(shell $(CC) -print-file-name=$(1)))
 PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslcblas) \
-           $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread $(BSD)
+           $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread
 
 # ---- Features ----
 
@@ -92,7 +91,7 @@ $(call SAY,LD,$@)
 $(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(1) -o $@
 endef
 
-.PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify portable cross abi fuzz bench guard deps lint format removable \
+.PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify cross abi fuzz bench guard deps lint format removable \
         install uninstall deb dist clean
 # A part of the library must not look like the whole.
 all: $(P)/domino $(P)/libdomino.a $(if $(PART),,$(B)/libdomino.so $(B)/domino.pc)
@@ -117,22 +116,13 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
-HEADERS := $(B)/include/domino_float.h $(B)/include/domino_quad.h $(B)/domf_names.h $(B)/domq_names.h $(B)/library.h $(B)/members.h $(B)/tutorial.h $(P)/feature_list.h \
-           $(B)/system_features.h # generated from other sources
+HEADERS := $(B)/include/domino_float.h $(B)/include/domino_quad.h $(B)/domf_names.h $(B)/domq_names.h $(B)/library.h $(B)/members.h $(B)/tutorial.h $(P)/feature_list.h # generated from other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
 $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)): | $(HEADERS)
-
-# Finds which functions beyond POSIX this system has. 'make PORTABLE=1' uses none of them, except funopen of libbsd on
-# Linux.
-SYSTEM := src/shell/io/features
-$(B)/portable/system_features.h: PORTABLE := 1
-$(B)/system_features.h $(B)/portable/system_features.h: $(SYSTEM) | $(FIRST)
-	@mkdir -p $(@D)
-	@PORTABLE=$(PORTABLE) $(SYSTEM) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 
 # The list of features, for src/features.c.
 $(P)/features.o: src/features.c $(P)/feature_list.h
@@ -213,12 +203,6 @@ $(B)/$(SONAME): $(LIB_OBJ)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $(SHARED) $^ $(GSL) -o $@
 $(B)/libdomino.so: $(B)/$(SONAME)
 	@ln -sf $(SONAME) $@
-
-# The program with nothing beyond POSIX, for 'make portable'. Only one file differs.
-$(B)/portable/system.o: src/shell/io/system.c src/shell/io/system.h $(B)/portable/system_features.h
-	$(Q)$(CC) -I$(B)/portable $(C_FLAGS) -c $< -o $@
-$(B)/portable/domino: $(filter-out %/io/system.o,$(call OBJ,$(ENGINE_C) $(SHELL_C)) $(P)/features.o) $(B)/portable/system.o $(P)/libdomino.a
-	$(call LINK,$(PROGRAM) -lbsd)
 
 $(B)/shared/domino: PROGRAM := $(GSL) -lreadline
 $(P)/domino $(B)/shared/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(P)/features.o $(P)/libdomino.a

@@ -285,7 +285,6 @@ int main(int argc, char **argv)
     signal(SIGXFSZ, SIG_IGN);
     features_register(every_feature);
     FILE *out = io_stdout(&ended);
-    terminal_pass(NULL, out);
     session_init(&session, out);
     if (!options_check(argc, argv, &session, &plan))
         return EXIT_USAGE;
@@ -313,7 +312,6 @@ int main(int argc, char **argv)
         run_file(&session, "-");
     session_close(&session);
     bool is_good = output_close(&session.standard, ignores_pipe) && session.errors == 0;
-    io_stderr_end();
     if (ended) {
         signal(ended, SIG_DFL);
         raise(ended);

@@ -6,7 +6,6 @@ DEPS_test     := dpkg-dev lintian libcmocka-dev bats expect tmux libmpfr-dev gnu
 $(foreach goal,quick unit hard sessions sanitize race removable,$(eval DEPS_$(goal) := $(DEPS_test)))
 DEPS_faults   := bats expect gnuplot-nox binutils util-linux
 DEPS_valgrind := valgrind libc6-dbg
-DEPS_portable := $(DEPS_test) libbsd-dev
 DEPS_cross    := python3 qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-i686-linux-gnu libc6-dev-i386-cross
 DEPS_fuzz     := clang libclang-rt-dev
 DEPS_bench    := bc gnuplot-nox binutils
@@ -125,11 +124,6 @@ atlas: all
 	  $(P)/domino -n --shard $$part/$(words $(ATLAS_PARTS)) -f examples/atlas.dom || exit 1; done; } > $(B)/atlas.csv
 	@tests/atlas $(B)/atlas.csv
 	@cp $(B)/atlas.csv examples/atlas.csv
-
-# Runs the sessions that use files and streams, with nothing beyond POSIX.
-PORTABLE_BATS := $(patsubst %,tests/shell/%.bats,fifo files output)
-portable: $(B)/portable/domino
-	@tests/run $(B)/portable $(PORTABLE_BATS)
 
 # Runs the unit tests and 300 answers on other processors, under qemu.
 CROSS := aarch64-linux-gnu i686-linux-gnu

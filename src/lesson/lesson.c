@@ -5,6 +5,7 @@
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "io/escape.h"
+#include "io/io.h"
 #include "io/terminal.h"
 #include "language/text.h"
 #include "prompt/input.h"
@@ -90,7 +91,6 @@ static bool run_lesson(struct session *session, const struct arguments *given, s
         return problem_status(problem, &session->state.scene, DOM_NO_MEMORY);
     session_init(&reader, session->output->out);
     reader.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
-    reader.standard.messages = session->output->messages;
     reader.run_context.safe = session->run_context.safe;
     reader.source.prompt_width = waits ? (int)strlen(prompt) : 0;
     progress_end(); /* the progress display must not count the time that the reader takes */

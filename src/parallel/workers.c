@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* sched_getaffinity */
 #include "parallel/workers.h"
 #include "io/io.h"
-#include "io/system.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <pthread.h>
+#include <sched.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -179,12 +180,13 @@ static void workers_run(struct pool *pool)
 }
 
 /* Returns how many workers to use. `threads` is the value of the parameter 'threads'. If it is 0, there is
- * one worker for each processor. */
+ * one worker for each processor that this process may use. */
 static unsigned workers_count(domq_real threads, size_t points)
 {
+    cpu_set_t allowed;
     size_t n = (size_t)threads;
     if (n == 0)
-        n = system_processors();
+        n = sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? (size_t)CPU_COUNT(&allowed) : 1;
     n = n < points ? n : points;
     return n == 0 ? 1 : n < THREADS_MOST ? (unsigned)n : THREADS_MOST;
 }

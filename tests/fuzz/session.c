@@ -85,7 +85,6 @@ void fuzz_session(const void *text, size_t size, bool safe)
     line_stream(&session, in, "fuzz");
     fclose(in);
     session_close(&session);
-    io_stderr_end();
     fclose(to);
     if (strlen(out) == length) /* the output contains no NUL */
         judge(out);

@@ -45,7 +45,7 @@ END
 }
 
 @test "deps knows every package of the Makefile, and without root or sudo it shows the command" {
-    for goal in run test faults fuzz bench verify lint portable valgrind; do
+    for goal in run test faults fuzz bench verify lint valgrind; do
         make -s -C "$root" -pn deps $goal 2>/dev/null | sed -n 's/^NEEDED := //p'
     done | tr ' ' '\n' | sort -u >needed
     [ "$(wc -l <needed)" -gt 20 ]

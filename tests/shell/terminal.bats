@@ -148,6 +148,11 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     ask 'curve 0.1 0.9 40'
     see '^PAGED$'
     clear_screen
+    ask "log $BATS_TEST_TMPDIR/log answers"
+    ask 'curve 0.1 0.9 40'
+    ask 'log off'
+    same 'the log has what the pager got' 40 "$(grep -c '^ *0\.[0-9]' "$BATS_TEST_TMPDIR/log")"
+    clear_screen
     ask 'curve 0.1 0.9 10; print 6*7' # shorter than the screen
     see '^42$'
     hides PAGED

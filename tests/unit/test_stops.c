@@ -5,12 +5,13 @@
  * a domino are replaced by functions that count their calls, and that raise the flag at the k-th. Whatever k
  * is, a long command must end soon after this call.
  */
+#define _GNU_SOURCE /* fopencookie */
 #include "support.h"
 
 #include "domino_quad.h"
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"
-#include "io/system.h"
+#include "io/io.h"
 #include "session/session.h"
 #include <stdio.h>
 #include <string.h>
@@ -61,11 +62,11 @@ static ssize_t line_count(void *cookie, const char *bytes, size_t size)
 static void session_begin(void)
 {
     features_register(every_feature);
-    session_init(&session, system_stream(&session, "w", (struct system_stream){.write = line_count}));
+    session_init(&session, fopencookie(&session, "w", (cookie_io_functions_t){.write = line_count}));
     setvbuf(session.output->out, NULL, _IOLBF, BUFSIZ);
     assert_non_null(session.output->out);
-    session.output->messages = fopen("/dev/null", "w");
-    assert_non_null(session.output->messages);
+    io_taps.messages = fopen("/dev/null", "w");
+    assert_non_null(io_taps.messages);
     session.state.scene.compute.interrupt = &flag;
 }
 

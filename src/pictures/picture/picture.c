@@ -4,7 +4,6 @@
 #include "domino_quad.h"
 #include "io/escape.h"
 #include "io/io.h"
-#include "io/system.h"
 #include "io/terminal.h"
 #include "language/names.h"
 #include <errno.h>
@@ -14,6 +13,9 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 /* ---- The program gnuplot ---- */
 
@@ -54,7 +56,9 @@ static void gnuplot_become(pid_t parent, const int file[3])
      * same group, only the child would stop, and this program would wait for the child forever. */
     setpgid(0, 0);
     /* The program must end when its parent ends. The parent may already have ended. */
-    system_end_with_parent();
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
     if (getppid() != parent)
         _exit(127);
     for (int i = 0; i < 3; i++)
@@ -78,7 +82,8 @@ static bool gnuplot_failed(FILE *errors, struct problem *problem)
 /* Opens a temporary file, which is deleted when it is closed. */
 static FILE *temporary_open(struct problem *problem)
 {
-    FILE *file = io_temporary(NULL);
+    const int descriptor = io_temporary(NULL, NULL);
+    FILE *file = descriptor >= 0 ? fdopen(descriptor, "w+") : NULL;
     const int error = errno;
     if (!file)
         problem_error(problem, "cannot make a temporary file in '%s': %s", names_shown(io_temporary_folder()),
@@ -189,7 +194,9 @@ static int drawing_error(FILE *drawing, long size)
 {
     /* gnuplot does not report that the disk is full. If the file has no room for another block, the drawing
      * is probably incomplete. */
-    int error = system_reserve(fileno(drawing), size, size + BUFSIZ);
+    static const char block[BUFSIZ];
+    const ssize_t written = pwrite(fileno(drawing), block, sizeof block, size);
+    const int error = written == sizeof block ? 0 : written < 0 ? errno : ENOSPC;
     return ftruncate(fileno(drawing), size) != 0 ? errno : error;
 }
 
@@ -210,7 +217,10 @@ static bool draw(const struct picture *p, FILE *drawing, struct problem *problem
     if (error)
         return problem_error(problem, "cannot draw: %s", strerror(error));
     progress_end();
-    io_copy(drawing, p->answer->out);
+    char bytes[4096];
+    rewind(drawing);
+    for (size_t n; (n = fread(bytes, 1, sizeof bytes, drawing)) > 0;)
+        fwrite(bytes, 1, n, p->answer->out);
     return true;
 }
 

@@ -158,7 +158,6 @@ static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
     session_init(&fresh, session->output->out);
-    fresh.standard.messages = session->output->messages;
     fresh.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
     fresh.source.name = "help";
     fresh.run_context.safe = fresh.bail = true;

@@ -160,17 +160,18 @@ static bool run_log(struct session *session, const struct arguments *given, stru
                     struct problem *problem)
 {
     const char *wrong = NULL, *path = given->word[0];
-    struct output **before = output_find(&session->output, OUTPUT_LOG);
     if (session->output->path)
         return problem_error(problem,
                              "'%s' does not work while answers go to '%s'; first enter '%s', then enter the "
                              "command again with '>'",
                              a->command, names_shown(session->output->path), a->command);
-    fflush(session->output->out);
-    if (strcmp(path, "off") != 0)
-        wrong = log_push(&session->output, path, given->count > 1, session->state.scene.compute.interrupt);
-    else if (before)
-        output_pop(before, true);
+    if (strcmp(path, "off") != 0) {
+        wrong = log_begin(path, given->count > 1, session->state.scene.compute.interrupt);
+        session->has_log = session->has_log || !wrong;
+    } else {
+        log_end();
+        session->has_log = false;
+    }
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 

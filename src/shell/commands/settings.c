@@ -289,7 +289,7 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
     (void)a;
     if (!save_allowed(query->scene, path, problem) || !parameters_savable(query->scene, problem))
         return false;
-    const char *wrong = file_push(&file, path, false, query->scene->compute.interrupt);
+    const char *wrong = output_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
         char *folder = folder_of(path);
         fprintf(file->out, "# A session of domino " DOM_VERSION

@@ -10,9 +10,9 @@
 
 /* Returns true if the current line is written into a log. The lines of a sourced file are not logged, because
  * the log already contains the command 'source'. */
-static bool has_log(struct session *session)
+static bool is_logged_now(const struct session *session)
 {
-    return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
+    return session->source.depth == 0 && session->has_log;
 }
 
 /* Runs the commands of a line. If one of them opens a log, the commands after it on the same line are written
@@ -21,12 +21,12 @@ static void run_commands(struct session *session, const struct text *text, const
 {
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
-    bool is_logged = has_log(session);
+    bool is_logged = is_logged_now(session);
     /* A command that fails becomes a comment in the log. A single command is therefore logged only when it
      * writes an answer or an error, or after it has run. A line with several commands is logged before they
      * run, because some of them may succeed before another one fails. */
     if (is_logged)
-        log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
+        log_commands(line, length, *text_end(text->line, ";") == ';');
     for (;;) {
         long errors = session->errors;
         const char *begin = skip_blanks(r.at), *end = text_end(begin, ";");
@@ -41,9 +41,9 @@ static void run_commands(struct session *session, const struct text *text, const
         if (*end != ';' || session_stops(session, errors))
             return;
         r.at = end + 1;
-        if (!is_logged && has_log(session)) {
+        if (!is_logged && is_logged_now(session)) {
             const char *next = text_typed(text, skip_blanks(r.at));
-            log_commands(&session->output, next, length - (size_t)(next - line), true);
+            log_commands(next, length - (size_t)(next - line), true);
             is_logged = true;
         }
     }
@@ -66,7 +66,8 @@ static void run_line(struct session *session, const char *line, size_t length)
     session->typed.columns = text_column(&text, text.line + strlen(text.line)) - 1;
     run_commands(session, &text, line, length);
     /* The log is flushed after each line, in case of a crash. */
-    const char *wrong = log_flush(&session->output);
+    const char *wrong = session->has_log ? log_flush() : NULL;
+    session->has_log = session->has_log && !wrong;
     if (wrong)
         session_error(session, "recording stops here, because the file cannot be written: %s", wrong);
     session->typed.text = NULL;

@@ -141,7 +141,7 @@ static bool run_command(struct session *session, const struct command *c, const 
      * down scripts. */
     if (c->principal)
         memset(kept, 0, sizeof kept);
-    struct output *output = session->output, *end = *output_find(&output, OUTPUT_SINKS);
+    struct output *output = session->output;
     bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
     struct answer answer = {
         .out = output->out,
@@ -152,13 +152,13 @@ static bool run_command(struct session *session, const struct command *c, const 
         .note = is_not_row               ? TRAIN_NOTE
                 : is_in_double(c, query) ? DOUBLE_NOTE
                                          : NULL,
-        .csv.last_header = end->header,
+        .csv.last_header = output->header,
         .columns = c->columns,
         .rows = c->rows,
         .details.brief = c->brief,
         .details.rest = c->brief ? &rest : NULL,
         .progress.interrupt = query->scene->compute.interrupt,
-        .progress.blank_above = end->answered && session->source.name,
+        .progress.blank_above = output->answered && session->source.name,
         .kept = c->principal ? kept : NULL,
     };
     if (output->format)
@@ -182,8 +182,8 @@ static bool run_command(struct session *session, const struct command *c, const 
     session->wrote = answer.progress.has_rows;
     if (*answer.made) /* copying an empty text would take a twentieth of the time of a short line */
         snprintf(session->made, sizeof session->made, "%s", answer.made);
-    end->answered = end->answered || (done && c->columns) || answer.progress.wrote_text;
-    end->error = answer.error ? answer.error : end->error;
+    output->answered = output->answered || (done && c->columns) || answer.progress.wrote_text;
+    output->error = answer.error ? answer.error : output->error;
     if (done)
         answer_remember(session, c, query, &answer, kept);
     if (done && session->state.settings.timing && c->columns) {
@@ -205,14 +205,13 @@ static bool run_paged(struct session *session, const struct command *c, const st
                                                       c->writes != WRITES_FILMS && !c->access.runs)))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
-    struct output *end = *output_find(&session->output, OUTPUT_SINKS);
-    int error = end->error;
-    bool is_paged = pager_push(&session->output, !has_pages);
+    int error = session->output->error;
+    bool is_paged = session->output == &session->standard && pager_begin(!has_pages);
     bool done = run_command(session, c, query, problem);
-    if (is_paged && output_pop(&session->output, true)) {
+    if (is_paged && !pager_end()) {
         /* When the user closes the pager before the end of the answer, the rest cannot be written. This is
-         * not an error, so the earlier value of end->error is restored. */
-        end->error = error;
+         * not an error, so the earlier value of the error is restored. */
+        session->output->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     }
@@ -277,7 +276,7 @@ static void wrote_say(const struct session *session, const char *path)
     for (; size >= 1000 && unit < 3; unit++)
         size /= 1000;
     progress_end();
-    fprintf(session->output->messages, "wrote %s: %s%s%.*f %s\n", names_shown(path), made, *made ? ", " : "",
+    fprintf(io_stderr(), "wrote %s: %s%s%.*f %s\n", names_shown(path), made, *made ? ", " : "",
             unit > 0 && size < 10, size, units[unit]);
 }
 
@@ -287,7 +286,7 @@ static bool run_into(struct session *session, const struct command *c, const str
 {
     const struct extension *extension = extension_of(path);
     const bool is_shown = extension->kind == EXTENSION_SHEET || extension->kind == EXTENSION_FILM;
-    const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
+    const char *wrong = output_push(&session->output, path, appends, session->state.scene.compute.interrupt);
     bool done = !wrong;
     if (done) {
         /* with format_table, a picture is drawn even after 'set output csv' */
@@ -418,5 +417,5 @@ void run_command_at(struct session *session, struct reader *line)
     }
     session->command = NULL;
     line->at = r.at;
-    output_answered(session->output);
+    io_row(session->standard.out);
 }

@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* asprintf, mkostemp */
 #include "io/io.h"
 #include "domino_quad.h"
-#include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
-#include <sys/file.h>
+#include <stdlib.h>
 #include <sys/select.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-/* The delay between two attempts to open or lock a file. */
-static const struct timespec moment = {.tv_nsec = 10000000};
 
 sigset_t io_block(void)
 {
@@ -43,37 +40,17 @@ bool io_wait(int file, bool to_write, const struct timespec *longest, const vola
     return !dom_raised(interrupt);
 }
 
-/* Does not change errno. */
-static bool is_fifo(const char *path)
-{
-    struct stat status;
-    int reason = errno;
-    bool fifo = stat(path, &status) == 0 && S_ISFIFO(status.st_mode);
-    errno = reason;
-    return fifo;
-}
-
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt)
 {
+    const struct timespec moment = {.tv_nsec = 10000000};
+    struct stat status;
     int file;
     do
         file = open(path, flags | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, mode);
-    while (file < 0 && /* EAGAIN means that another program holds a lease on the file */
-           (errno == EAGAIN || errno == EINTR || (errno == ENXIO && is_fifo(path))) &&
+    while (file < 0 &&
+           (errno == EINTR || (errno == ENXIO && stat(path, &status) == 0 && S_ISFIFO(status.st_mode))) &&
            io_wait(-1, false, &moment, interrupt));
     return file;
-}
-
-bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt)
-{
-    double end = terminal_clock() + seconds;
-    while (flock(file, LOCK_EX | LOCK_NB) != 0) {
-        if (errno != EWOULDBLOCK && errno != EINTR)
-            return true;
-        if (terminal_clock() > end || !io_wait(-1, false, &moment, interrupt))
-            return false;
-    }
-    return true;
 }
 
 bool io_write(int file, const char *bytes, size_t count, const volatile sig_atomic_t *interrupt)
@@ -108,4 +85,27 @@ void io_begin(void)
     for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)
         if (fcntl(file, F_GETFD) < 0)
             (void)!open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+const char *io_temporary_folder(void)
+{
+    const char *variable = getenv("TMPDIR");
+    return variable && *variable ? variable : P_tmpdir;
+}
+
+int io_temporary(const char *folder, char **name)
+{
+    char *path;
+    if (asprintf(&path, "%s/.domino.XXXXXX", folder ? folder : io_temporary_folder()) < 0)
+        return -1;
+    sigset_t before = io_block(); /* a signal must not leave a file whose name is not needed */
+    int file = mkostemp(path, O_CLOEXEC);
+    if (file >= 0 && !name)
+        unlink(path);
+    io_unblock(&before);
+    if (name && file >= 0)
+        *name = path;
+    else
+        free(path);
+    return file;
 }

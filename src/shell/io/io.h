@@ -19,13 +19,6 @@
  * failure. */
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
 
-/*
- * Locks a file with flock(2) until it is closed. The lock keeps out only programs that also use flock(2). If
- * another program has locked the file, waits for up to `seconds` seconds. Returns false if the file is still
- * locked then, or after an interrupt. If the file system does not support locks, returns true without a lock.
- */
-bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
-
 /* Waits until a file can be read or, if `to_write` is true, until it can be written. Waits no longer than
  * `longest`, or without limit if `longest` is NULL. If `file` is -1, there is no file to wait for, so the
  * function waits for the whole time. Returns false if the flag `interrupt` is raised. */
@@ -47,6 +40,14 @@ void io_unblock(const sigset_t *before);
  * closed. */
 void io_begin(void);
 
+/* Returns the folder for temporary files: $TMPDIR, or /tmp. */
+const char *io_temporary_folder(void);
+
+/* Creates a temporary file. If `name` is NULL, the file has no name, so it vanishes when it is closed or when
+ * the program ends. Otherwise its path is stored in *name, which the caller frees. If `folder` is NULL, the
+ * file is in the folder io_temporary_folder(). Returns -1 on failure. */
+int io_temporary(const char *folder, char **name);
+
 /* ---- Streams ---- */
 
 /* Makes a stream from an open file. When the stream is closed, the file is closed too. On failure, closes the
@@ -62,30 +63,26 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
 /* Returns the stream for standard output. On a terminal, each line appears immediately. Elsewhere, a system
  * call for each answer would be slow, so the stream keeps its text until its buffer is full or it is flushed.
- * That happens before a read that blocks (see io_stdin), and in io_row. */
+ * That happens before a read that blocks, and in io_row. */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
-/* Returns the stream for standard error, which writes each text at once. */
+/* Returns the stream for errors and notes, usually standard error. It writes each text at once. */
 FILE *io_stderr(void);
-/* Closes that stream at the end of the program. */
-void io_stderr_end(void);
 
 void io_stdout_flush(void);
+
+/* What happens to the text of these streams, if the members are not NULL. */
+extern struct io_taps {
+    void (*copy)(const char *bytes, size_t count); /* a log gets a copy of standard output */
+    /* A pager takes standard output in the place of the terminal. Returns false if it takes no more. */
+    bool (*page)(const char *bytes, size_t count);
+    FILE *messages; /* receives what io_stderr would write */
+} io_taps;
 
 /* Tells that a row or an answer in `out` is complete. If 0.2 s have passed since standard output was last
  * flushed, flushes `out` and standard output. A program that is killed after minutes has then written all but
  * its last rows. */
 void io_row(FILE *out);
-
-/* Returns the folder for temporary files: $TMPDIR, or /tmp. */
-const char *io_temporary_folder(void);
-
-/* Creates a temporary file without a name. The file vanishes when it is closed or when the program ends. If
- * `folder` is NULL, the file is in the folder io_temporary_folder(). Returns NULL on failure. */
-FILE *io_temporary(const char *folder);
-
-/* Copies a whole stream. On failure, one of the streams has its error flag set. */
-void io_copy(FILE *from, FILE *to);
 
 /* Opens a stream that writes to memory. After fflush or fclose, the text is in *text, and its length in bytes
  * is in *size. A NUL byte follows; *text is NULL if nothing was written. The caller frees *text. If memory

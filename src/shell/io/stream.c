@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#define _GNU_SOURCE /* asprintf, mkostemp */
+#define _GNU_SOURCE /* fopencookie */
 #include "domino_quad.h"
 #include "io/io.h"
-#include "io/system.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -12,12 +11,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Opens a stream that calls the given functions. Each function receives a copy of the cookie. The close
- * function must free this copy. */
-static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, struct system_stream functions)
+/* Opens a stream with a copy of the cookie, which functions.close must free. */
+static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, cookie_io_functions_t functions)
 {
     void *copy = malloc(size);
-    FILE *stream = copy ? system_stream(memcpy(copy, cookie, size), mode, functions) : NULL;
+    FILE *stream = copy ? fopencookie(memcpy(copy, cookie, size), mode, functions) : NULL;
     if (!stream)
         free(copy);
     return stream;
@@ -73,24 +71,12 @@ static int channel_close(void *cookie)
     return closed;
 }
 
-/* Returns true if reading from the file or writing to it may block. A regular file never blocks. Writing to a
- * terminal blocks if the user has stopped the terminal, but this does not count, because ^C then discards the
- * output. */
-static bool may_wait(int file, const char *mode)
-{
-    struct stat status;
-    return !(fstat(file, &status) == 0 && S_ISREG(status.st_mode)) && !(*mode == 'w' && isatty(file));
-}
-
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt)
 {
     const struct channel channel = {.file = file, .interrupt = interrupt};
-    const struct system_stream functions = {
+    const cookie_io_functions_t functions = {
         .read = channel_read, .write = channel_write, .close = channel_close};
-    bool waits = may_wait(file, mode);
-    if (!waits)
-        fcntl(file, F_SETFL, fcntl(file, F_GETFL) & ~O_NONBLOCK);
-    FILE *stream = waits ? cookie_stream(&channel, sizeof channel, mode, functions) : fdopen(file, mode);
+    FILE *stream = cookie_stream(&channel, sizeof channel, mode, functions);
     if (!stream)
         close(file);
     return stream;
@@ -111,11 +97,13 @@ FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt)
 FILE *io_stdin(const volatile sig_atomic_t *interrupt)
 {
     static FILE *in;
-    static struct channel channel;
-    const struct system_stream functions = {.read = channel_read};
+    static struct channel channel = {.file = STDIN_FILENO};
+    struct stat status;
     if (!in) {
-        channel = (struct channel){.file = STDIN_FILENO, .interrupt = interrupt};
-        in = may_wait(STDIN_FILENO, "r") ? system_stream(&channel, "r", functions) : stdin;
+        channel.interrupt = interrupt;
+        /* When the program ends, stdin leaves the lines of a regular file that were not read to the next. */
+        bool is_regular = fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode);
+        in = is_regular ? stdin : fopencookie(&channel, "r", (cookie_io_functions_t){.read = channel_read});
     }
     if (in)
         clearerr(in); /* after ^D on a terminal, the next command can read again */
@@ -127,42 +115,41 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
 enum { HELD_MOST = 1 << 16 };
 #define ROW_SECONDS 0.2
 
-static FILE *standard, *messages;
+struct io_taps io_taps;
+static FILE *standard;
 static double flushed; /* when standard output was last flushed, as terminal_clock() */
 
-/* Returns *stream, which it opens at the first call, or `other` if it cannot be opened. */
-static FILE *stream_once(FILE **stream, struct channel *channel, int buffering, FILE *other)
+static ssize_t standard_write(void *cookie, const char *bytes, size_t size)
 {
-    /* Standard error stays open for what comes after the program's last message. */
-    const struct system_stream functions = {.write = channel_write,
-                                            .close = other == stderr ? NULL : channel_end};
-    if (!*stream) {
-        *stream = system_stream(channel, "w", functions);
-        if (*stream)
-            setvbuf(*stream, NULL, buffering, HELD_MOST);
-    }
-    return *stream ? *stream : other;
+    if (io_taps.copy)
+        io_taps.copy(bytes, size);
+    return !io_taps.page ? channel_write(cookie, bytes, size) : io_taps.page(bytes, size) ? (ssize_t)size : 0;
 }
 
 FILE *io_stdout(const volatile sig_atomic_t *interrupt)
 {
     static struct channel channel = {.file = STDOUT_FILENO};
-    if (!standard)
+    if (!standard) {
         channel.interrupt = interrupt;
-    return stream_once(&standard, &channel, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, stdout);
+        standard = fopencookie(&channel, "w",
+                               (cookie_io_functions_t){.write = standard_write, .close = channel_end});
+        if (standard)
+            setvbuf(standard, NULL, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, HELD_MOST);
+        terminal_standard(standard);
+    }
+    return standard ? standard : stdout;
 }
 
 FILE *io_stderr(void)
 {
     static struct channel channel = {.file = STDERR_FILENO};
-    return stream_once(&messages, &channel, _IONBF, stderr);
-}
-
-void io_stderr_end(void)
-{
-    if (messages)
-        fclose(messages);
-    messages = NULL;
+    static FILE *messages;
+    if (!messages) {
+        messages = fopencookie(&channel, "w", (cookie_io_functions_t){.write = channel_write});
+        if (messages)
+            setvbuf(messages, NULL, _IONBF, 0);
+    }
+    return io_taps.messages ? io_taps.messages : messages ? messages : stderr;
 }
 
 void io_stdout_flush(void)
@@ -177,38 +164,6 @@ void io_row(FILE *out)
         fflush(out);
         io_stdout_flush();
     }
-}
-
-/* ---- Temporary files ---- */
-
-const char *io_temporary_folder(void)
-{
-    const char *variable = getenv("TMPDIR");
-    return variable && *variable ? variable : P_tmpdir;
-}
-
-FILE *io_temporary(const char *folder)
-{
-    char *name;
-    folder = folder ? folder : io_temporary_folder();
-    int file = system_unnamed(folder);
-    if (file < 0 && asprintf(&name, "%s/domino.XXXXXX", folder) >= 0) {
-        sigset_t before = io_block();
-        file = mkostemp(name, O_CLOEXEC);
-        if (file >= 0)
-            unlink(name);
-        io_unblock(&before);
-        free(name);
-    }
-    return file >= 0 ? fdopen(file, "w+") : NULL;
-}
-
-void io_copy(FILE *from, FILE *to)
-{
-    char block[4096];
-    rewind(from);
-    for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0;)
-        fwrite(block, 1, n, to);
 }
 
 /* ---- Memory ---- */
@@ -239,9 +194,9 @@ static int memory_close(void *cookie)
 
 FILE *io_memory(char **text, size_t *size)
 {
-    const struct system_stream functions = {.write = memory_write, .close = memory_close};
     const struct memory memory = {text, size};
     *text = NULL;
     *size = 0;
-    return cookie_stream(&memory, sizeof memory, "w", functions);
+    return cookie_stream(&memory, sizeof memory, "w",
+                         (cookie_io_functions_t){.write = memory_write, .close = memory_close});
 }

@@ -3,7 +3,6 @@
 #include "io/target.h"
 #include "io/escape.h"
 #include <errno.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,31 +10,27 @@
 
 static struct target *targets;
 
-/* Returns the absolute path of a file without symbolic links, as realpath does. Unlike realpath, accepts a
- * file that does not exist yet. Returns NULL and sets errno on failure. */
-static char *real_path(const char *path)
+/* Sets the path of a target, and that of its folder. Returns false and sets errno on failure. */
+static bool target_resolve(struct target *t, const char *path)
 {
-    char target[PATH_MAX], *next, *real = realpath(path, NULL);
-    if (real || errno != ENOENT)
-        return real;
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    int folder = (int)(name - path);
-    ssize_t n = readlink(path, target, sizeof target - 1);
-    if (n >= 0) {
-        target[n] = '\0';
-        if (asprintf(&next, "%.*s%s", *target == '/' ? 0 : folder, path, target) < 0)
-            return NULL;
-        real = real_path(next);
-    } else {
-        if (asprintf(&next, "%.*s.", folder, path) < 0)
-            return NULL;
-        char *above = realpath(next, NULL);
-        if (above && asprintf(&real, "%s/%s", above, name) < 0)
-            real = NULL;
-        free(above);
+    struct stat status;
+    t->exists = stat(path, &t->status) == 0;
+    if (!t->exists && errno != ENOENT)
+        return false;
+    t->path = realpath(path, NULL);
+    /* The path of a pipe, such as /dev/stdout, is a link to a name that does not exist. No other such link is
+     * followed. */
+    if (!t->path && errno == ENOENT && (t->exists || lstat(path, &status) != 0)) {
+        const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+        char *folder = strndup(path, (size_t)(name - path)),
+             *real = folder ? realpath(*folder ? folder : ".", NULL) : NULL;
+        if (real && asprintf(&t->path, "%s/%s", real, name) < 0)
+            t->path = NULL;
+        free(folder);
+        free(real);
     }
-    free(next);
-    return real;
+    t->folder = t->path ? strndup(t->path, (size_t)(strrchr(t->path, '/') + 1 - t->path)) : NULL;
+    return t->folder;
 }
 
 static bool is_same_file(const struct stat *a, const struct stat *b)
@@ -49,31 +44,35 @@ bool target_is_standard(const struct target *t)
     return t->exists && fstat(STDOUT_FILENO, &out) == 0 && is_same_file(&out, &t->status);
 }
 
+/* Returns true if the session is already writing the file. */
+static bool target_is_written(const struct target *t, const struct target *except)
+{
+    struct stat now;
+    for (const struct target *other = targets; other; other = other->next)
+        if (other != except &&
+            (strcmp(other->path, t->path) == 0 ||
+             (t->exists && stat(other->path, &now) == 0 && is_same_file(&now, &t->status))))
+            return true;
+    return false;
+}
+
 const char *target_begin(struct target *t, const char *path, bool may_be_standard,
                          const struct target *except)
 {
     /* a person who reads a script must be able to see which file the script writes */
     if (escape_needed(path))
         return "the name contains control characters, or is not UTF-8; choose another name";
-    *t = (struct target){.path = real_path(path), .next = targets};
-    t->exists = t->path && stat(path, &t->status) == 0;
-    if (!t->path || (!t->exists && errno != ENOENT)) {
-        free(t->path);
-        return strerror(errno);
-    }
-    bool is_written = !may_be_standard && target_is_standard(t);
-    bool is_regular = !t->exists || S_ISREG(t->status.st_mode); /* several writers may share a device */
-    for (const struct target *other = targets; other && is_regular && !is_written; other = other->next) {
-        struct stat now;
-        bool hard_link = t->exists && stat(other->path, &now) == 0 && is_same_file(&now, &t->status);
-        is_written = other != except && (hard_link || strcmp(other->path, t->path) == 0);
-    }
-    if (is_written) {
-        free(t->path);
-        return "this session is already writing to it; choose another file";
-    }
+    *t = (struct target){.path = NULL};
+    const char *wrong = target_resolve(t, path) ? NULL : strerror(errno);
+    const bool is_shared = t->exists && !S_ISREG(t->status.st_mode); /* a device may have several writers */
+    if (!wrong &&
+        ((!may_be_standard && target_is_standard(t)) || (!is_shared && target_is_written(t, except))))
+        wrong = "this session is already writing to it; choose another file";
+    t->next = targets;
     targets = t;
-    return NULL;
+    if (wrong)
+        target_end(t);
+    return wrong;
 }
 
 void target_end(struct target *t)
@@ -83,6 +82,7 @@ void target_end(struct target *t)
         at = &(*at)->next;
     *at = t->next;
     free(t->path);
+    free(t->folder);
 }
 
 const char *target_error(int reason)

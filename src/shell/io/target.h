@@ -8,7 +8,8 @@
 #include <sys/stat.h>
 
 struct target {
-    char *path; /* the absolute path without symbolic links, even if the file does not exist */
+    char *path;   /* the absolute path without symbolic links, even if the file does not exist */
+    char *folder; /* the absolute path of its folder */
     bool exists;
     struct stat status; /* set if the file exists */
     struct target *next;

@@ -11,14 +11,11 @@
 #include <time.h>
 #include <unistd.h>
 
-/* The stream that receives the answers: standard output, or a stream that passes its text on to standard
- * output, such as a pager. */
-static const FILE *front;
+static const FILE *standard; /* see terminal_standard */
 
-void terminal_pass(const FILE *from, const FILE *to)
+void terminal_standard(const FILE *stream)
 {
-    if (!front || front == from)
-        front = to;
+    standard = stream;
 }
 
 /* Returns the descriptor of the terminal that shows the stream. If no terminal shows the stream, returns -1.
@@ -26,7 +23,7 @@ void terminal_pass(const FILE *from, const FILE *to)
 static int shown_on(FILE *stream)
 {
     static atomic_schar known[STDERR_FILENO + 1]; /* 1: a terminal, -1: not a terminal, 0: not known yet */
-    int file = fileno(stream == front ? stdout : stream);
+    int file = fileno(stream == standard ? stdout : stream);
     if (file < 0 || file > STDERR_FILENO)
         return file >= 0 && isatty(file) ? file : -1;
     if (known[file] == 0)

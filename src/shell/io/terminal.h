@@ -20,10 +20,8 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* Answers go to io_stdout() or, while a log or a pager is open, to a stream that passes them on, so the
- * functions above must treat this stream like standard output. Call terminal_pass when answers begin to go to
- * `to` instead of `from`. If answers do not go to `from`, the call has no effect. */
-void terminal_pass(const FILE *from, const FILE *to);
+/* The functions above treat this stream like standard output. */
+void terminal_standard(const FILE *stream);
 
 /* Returns true if the character set of the locale is UTF-8. */
 bool terminal_utf8(void);

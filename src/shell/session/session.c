@@ -18,7 +18,7 @@ static void note(void *context, const char *text)
 
 void session_init(struct session *session, FILE *out)
 {
-    *session = (struct session){.standard = {.kind = OUTPUT_STANDARD, .out = out, .messages = io_stderr()}};
+    *session = (struct session){.standard.out = out};
     session->output = &session->standard;
     session->run_context = (struct run_context){.note = note, .note_context = session};
     state_init(&session->state);
@@ -33,6 +33,8 @@ void session_close(struct session *session)
 {
     while (session->output->below)
         output_pop(&session->output, true);
+    if (session->has_log)
+        log_end();
     state_close(&session->state);
     undo_free(session->undo);
     free(session->details);
@@ -83,9 +85,8 @@ static void session_caret(const struct session *session, int column)
         at = (at - 1) % width + 1;
     /* other output has followed the typed line, so the line is repeated */
     if (!above)
-        fprintf(session->output->messages, "%*s%.*s\n", CARET_INDENT, "", session->typed.length,
-                session->typed.text);
-    fprintf(session->output->messages, "%*s\n", above ? at : column + CARET_INDENT, "^");
+        fprintf(io_stderr(), "%*s%.*s\n", CARET_INDENT, "", session->typed.length, session->typed.text);
+    fprintf(io_stderr(), "%*s\n", above ? at : column + CARET_INDENT, "^");
 }
 
 /* Writes a script's error message among the answers, if the output format can represent errors. */
@@ -94,11 +95,10 @@ static void session_tell(struct session *session, const struct problem *problem)
     const struct format *format = formats[session->state.settings.style.output];
     const struct failure failure = {problem->command, problem->text, session->source.name,
                                     session->source.line, problem->column};
-    struct output *output = *output_find(&session->output, OUTPUT_BASE);
     if (!format->failed || !session->source.name)
         return;
-    format->failed(output->out, &failure);
-    output_flush(output);
+    format->failed(session->standard.out, &failure);
+    output_flush(&session->standard);
 }
 
 static void session_write(struct session *session, const struct problem *problem, bool is_error)
@@ -122,10 +122,11 @@ static void session_write(struct session *session, const struct problem *problem
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
     escape_text(line, text, sizeof text);
     /* A failed 'source' stays in the log, because the commands before the error have run. */
-    log_message(&session->output, text, is_error && session->source.depth == 0);
+    if (session->has_log)
+        log_message(text, is_error && session->source.depth == 0);
     if (is_error)
         session_tell(session, problem);
-    FILE *out = session->output->messages;
+    FILE *out = io_stderr();
     bool colour = terminal_colour(stderr) && !session->source.name;
     fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
     write_wrapped(out, text, 0, terminal_width(stderr));

@@ -19,6 +19,7 @@ struct session {
 
     struct output *output; /* the top of the stack of outputs, which receives the answers */
     struct output standard;
+    bool has_log; /* 'log' copies the answers of this session, not of one that 'lesson' or 'help' opens */
 
     struct source {
         const char *name; /* the name of the running script, for messages; NULL at the prompt */
