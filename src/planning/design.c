@@ -9,50 +9,10 @@
 
 /* ---- What would make a wish possible ---- */
 
-/* Returns the largest safety that equal dominoes with the friction mu can have. The safety is the ratio of
- * kinetic energy to barrier. It depends on the separation, so several separations are tried. */
-static domq_real equal_ratio(const struct query *query, domq_real mu)
-{
-    struct domq_train train = query->scene->train;
-    struct domq_barrier b;
-    domq_real most = 0;
-    train.mu = mu;
-    train.r = 1;
-    for (int k = 1; k <= 100; k++) {
-        train.s = (domq_real)k / 100;
-        enum dom_status status = any_barrier_find(&train, &query->scene->compute, &b);
-        if ((status == DOM_OK || status == DOM_STOPS) && b.kinetic / b.barrier > most)
-            most = b.kinetic / b.barrier;
-    }
-    return most;
-}
-
-/* Returns the largest friction coefficient, up to that of the scene, with which equal dominoes can have this
- * safety. Returns 0 if there is none. */
-static domq_real friction_most(const struct query *query, domq_real safety)
-{
-    domq_real low = 0, high = query->scene->train.mu;
-    if (!(high > 0) || equal_ratio(query, 0) < safety)
-        return 0;
-    while (high - low > high / 2000) {
-        domq_real middle = (low + high) / 2;
-        *(equal_ratio(query, middle) >= safety ? &low : &high) = middle;
-    }
-    return low;
-}
-
 /* Returns the push in rad/s above which the first domino is thrown off the floor. */
 static double push_most(const struct dom_wish *wish)
 {
     return sqrt(2 * wish->g / wish->first);
-}
-
-/* Returns a stronger push that does not throw the first domino off the floor. Returns NaN if the push is
- * already almost the largest possible one. */
-static double push_stronger(const struct dom_wish *wish)
-{
-    const double most = push_most(wish) * 9 / 10;
-    return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOM_NAN;
 }
 
 /* Converts a push to the speed of the first domino's upper edge, which is easier to imagine. */
@@ -77,89 +37,60 @@ static bool search_failed(const struct scene *scene, const struct dom_design *d,
 
 /* Explains why no row fulfils the wish and says what the user can change. */
 static void infeasible_text(const struct query *query, const struct dom_wish *wish,
-                            const struct dom_limits *limits, const struct dom_design *d, char *text,
-                            size_t size)
+                            const struct dom_limits *limits, const struct dom_design *d, char text[REASON])
 {
     const struct measured safety = measured(wish->safety, "", 6);
-    char more[192] = "";
-    if (d->limit == DOM_DESIGN_HALL) {
+    const bool has_boards = limits && limits->boards > 0, has_grid = limits && limits->grid > 0;
+    if (d->limit == DOM_DESIGN_HALL)
         snprintf(
-            text, size,
+            text, REASON,
             "infeasible: the shortest row %swith a safety of %s and %s is %s m long, including its fallen "
             "last domino; 'hall %s m' is long enough",
             limits ? "found " : "", safety.text,
-            !limits              ? "dominoes of the same proportions"
-            : limits->boards > 0 ? "these boards"
-                                 : "this grid",
+            !limits      ? "dominoes of the same proportions"
+            : has_boards ? "these boards"
+                         : "this grid",
             measured(d->needs, "", 4).text,
             measured(round_digits(quad_decimal(d->needs), 4, true), "", 4).text);
-    } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
+    else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish))
         snprintf(
-            text, size,
+            text, REASON,
             "infeasible: a safety of %s at the second domino needs a push of %s at the top of domino 1, but "
             "a push above %s lifts this domino off the floor; enter a smaller safety",
             safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
-    } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
+    else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
         const struct measured push = measured(round_digits(quad_decimal(d->needs), 3, true), "", 3);
-        snprintf(text, size,
+        snprintf(text, REASON,
                  "infeasible: the start is too weak for a safety of %s at the second domino; domino 1 needs "
                  "a push of %.40s rad/s (%.40s at its top); first enter 'set push %.40s'",
                  safety.text, push.text, push_speed(wish, d->needs).text, push.text);
-    } else if (d->limit == DOM_DESIGN_START) {
+    } else if (d->limit == DOM_DESIGN_START && limits)
+        snprintf(text, REASON,
+                 "infeasible: no row with a safety of %s was found %s%s; enter a smaller safety, %s%s, or "
+                 "another height of domino 1 with 'set h'",
+                 safety.text, has_boards ? "with these boards" : "on this grid",
+                 has_boards && has_grid ? " on this grid" : "", has_boards ? "other boards" : "a finer grid",
+                 has_boards && has_grid ? ", a finer grid" : "");
+    else if (d->limit == DOM_DESIGN_START)
         snprintf(
-            text, size,
+            text, REASON,
             "infeasible: the start is too weak for a safety of %s, and no push that was tried is enough; try "
             "a smaller safety",
             safety.text);
-    } else if (d->limit == DOM_DESIGN_ENGINE) {
-        const double push = push_stronger(wish);
-        if (isfinite(push))
-            snprintf(more, sizeof more, "a stronger push may help: first enter 'set push %.40s'",
-                     measured(round_digits(quad_decimal(push), 2, false), "", 2).text);
-        else
-            snprintf(more, sizeof more, "another thickness may help");
+    else if (d->limit == DOM_DESIGN_ENGINE)
         snprintf(
-            text, size,
+            text, REASON,
             "infeasible: rows with a safety of %s fall in the model with hinged feet, but no row that was "
-            "tried falls in the rigid-body engine (used because %s); %s",
-            safety.text, scene_engine_why(query->scene), more);
-    } else {
-        domq_real mu = friction_most(query, wish->safety);
-        if (mu > 0)
-            snprintf(more, sizeof more, "; with friction of up to %.40s, a safety of %.40s is possible",
-                     measured(round_digits(mu, 3, false), "", 3).text, safety.text);
-        if (d->needs > 1)
-            snprintf(text, size,
-                     "infeasible: no growth gives a safety of %s here; a safety below %s is possible%s",
-                     safety.text, measured(round_digits(quad_decimal(d->needs), 4, false), "", 4).text, more);
-        else
-            snprintf(text, size, "infeasible: not even equal dominoes keep falling here, whatever the gap%s",
-                     more);
-    }
-}
-
-/* If no design was found, the boards and the grid may be the reason. Returns true if a design is possible
- * without them, and writes a message that says so into `reason`. */
-static bool limits_forbid(const struct query *query, const struct dom_wish *wish,
-                          const struct dom_limits *limits, char reason[REASON])
-{
-    struct dom_design d;
-    const struct dom_train train = train_in_double(&query->scene->train);
-    const struct dom_compute compute = compute_in_double(&query->scene->compute);
-    const bool found = dom_design_find(&train, wish, &compute, &d) == DOM_OK && d.limit == DOM_DESIGN_FITS;
-    if (found)
-        snprintf(
-            reason, REASON,
-            "infeasible: rows with a safety of %s are possible, but no row %s was found; enter a smaller "
-            "safety, %s, or another height of domino 1 with 'set h'",
-            measured(wish->safety, "", 6).text,
-            limits->boards == 0 ? "on this grid"
-            : limits->grid > 0  ? "with these boards on this grid"
-                                : "with these boards",
-            limits->boards == 0 ? "a finer grid"
-            : limits->grid > 0  ? "other boards, a finer grid"
-                                : "other boards");
-    return found;
+            "tried falls in the rigid-body engine (used because %s); a stronger push ('set push') or another "
+            "thickness may help",
+            safety.text, scene_engine_why(query->scene));
+    else if (d->needs > 1)
+        snprintf(text, REASON,
+                 "infeasible: no growth gives a safety of %s here; a safety below %s is possible",
+                 safety.text, measured(round_digits(quad_decimal(d->needs), 4, false), "", 4).text);
+    else
+        snprintf(text, REASON, "infeasible: not even equal dominoes keep falling here, whatever the gap%s",
+                 query->scene->train.mu > 0 ? "; enter a smaller friction" : "");
 }
 
 /* ---- The answer ---- */
@@ -362,7 +293,10 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
     if (file)
         designed_list(a, plan, true);
     else
-        design_row(a, plan, d, study, NULL);
+        design_row(a, plan, d, study,
+                   isinf(d->row)
+                       ? "no domino after the first needs energy to fall over, so no safety is known"
+                       : NULL);
     if (answer_for_people(a))
         design_say(query, a, wish, d, plan);
     if (keeps)
@@ -398,9 +332,8 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
                     : design_find(query, &wish, limits, &engine, &d, problem)))
         return false;
     answer_set_verdict(a, d.limit == DOM_DESIGN_FITS);
-    if (d.limit != DOM_DESIGN_FITS && !is_random &&
-        (!limits || d.limit == DOM_DESIGN_HALL || !limits_forbid(query, &wish, limits, reason)))
-        infeasible_text(query, &wish, limits, &d, reason, sizeof reason);
+    if (d.limit != DOM_DESIGN_FITS && !is_random)
+        infeasible_text(query, &wish, limits, &d, reason);
     if (d.limit != DOM_DESIGN_FITS)
         return design_none(a, &d, reason, file, problem);
     if (!designed_make(query, problem, &wish, limits, &d, &plan))
