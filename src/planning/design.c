@@ -4,6 +4,7 @@
 #include "language/quad.h"
 #include "planning/designs.h"
 #include "planning/planning.h"
+#include "rows/row_edit.h"
 #include "train/falling.h"
 #include <stdlib.h>
 
@@ -223,7 +224,7 @@ static bool design_keep(const struct query *query, struct problem *problem, cons
            (parameter_set(next, parameter_find("row"), &count, 1, NULL, problem) &&
             parameter_set(next, parameter_find("s"), &s, 1, NULL, problem) &&
             parameter_set(next, parameter_find("r"), &r, 1, NULL, problem) &&
-            (!plan->limits || dominoes_keep(&next->scene, plan->domino, plan->count, true, problem)));
+            (!plan->limits || scene_row_set(&next->scene, plan->domino, plan->count, true, problem)));
 }
 
 /* Improves the session's row, which is the design, and copies the improved row to the plan. */

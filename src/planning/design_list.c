@@ -3,6 +3,7 @@
 #include "language/quad.h"
 #include "planning/designs.h"
 #include "planning/planning.h"
+#include "rows/row_edit.h"
 #include "train/falling.h"
 #include <stdlib.h>
 
@@ -160,5 +161,5 @@ bool design_scene(const struct scene *from, const struct dom_design *d, const st
     scene->effect[DOM_EFFECT_row].value[0] = (domq_real)plan->count;
     scene->train.s = quad_decimal(d->s);
     scene->train.r = design_growth(scene, plan);
-    return !plan->limits || dominoes_keep(scene, plan->domino, plan->count, true, problem);
+    return !plan->limits || scene_row_set(scene, plan->domino, plan->count, true, problem);
 }

@@ -5,6 +5,7 @@
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include "planning/planning.h"
+#include "rows/row_edit.h"
 #include "train/falling.h"
 #include <stdlib.h>
 
@@ -220,7 +221,7 @@ static bool improvement_keep(struct scene *scene, const struct improvement *i, s
         return problem_status(problem, scene, DOM_NO_MEMORY);
     for (size_t k = 0; k < count; k++)
         domino[k] = domino_from_double(&i->domino[k]);
-    const bool kept = dominoes_keep(scene, domino, count, i->limits.sizes, problem);
+    const bool kept = scene_row_set(scene, domino, count, i->limits.sizes, problem);
     free(domino);
     return kept;
 }

@@ -29,11 +29,6 @@ bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 
 /* ---- The row of 'design' and 'improve' ---- */
 
-/* Copies gaps, heights, thicknesses and radii of the dominoes in `from` to the scene's row. If `sizes` is
- * true, also copies widths and mass ratios. Both rows have `count` dominoes. */
-bool dominoes_keep(struct scene *scene, const struct domq_domino *from, size_t count, bool sizes,
-                   struct problem *problem);
-
 struct improved {
     struct dom_study study[2]; /* the studies before and after the changes */
     size_t changed;            /* the number of dominoes that have changed */

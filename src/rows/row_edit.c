@@ -184,6 +184,50 @@ bool scene_row_change(struct scene *scene, const struct row_change *change, cons
     return good;
 }
 
+/* ---- Replace ---- */
+
+static bool is_near(domq_real a, domq_real b)
+{
+    return quad(fabs)(a - b) <= (domq_real)1e-12 * quad(fabs)(b);
+}
+
+/* Sets the sizes of a domino, or multiplies its mass so that its ratio to the first mass is that of `to`. */
+static void domino_set(struct changed_domino *change, const struct domq_domino *now, struct domq_domino to,
+                       bool sizes, domq_real masses)
+{
+    static const enum row_measure measures[] = {MEASURE_GAP, MEASURE_HEIGHT, MEASURE_THICKNESS,
+                                                MEASURE_RADIUS, MEASURE_WIDTH};
+    struct domq_domino from = *now;
+    const domq_real times = to.mass / now->mass * masses;
+    for (int i = 0; i < (sizes ? 5 : 4) && !(masses > 0); i++) {
+        const domq_real value = *row_measure_at(&to, measures[i]);
+        if (!is_near(*row_measure_at(&from, measures[i]), value))
+            *row_measure_at(&change->to, measures[i]) = value;
+    }
+    if (masses > 0 && !is_near(times, 1))
+        change->to.mass = (isnan(change->to.mass) ? 1 : change->to.mass) * times;
+}
+
+bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
+                   struct problem *problem)
+{
+    bool good = true;
+    /* A change of size also changes the mass, because a domino keeps its density. So masses come second. */
+    for (int masses = 0; masses <= (int)sizes && good; masses++) {
+        struct scene_row now;
+        struct listed_row next;
+        if (!scene_row_list(scene, &now, problem))
+            return false;
+        good = edit_begin(scene, &next, problem);
+        for (size_t k = 0; k < count && good; k++)
+            domino_set(&next.change[k], &now.domino[k], to[k], sizes,
+                       masses ? now.domino[0].mass / to[0].mass : 0);
+        free(now.domino);
+        good = good && edit_end(scene, &next, true, problem);
+    }
+    return good;
+}
+
 /* ---- Remove and insert ---- */
 
 bool scene_row_remove(struct scene *scene, const struct row_range *range, int ranges, struct problem *problem)

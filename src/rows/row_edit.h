@@ -28,6 +28,12 @@ struct row_change {
 bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
                       int ranges, struct problem *problem);
 
+/* Gives all dominoes of the row the gaps, heights, thicknesses and radii of the `count` dominoes in `to`, and
+ * if `sizes` is true also their widths and the ratios of their masses. On failure, sets *problem and returns
+ * false; the row may have changed. */
+bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
+                   struct problem *problem);
+
 /* Removes the dominoes in the ranges. The gaps before the other dominoes stay the same. On failure, sets
  * *problem, changes nothing and returns false. */
 bool scene_row_remove(struct scene *scene, const struct row_range *range, int ranges,

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes the fraction of random rows that do not fall. The fraction is smoothed, so that it has derivatives
- * with respect to the gaps and the sizes of the dominoes. A search for a better row needs these
- * derivatives. */
+/* Computes the fraction of random rows that do not fall. The fraction is smoothed, so that a search for a
+ * better row can use its derivatives. */
 #ifndef DOM_CHANCE_H
 #define DOM_CHANCE_H
 
@@ -18,14 +17,11 @@ struct chance {
     const double *width;
 };
 
-/*
- * Stores in *fails the smoothed fraction of the random rows that do not fall. If by_gap is not NULL, also
- * finds the derivatives of this fraction:
- * - by_gap[k] is the derivative with respect to the gap before domino k, in 1/m.
- * - by_size[k] is the derivative with respect to the logarithm of the size of domino k.
- */
-enum dom_status chance_find(const struct chance *chance, const struct dom_domino *domino, double *fails,
-                            double *by_gap, double *by_size);
+/* Stores in fails[k] the smoothed fraction of the random rows that do not fall, for `rows` rows whose
+ * dominoes are in the array `domino`, one row after the other. The rows after the first must nearly equal the
+ * first. All rows have the same random errors, so that the differences of `fails` have no noise. */
+enum dom_status chance_find(const struct chance *chance, const struct dom_domino *domino, size_t rows,
+                            double *fails);
 
 /*
  * Finds 2 * count margins for each random row, where `count` is the number of dominoes:

@@ -12,13 +12,10 @@
  * A single width for all margins would be a mistake. Errors of a few mm hardly affect large dominoes. But
  * with a single width, large dominoes would get as much spare energy as small ones, without needing it.
  *
- * The minimizer is BFGS from GSL. For eleven dominoes, 3.8 % of rows still fail with errors of gaps, and 5.1
- * % with errors of four kinds. Methods without derivatives would need less code. In trials of up to 1,000
- * evaluations, in which they were held to gaps of whole millimetres, they did not reach both:
- * - COBYLA from NLopt: 3.8 % and 5.9 %. Besides, Debian has NLopt only as a shared library. Loading it would
- *   take 190,000 instructions, while the whole program starts in 460,000.
- * - The simplex method of Nelder and Mead from GSL: 4.3 % and 5.5 %.
- * - Cross-entropy, with 40 candidates of which 10 are kept: over 10 % with errors of gaps.
+ * The minimizer is BFGS from GSL. For eleven dominoes, 3.5 % of rows still fail with errors of gaps, and 5.1
+ * % with errors of four kinds. Methods without derivatives did not reach both in trials of up to 1,000
+ * evaluations: COBYLA from NLopt 3.8 % and 5.9 %, the simplex method of Nelder and Mead 4.3 % and 5.5 %,
+ * cross-entropy with 40 candidates over 10 % with errors of gaps.
  */
 #include "entry/study.h"
 #include "numerics/quiet.h"
@@ -33,15 +30,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The levels of the search. On each level, the function is computed from `rows` random rows. `width` is the
- * width of the smoothing, in standard deviations of the margin. `values` is the maximum number of evaluations
- * of the gradient. Evaluations of the function without its gradient are not counted. */
+/* The levels of the search. On each level, the function is computed from `rows` random rows, and its gradient
+ * VALUES times. `width` is the width of the smoothing, in standard deviations of the margin. */
 static const struct level {
     size_t rows;
     double width;
-    size_t values;
-} levels[] = {{256, 1, 15}, {512, 0.5, 15}, {1024, 0.25, 15}, {2048, 0.15, 8}};
-enum { LEVELS = sizeof levels / sizeof *levels };
+} levels[] = {{128, 1}, {256, 0.5}, {512, 0.25}, {1024, 0.15}};
+enum { LEVELS = sizeof levels / sizeof *levels, VALUES = 13, ROWS_ALL = VALUES * (128 + 256 + 512 + 1024) };
 
 /* After every CHECK evaluations, the best result so far is checked with other random rows. */
 enum { CHECK = 8 };
@@ -50,6 +45,9 @@ enum { CHECK = 8 };
 #define SCATTER_LEAST 0.03
 
 #define MARGIN_TOL 1e-5
+
+/* Step of the difference quotients. The margins have errors of about 1e-7. */
+#define STEP 1e-4
 
 /* FIRST_STEP is the length of the minimizer's first step. The variables are logarithms, so a step is a
  * relative change. LINE_TOL is the accuracy of line searches; its value is the one that GSL's manual
@@ -62,44 +60,25 @@ struct search {
     struct chance chance;
     const struct dom_compute *compute;
     const struct dom_placement *placement; /* the rows that decide whether a result is kept */
-    /* the width of the smoothing for each margin on the current level */
-    double *width;
-    /* the dominoes of three rows: the row that is evaluated, a variation of it, and the best row so far */
-    struct dom_domino *domino, *candidate, *best;
-    double *by_gap, *by_size;
-    double *margin;       /* the margins of all random rows */
-    double *sorted;       /* the values of one margin in all random rows, in ascending order */
-    gsl_vector *lowest_x; /* the point at which the function was lowest on the current level */
+    double *width;             /* the width of the smoothing for each margin on the current level */
+    struct dom_domino *domino; /* the row that is evaluated and, for each variable, the changed row */
+    struct dom_domino *candidate, *best; /* a row on the grid, and the best row so far */
+    double *moved;                       /* the fractions of failures of the rows in `domino` */
+    double *margin;                      /* the margins of all random rows */
+    double *sorted;                      /* the values of one margin in all random rows, in ascending order */
+    gsl_vector *lowest_x;                /* the point at which the function was lowest on the current level */
     double lowest;
-    size_t left;             /* evaluations that remain on the current level */
-    double fails;            /* the smoothed fraction of failures for the best row so far */
-    struct dom_study *study; /* two studies: of the original row, and of the best row so far */
-    bool given_allowed;      /* true if the original row is within the limits */
-    bool is_allowed;         /* true if the best row so far is within the limits */
+    const struct level *level; /* the current level */
+    size_t left;               /* evaluations that remain on the current level */
+    double fails;              /* the smoothed fraction of failures for the best row so far */
+    struct dom_study *study;   /* two studies: of the original row, and of the best row so far */
+    bool given_allowed;        /* true if the original row is within the limits */
+    bool is_allowed;           /* true if the best row so far is within the limits */
     enum dom_status status;
     dom_progress *progress;
     void *context;
-    size_t done;
+    size_t done; /* the part of ROWS_ALL that is done: a level takes as long as it has rows */
 };
-
-static size_t values_all(void)
-{
-    size_t all = 0;
-    for (int i = 0; i < LEVELS; i++)
-        all += levels[i].values;
-    return all;
-}
-
-static size_t rows_of(const struct dom_placement *placement, const struct level *level)
-{
-    const size_t most = 2 * placement->rows + 2;
-    return level->rows < most ? level->rows : most;
-}
-
-static void level_set(struct search *s, const struct level *level)
-{
-    s->chance.placement.rows = rows_of(s->placement, level);
-}
 
 /* ---- The function that is minimized ---- */
 
@@ -115,27 +94,20 @@ static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
     if (gradient) {
         s->left--;
         if (s->progress)
-            s->progress(++s->done, values_all(), s->context);
+            s->progress(s->done += s->level->rows, ROWS_ALL, s->context);
     }
-    const enum dom_status status =
-        chance_find(&s->chance, s->domino, &fails, gradient ? s->by_gap : NULL, s->by_size);
-    if (status != DOM_OK) {
-        s->status = status;
-        return HUGE_VAL;
-    }
-    fails = GSL_MIN_DBL(GSL_MAX_DBL(fails, DBL_MIN), 1 - DBL_EPSILON);
     for (size_t i = 0; gradient && i < x->size; i++) {
-        /* difference quotients are fine here: shape_dominoes takes no time compared with running rows */
-        const double step = 1e-6;
-        double sum = 0, *moved = x->data + i * x->stride, at = *moved;
-        *moved += step;
-        (void)shape_dominoes(&s->shape, x->data, false, s->candidate);
+        double *moved = x->data + i * x->stride, at = *moved;
+        *moved += STEP;
+        (void)shape_dominoes(&s->shape, x->data, false, s->domino + (i + 1) * s->shape.row->count);
         *moved = at;
-        for (size_t k = 1; k < s->shape.row->count; k++)
-            sum += s->by_gap[k] * (s->candidate[k].gap - s->domino[k].gap) +
-                   s->by_size[k] * (s->candidate[k].height / s->domino[k].height - 1);
-        gsl_vector_set(gradient, i, sum / step / (fails * (1 - fails)));
     }
+    s->status = chance_find(&s->chance, s->domino, gradient ? 1 + x->size : 1, s->moved);
+    if (s->status != DOM_OK)
+        return HUGE_VAL;
+    fails = GSL_MIN_DBL(GSL_MAX_DBL(s->moved[0], DBL_MIN), 1 - DBL_EPSILON);
+    for (size_t i = 0; gradient && i < x->size; i++)
+        gsl_vector_set(gradient, i, (s->moved[i + 1] - s->moved[0]) / STEP / (fails * (1 - fails)));
     const double value = log(fails / (1 - fails));
     if (value < s->lowest) {
         s->lowest = value;
@@ -209,7 +181,7 @@ static void consider(struct search *s, const gsl_vector *x)
     if (s->status != DOM_OK || !shape_dominoes(&s->shape, x->data, true, s->candidate) ||
         !shape_keeps(&s->shape, s->candidate))
         return;
-    s->status = chance_find(&s->chance, s->candidate, &fails, NULL, NULL);
+    s->status = chance_find(&s->chance, s->candidate, 1, &fails);
     if (s->status != DOM_OK || !(fails < s->fails || !s->is_allowed))
         return;
     const enum dom_status status = count(s, s->candidate, &study);
@@ -231,11 +203,12 @@ static void level_run(struct search *s, const struct level *level, gsl_multimin_
     gsl_multimin_function_fdf f = {odds_only, odds_gradient, odds_both, x->size, s};
     const size_t begun = s->done;
     double before = HUGE_VAL;
-    level_set(s, level);
+    s->chance.placement.rows = GSL_MIN(level->rows, 2 * s->placement->rows + 2);
     widths_set(s, level, x);
     if (s->status == DOM_OK)
-        s->status = chance_find(&s->chance, s->best, &s->fails, NULL, NULL);
-    s->left = level->values;
+        s->status = chance_find(&s->chance, s->best, 1, &s->fails);
+    s->level = level;
+    s->left = VALUES;
     s->lowest = HUGE_VAL;
     gsl_vector_memcpy(s->lowest_x, x);
     if (!s->is_allowed)
@@ -254,7 +227,7 @@ static void level_run(struct search *s, const struct level *level, gsl_multimin_
             consider(s, s->lowest_x);
         }
     }
-    s->done = begun + level->values;
+    s->done = begun + VALUES * level->rows;
     gsl_vector_memcpy(x, s->lowest_x);
     consider(s, x);
 }
@@ -311,27 +284,20 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
     s.chance.compute.tol = MARGIN_TOL;
     s.chance.compute.work = NULL;
     s.chance.placement.first += placement->rows;
-    s.domino = malloc(n * sizeof *s.domino);
-    s.candidate = malloc(n * sizeof *s.candidate);
-    s.by_gap = malloc(n * sizeof *s.by_gap);
-    s.by_size = malloc(n * sizeof *s.by_size);
-    s.margin = malloc(2 * n * levels[LEVELS - 1].rows * sizeof *s.margin);
-    s.sorted = malloc(levels[LEVELS - 1].rows * sizeof *s.sorted);
-    s.width = malloc(2 * n * sizeof *s.width);
-    s.chance.width = s.width;
-    s.status = s.domino && s.candidate && s.by_gap && s.by_size && s.margin && s.sorted && s.width
-                   ? DOM_OK
-                   : DOM_NO_MEMORY;
-    dom_quiet_begin();
-    if (s.status == DOM_OK)
+    const size_t rows = levels[LEVELS - 1].rows, variables = shape_variables(&s.shape);
+    s.domino = malloc((2 + variables) * n * sizeof *s.domino);
+    s.margin = malloc((2 * n * (rows + 1) + rows + 1 + variables) * sizeof *s.margin);
+    if (s.domino && s.margin) {
+        s.candidate = s.domino + (1 + variables) * n;
+        s.sorted = s.margin + 2 * n * rows;
+        s.chance.width = s.width = s.sorted + rows;
+        s.moved = s.width + 2 * n;
+        dom_quiet_begin();
         search_run(&s);
-    dom_quiet_end();
-    free(s.width);
-    free(s.sorted);
+        dom_quiet_end();
+    } else
+        s.status = DOM_NO_MEMORY;
     free(s.margin);
-    free(s.by_size);
-    free(s.by_gap);
-    free(s.candidate);
     free(s.domino);
     return s.status;
 }
