@@ -255,42 +255,6 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
 
 /* ---- Mending, and how precisely a row must be set up ---- */
 
-/* The largest number of changes that dom_row_mend finds. */
-enum { DOM_MENDS = 31 };
-
-/* A change to a single gap after which all dominoes of the row fall. */
-struct dom_mend {
-    size_t domino; /* the number of the domino whose gap changes; at least 2 */
-    double gap;    /* the current gap, in m */
-    /* The gap nearest to `gap` at which the row falls, in m, rounded to seven digits, or to three digits if
-     * the row has an engine. */
-    double to;
-    /* The other end of the interval of gaps, in m. All dominoes fall with any gap between `to` and
-     * `until`. */
-    double until;
-};
-
-/*
- * Finds how to mend a row that stops. Each mend is a change to a single gap after which all dominoes fall.
- * The mend with the smallest change comes first. Writes the number of mends to *count, which is 0 if the row
- * already falls. Calls progress, which may be NULL, for each gap.
- *
- * The search tries the gap after the domino at which the fall ends, and up to 30 gaps before this gap. If the
- * gap after the domino is too wide to reach across, the search tries no other gap.
- *
- * Each gap is tried from 0 to the widest gap within reach, which is the height of the domino before the gap.
- * If the current gap is even wider, the widest gap within reach is tried first. If all dominoes fall with it,
- * `to` is this gap.
- *
- * In each direction, the search takes up to 40 steps of increasing length, and then bisects. The first step
- * is 1/64,000 of the range. With an engine, there are up to 10 steps, and the first is 1/1,000 of the range.
- * The search can miss an interval of gaps that is narrower than a step. The statuses are those of
- * dom_row_run.
- */
-enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
-                             dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
-                             size_t *count);
-
 /* What dom_row_windows changes. */
 enum dom_window_of {
     /* The gap before a domino. When the gap changes, all dominoes after it move by the same distance. */
@@ -328,8 +292,11 @@ struct dom_window {
  * - friction: one window.
  *
  * If the row falls, the window is the interval around the current value, low <= now <= high. If the row does
- * not fall, the window is the interval that is nearest to the current value, on either side. If the fall ends
- * early, at domino k, the dominoes after domino k + 1 have no window.
+ * not fall, the window is the interval that is nearest to the current value, on either side: a value in it
+ * mends the row. If the fall ends at domino k, only the dominoes from k - 29 to k + 1 have windows, and if
+ * the gap after domino k is too wide to reach across, no other gap has one. A value that is above all that
+ * are tried, such as a gap out of reach, has a window that begins at the largest value tried, if the row
+ * falls with it.
  *
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
@@ -345,10 +312,13 @@ struct dom_window {
  * When the height or the thickness of a domino is changed, the domino keeps its lean, its width and its
  * density. The density of a box is that of its wood.
  *
- * The search makes the same steps as dom_row_mend. All dominoes fall at `low` and at `high`. Between the two,
- * the row may stop in an interval that is narrower than a step. With an engine, `low` and `high` have three
- * digits. If the engine returns DOM_NOT_CONVERGED for a value, this value is outside the window. Calls
- * progress, which may be NULL, for each window. The statuses are those of dom_row_run.
+ * In each direction, the search takes up to 40 steps of increasing length, and then bisects. The first step
+ * is 1/64,000 of the range. With an engine, there are up to 10 steps, and the first is 1/1,000 of the range.
+ * The search can miss an interval of values that is narrower than a step. All dominoes fall at `low` and at
+ * `high`. Between the two, the row may stop in an interval that is narrower than a step. With an engine,
+ * `low` and `high` have three digits. If the engine returns DOM_NOT_CONVERGED for a value, this value is
+ * outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
+ * dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,

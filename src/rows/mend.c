@@ -41,11 +41,49 @@ static enum dom_status push_say(struct answer *a, const struct double_row *made,
     return DOM_OK;
 }
 
+/* ---- The gaps ---- */
+
+/* A change of one gap after which all dominoes fall. */
+struct mend {
+    size_t domino; /* the domino after the gap */
+    double gap;    /* the present gap */
+    double to;     /* the nearest gap at which all dominoes fall */
+    double until;  /* all dominoes fall with any gap between `to` and `until` */
+};
+
+static int by_change(const void *a, const void *b)
+{
+    const struct mend *x = a, *y = b;
+    const double dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
+    return dx < dy ? -1 : dx > dy;
+}
+
+/* Lists the changes that mend a row, the smallest first. The caller frees the list. */
+static enum dom_status mends_find(const struct double_row *made, struct mend **list, size_t *found)
+{
+    const size_t gaps = made->row.count - 1;
+    struct dom_window *w = calloc(gaps + 1, sizeof *w);
+    *list = calloc(gaps + 1, sizeof **list);
+    enum dom_status status =
+        w && *list ? dom_row_windows(&made->row, &made->compute, DOM_WINDOW_GAP, progress_count, NULL, w)
+                   : DOM_NO_MEMORY;
+    for (size_t i = 0; i < gaps && status == DOM_OK; i++) {
+        const bool wider = w[i].now < w[i].low;
+        if (!isnan(w[i].low))
+            (*list)[(*found)++] = (struct mend){w[i].domino, w[i].now, wider ? w[i].low : w[i].high,
+                                                wider ? w[i].high : w[i].low};
+    }
+    if (*found > 1)
+        qsort(*list, *found, sizeof **list, by_change);
+    free(w);
+    return status;
+}
+
 /* ---- Answers ---- */
 
 /* Returns the smallest change of the gap to whole millimetres at which all dominoes fall. If there is none,
  * returns the nearest gap at which they fall. */
-static domq_real whole_gap(const struct dom_mend *m)
+static domq_real whole_gap(const struct mend *m)
 {
     const bool wider = m->until > m->to;
     const domq_real mm = (domq_real)1 / 1000, to = quad_decimal(m->to), until = quad_decimal(m->until),
@@ -53,7 +91,7 @@ static domq_real whole_gap(const struct dom_mend *m)
     return (wider ? gap <= until : gap >= until) && gap > 0 ? gap : to;
 }
 
-static void mend_say(struct answer *a, const struct dom_mend *m, bool needs_push)
+static void mend_say(struct answer *a, const struct mend *m, bool needs_push)
 {
     const domq_real safe = whole_gap(m);
     const struct measured to = measured(safe, "m", 7);
@@ -74,7 +112,7 @@ static void mend_say(struct answer *a, const struct dom_mend *m, bool needs_push
 }
 
 /* Prints a table of the changes that were found and says how to make the smallest one. */
-static void mends_answer(struct answer *a, const struct dom_mend *list, size_t found,
+static void mends_answer(struct answer *a, const struct mend *list, size_t found,
                          const struct domq_verdict *v, size_t count, bool has_push)
 {
     static const char no_single_gap[] =
@@ -105,7 +143,7 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     struct scene_row scene;
     struct double_row made;
     struct domq_verdict v;
-    struct dom_mend list[DOM_MENDS];
+    struct mend *list = NULL;
     size_t found = 0;
     double push = DOM_NAN;
     if (!scene_row_make(query->scene, &scene, problem))
@@ -117,12 +155,13 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
         status = push_say(a, &made, &v, &push);
     if (status == DOM_OK && v.end != DOM_ROW_FALLS)
-        status = dom_row_mend(&made.row, &made.compute, progress_count, NULL, list, &found);
+        status = mends_find(&made, &list, &found);
     if (status == DOM_OK)
         mends_answer(a, list, found, &v, scene.row.count, !isnan(push));
     if (status == DOM_OK && found == 0 && v.end != DOM_ROW_FALLS && isnan(push) &&
         !query->scene->listed.domino)
         answer_say(a, "'why' says with which gaps or growth an endless train keeps falling.");
+    free(list);
     free(made.domino);
     free(scene.domino);
     return row_status(query, problem, status);

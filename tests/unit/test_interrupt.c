@@ -84,13 +84,6 @@ static enum dom_status windows(void)
     return dom_row_windows(&row, &compute, DOM_WINDOW_GAP, NULL, NULL, window);
 }
 
-static enum dom_status mend(void)
-{
-    struct dom_mend mends[DOM_MENDS];
-    size_t count;
-    return dom_row_mend(&row, &compute, NULL, NULL, mends, &count);
-}
-
 static enum dom_status push(void)
 {
     dom_real found;
@@ -237,7 +230,6 @@ TEST(rows)
     ENDS_SOON(budget);
     ENDS_SOON(improve);
     domino[20].gap = domino[19].height * 1.01;
-    ENDS_SOON(mend);
     domino[1].gap = 0.001;
     ENDS_SOON(push);
     ENDS_SOON(design);
@@ -264,7 +256,7 @@ TEST(long_rows_before_the_first_domino_falls)
     assert_int_equal(dom_row_run(&row, &compute, false, first_fall, NULL, &verdict), DOM_OK);
     assert_true(checks_before > ROW / CHECK_EVERY);
     for (size_t at = 1; at <= 2 * ROW / CHECK_EVERY; at++) {
-        function *const functions[] = {run, windows, mend, push, study};
+        function *const functions[] = {run, windows, push, study};
         for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
             const size_t made = checks_of(functions[i], at, &status);
             if (status != DOM_INTERRUPTED || made > at + FURTHER)

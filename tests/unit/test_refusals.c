@@ -265,15 +265,12 @@ static void searches_refused(const struct dom_row *row, const struct dom_compute
                              enum dom_status expected)
 {
     struct dom_row_growth growth = {.r_max = -1};
-    struct dom_mend mends[DOM_MENDS];
     struct dom_window windows[ROW];
-    size_t count = 7;
     double push = -1;
     assert_named(dom_row_rmax(row, compute, 2, row_copy, (void *)row->domino, &growth), expected);
-    assert_named(dom_row_mend(row, compute, NULL, NULL, mends, &count), expected);
     assert_named(dom_row_windows(row, compute, DOM_WINDOW_GAP, NULL, NULL, windows), expected);
     assert_named(dom_row_weakest_push(row, compute, 100, &push), expected);
-    assert_true(growth.r_max == -1 && count == 7 && push == -1);
+    assert_true(growth.r_max == -1 && push == -1);
 }
 
 static void row_refused(const struct dom_row *row, const struct dom_compute *compute, size_t domino,

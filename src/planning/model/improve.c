@@ -12,7 +12,7 @@
  * A single width for all margins would be a mistake. Errors of a few mm hardly affect large dominoes. But
  * with a single width, large dominoes would get as much spare energy as small ones, without needing it.
  *
- * The minimizer is BFGS from GSL. For eleven dominoes, 3.5 % of rows still fail with errors of gaps, and 5.1
+ * The minimizer is BFGS from GSL. For eleven dominoes, 3.8 % of rows still fail with errors of gaps, and 5.1
  * % with errors of four kinds. Methods without derivatives did not reach both in trials of up to 1,000
  * evaluations: COBYLA from NLopt 3.8 % and 5.9 %, the simplex method of Nelder and Mead 4.3 % and 5.5 %,
  * cross-entropy with 40 candidates over 10 % with errors of gaps.

@@ -289,9 +289,11 @@ class Row:
 
     def mend(self) -> list[Mend]:
         """The changes of single gaps that make the row fall, the smallest first; empty if the row falls already."""
-        mends, count = (api.dom_mend * api.DOM_MENDS)(), ctypes.c_size_t()
-        self._call(lib.dom_row_mend, api.dom_progress(), None, mends, ctypes.byref(count))
-        return [Mend(m.domino, m.gap, m.to, m.until) for m in mends[: count.value]]
+        if self.verdict().falls:
+            return []
+        mends = [Mend(w.domino, w.now, *((w.low, w.high) if w.now < w.low else (w.high, w.low)))
+                 for w in self.tolerance() if not math.isnan(w.low)]  # fmt: skip
+        return sorted(mends, key=lambda m: abs(m.to - m.gap))
 
     def weakest_push(self, strongest: float = 100.0) -> float:
         """The weakest push in rad/s with which all dominoes fall, or the push of the row if all fall already."""

@@ -2,7 +2,7 @@
 /* Finds windows. All dominoes of a row fall only if its gaps, sizes and so on are neither too small nor too
  * large. The window of a gap is the range of gaps at which all dominoes fall, if nothing else in the row
  * changes. The position, the height, the thickness and the lean of a domino have windows too, and so does the
- * friction. A row that does not fall is mended by a gap within the window that is nearest to the gap. */
+ * friction. If a row does not fall, its windows say which change of one value mends it. */
 #include "rows/model/boxes.h"
 #include "search/trial.h"
 
@@ -315,10 +315,16 @@ static void window_beside(struct trial *t, struct dom_window *w)
     w->others = band.others;
 }
 
-/* Returns true if a change of domino k can affect a fall that ends at domino `ends`. Both count from 0. */
-static bool matters(enum dom_window_of of, size_t k, size_t ends)
+/* If a row does not fall, only this many dominoes before the one that is not hit have windows. Dominoes that
+ * are even closer to the start hardly matter. */
+enum { BACK = 30 };
+
+/* Returns true if a change of the value of domino k, counted from 0, may mend a row whose fall ends like
+ * this. If a gap is too wide to reach across, no other gap does. */
+static bool matters(enum dom_window_of of, size_t k, const struct dom_verdict *v)
 {
-    return of == DOM_WINDOW_FRICTION || k <= ends + 1;
+    return of == DOM_WINDOW_FRICTION || k == v->domino ||
+           (k < v->domino && k + BACK >= v->domino && !(of == DOM_WINDOW_GAP && v->end == DOM_ROW_MISSES));
 }
 
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
@@ -329,7 +335,7 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
     t.of = of;
     bool falls = trial_begin(&t), one = of == DOM_WINDOW_FRICTION;
     const size_t first = of == DOM_WINDOW_GAP || of == DOM_WINDOW_PLACE, end = one ? 1 : row->count;
-    const size_t ends = t.verdict.domino - 1;
+    const struct dom_verdict planned = t.verdict;
     for (t.k = first; t.k < end && t.status == DOM_OK; t.k++) {
         if (t.k > 0)
             t.place += t.domino[t.k - 1].thickness + t.domino[t.k].gap;
@@ -343,7 +349,7 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
             window_repeat(&t, &windows[t.k - first - 1], &w);
         else if (falls)
             window_around(&t, &w);
-        else if (matters(of, t.k, ends))
+        else if (matters(of, t.k, &planned))
             window_beside(&t, &w);
         windows[t.k - first] = w;
         if (progress)
@@ -351,56 +357,4 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
     }
     trial_end(&t);
     return t.status;
-}
-
-/* ---- Mending ---- */
-
-/* In addition to the gap at which the fall ends, this many gaps closer to the start of the row are tried.
- * Gaps that are even closer to the start hardly matter. */
-enum { BACK = DOM_MENDS - 1 };
-
-static int by_change(const void *a, const void *b)
-{
-    const struct dom_mend *x = a, *y = b;
-    double dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
-    return dx < dy ? -1 : dx > dy;
-}
-
-/* Searches for single gaps whose change makes the row fall. If the gap after the domino at which the fall
- * ends is too wide to reach across, no other gap is tried. Returns the number of changes found. */
-static size_t gaps_search(struct trial *t, dom_progress *progress, void *context, struct dom_mend *mends)
-{
-    const size_t ends = t->verdict.domino, last = ends < t->row.count ? ends : t->row.count - 1,
-                 first = t->verdict.end == DOM_ROW_MISSES ? last
-                         : last > BACK                    ? last - BACK
-                                                          : 1;
-    size_t found = 0;
-    for (t->k = first; t->k <= last && t->status == DOM_OK; t->k++) {
-        const struct band band = nearest(t);
-        if (band.found)
-            mends[found++] = (struct dom_mend){t->k + 1, t->domino[t->k].gap, band.from, band.to};
-        if (progress)
-            progress(t->k - first + 1, last - first + 1, context);
-    }
-    if (found > 1)
-        qsort(mends, found, sizeof *mends, by_change);
-    return found;
-}
-
-enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
-                             dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
-                             size_t *count)
-{
-    struct trial t = trial_of(row, compute);
-    struct dom_mend found[DOM_MENDS];
-    size_t most = 0;
-    t.of = DOM_WINDOW_GAP;
-    if (!trial_begin(&t) && t.status == DOM_OK && row->count > 1)
-        most = gaps_search(&t, progress, context, found);
-    trial_end(&t);
-    if (t.status != DOM_OK)
-        return t.status;
-    memcpy(mends, found, most * sizeof *mends);
-    *count = most;
-    return DOM_OK;
 }
