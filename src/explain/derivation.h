@@ -5,8 +5,8 @@
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
-#include "explain/formula.h"
 #include "interpreter/symbols.h"
+#include <stdio.h>
 
 /* Bits for the properties of a train that decide which equations hold for it. */
 enum {
@@ -28,6 +28,8 @@ enum sum {
     SUM_TILT,   /* the tilt theta that the user asked about */
     SUM_TOP,    /* the tilt theta_m, where the train is highest */
 };
+
+enum formula_style { FORMULA_PLAIN, FORMULA_LETTERS, FORMULA_TEX, FORMULA_STYLES };
 
 /* A symbol in equations: as it is typed, with Greek letters, and in TeX. */
 struct symbol_names {
@@ -137,10 +139,15 @@ void derivation_end(struct derivation *derivation);
 bool expression_value(const struct query *query, const char *expression, domq_real *value,
                       struct problem *problem);
 
-/* Writes the equation of a step with numbers instead of names. A sum can have many terms: only the first ones
- * are written, and the others are added up. */
-void step_numbers(const struct derivation *derivation, const struct step *step, const struct formula *formula,
-                  int digits);
+/* Writes a number in the form that the parser accepts. In TeX, an exponent is written as a power of ten. */
+void number_write(FILE *out, enum formula_style style, domq_real number, int digits);
+
+/* Writes the equation of a step, or the term of a sum, with names or, if `digits` is not 0, with numbers. */
+void equation_write(FILE *out, enum formula_style style, const struct step *step, int digits);
+
+/* Writes the equation of a step with numbers. A sum can have many terms: only the first ones are written, and
+ * the others are added up. */
+void step_numbers(FILE *out, enum formula_style style, const struct step *step, int digits);
 
 /* The arguments after the name of the question. */
 struct explain_arguments {

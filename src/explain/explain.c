@@ -139,16 +139,16 @@ static char *text_of(const struct derivation *d, const struct step *s, bool numb
     char *text = NULL;
     size_t size;
     const int digits = d->query.scene->compute.precision == IN_QUAD ? WIDE_DIGITS : 17;
-    struct formula f = {.out = open_memstream(&text, &size)};
-    if (!f.out)
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
         return NULL;
     if (s->derived->sum && !numbers)
-        fprintf(f.out, "sum(%s)", s->derived->equation);
+        fprintf(out, "sum(%s)", s->derived->equation);
     else if (numbers)
-        step_numbers(d, s, &f, digits);
+        step_numbers(out, FORMULA_PLAIN, s, digits);
     else
-        fputs(s->derived->equation, f.out);
-    return fclose(f.out) == 0 ? text : NULL;
+        fputs(s->derived->equation, out);
+    return fclose(out) == 0 ? text : NULL;
 }
 
 static void step_row(struct answer *a, const struct derivation *d, const struct step *s)

@@ -9,69 +9,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The struct that formula->context points to while a step is written. */
-struct writing {
-    const struct derivation *derivation; /* NULL if names are written rather than numbers */
-    int digits;
-};
-
-static void name_write(const struct formula *f, const struct tree *t)
-{
-    const struct step *s = t->refers;
-    const struct writing *w = f->context;
-    const bool is_number = w->derivation && isfinite(s->value);
-    if (is_number && s->value < 0)
-        putc('(', f->out);
-    if (is_number)
-        formula_number(f, s->value, w->digits);
-    else
-        fputs(s->derived->names.text[f->style], f->out);
-    if (is_number && s->value < 0)
-        putc(')', f->out);
-}
-
-static void step_name(const struct step *s, const struct formula *formula)
-{
-    fputs(s->derived->names.text[formula->style], formula->out);
-}
-
-static void step_symbols(const struct step *s, const struct formula *formula)
+static void step_symbols(FILE *out, enum formula_style style, const struct step *s)
 {
     static const char *const sums[FORMULA_STYLES] = {"sum over i of ", "Σ ", "\\sum_i "};
-    struct formula f = *formula;
-    struct writing w = {.derivation = NULL};
-    f.name = name_write;
-    f.context = &w;
-    if (s->derived->sum)
-        fputs(sums[f.style], f.out);
-    formula_write(&f, s->tree);
+    fputs(s->derived->sum ? sums[style] : "", out);
+    equation_write(out, style, s, 0);
 }
 
-static void terms_write(const struct step *s, const struct formula *f, int digits, size_t shown)
+static void terms_write(FILE *out, enum formula_style style, const struct step *s, int digits, size_t shown)
 {
     domq_real rest = 0;
     for (size_t i = s->terms; i-- > shown;)
         rest += s->term[i];
     for (size_t i = 0; i < s->terms && i < shown; i++) {
-        fputs(i == 0 && s->term[i] >= 0 ? "" : s->term[i] < 0 ? (i ? " - " : "-") : " + ", f->out);
-        formula_number(f, quad(fabs)(s->term[i]), digits);
+        fputs(i == 0 && s->term[i] >= 0 ? "" : s->term[i] < 0 ? (i ? " - " : "-") : " + ", out);
+        number_write(out, style, quad(fabs)(s->term[i]), digits);
     }
     if (s->terms > shown) {
-        fputs(rest < 0 ? " - " : " + ", f->out);
-        formula_number(f, quad(fabs)(rest), digits);
+        fputs(rest < 0 ? " - " : " + ", out);
+        number_write(out, style, quad(fabs)(rest), digits);
     }
 }
 
-void step_numbers(const struct derivation *d, const struct step *s, const struct formula *formula, int digits)
+void step_numbers(FILE *out, enum formula_style style, const struct step *s, int digits)
 {
-    struct formula f = *formula;
-    struct writing w = {.derivation = d, .digits = digits};
-    f.name = name_write;
-    f.context = &w;
     if (s->derived->sum)
-        terms_write(s, &f, digits, TERMS_SHOWN);
+        terms_write(out, style, s, digits, TERMS_SHOWN);
     else
-        formula_write(&f, s->tree);
+        equation_write(out, style, s, digits);
 }
 
 /* ---- The whole derivation ---- */
@@ -97,7 +62,8 @@ static const char *const texts[][DIALECTS] = {
 /* A derivation, and the form in which to write it. */
 struct writer {
     const struct derivation *derivation;
-    struct formula formula;
+    FILE *out;
+    enum formula_style style;
     enum dialect dialect;
     int digits;
     domq_real value; /* the value that the user typed after the question, or NaN */
@@ -105,7 +71,7 @@ struct writer {
 
 static void put(const struct writer *w, enum text text)
 {
-    fputs(texts[text][w->dialect], w->formula.out);
+    fputs(texts[text][w->dialect], w->out);
 }
 
 static void words_write(const struct writer *w, const char *words)
@@ -113,9 +79,9 @@ static void words_write(const struct writer *w, const char *words)
     char piece[ESCAPE_PIECE];
     for (const char *c = words; *c; c++)
         if (w->dialect == TEX)
-            fputs(escape_tex(*c, piece), w->formula.out);
+            fputs(escape_tex(*c, piece), w->out);
         else
-            putc(*c, w->formula.out);
+            putc(*c, w->out);
 }
 
 /* Each number is the result of a few dozen operations. So its rounding error is at most a few dozen machine
@@ -138,7 +104,7 @@ static bool is_rounding(const struct writer *w, const struct step *s)
 /* Writes a value with its unit, which TeX sets in upright letters. */
 static void value_write(const struct writer *w, const struct step *s)
 {
-    FILE *out = w->formula.out;
+    FILE *out = w->out;
     if (!isfinite(s->value)) {
         put(w, NO_VALUE);
         return;
@@ -148,7 +114,7 @@ static void value_write(const struct writer *w, const struct step *s)
     else if (strcmp(s->name, "r_max") == 0 || strcmp(s->name, "r_pair") == 0)
         fputs(quad_limit(s->value, w->digits), out);
     else
-        formula_number(&w->formula, s->value, w->digits);
+        number_write(w->out, w->style, s->value, w->digits);
     if (*s->unit)
         fprintf(out, w->dialect ? "\\,\\mathrm{%s}" : " %s", s->unit);
 }
@@ -156,7 +122,7 @@ static void value_write(const struct writer *w, const struct step *s)
 /* Writes one quantity: its description, its equation, the equation with numbers, and its value. */
 static void step_write(const struct writer *w, const struct step *s)
 {
-    FILE *out = w->formula.out;
+    FILE *out = w->out;
     const char *words = s->words;
     if (words[strspn(words, "abcdefghijklmnopqrstuvwxyz")] != '^') /* a symbol, such as tau^2 */
         putc(toupper((unsigned char)*words++), out);
@@ -165,15 +131,15 @@ static void step_write(const struct writer *w, const struct step *s)
         fprintf(out, " (%s)", s->reference);
     put(w, HEADING);
     put(w, OPEN);
-    step_name(s, &w->formula);
+    fputs(s->derived->names.text[w->style], out);
     put(w, EQUALS);
     if (s->tree) {
-        step_symbols(s, &w->formula);
+        step_symbols(out, w->style, s);
         if (!w->dialect && *s->reference)
             fprintf(out, "    (%s)", s->reference);
         put(w, JOIN);
         if (s->tree->kind != TREE_SYMBOL) { /* the number of a symbol is the value, which follows */
-            step_numbers(w->derivation, s, &w->formula, w->digits);
+            step_numbers(out, w->style, s, w->digits);
             put(w, JOIN);
         }
     }
@@ -185,11 +151,11 @@ static void step_write(const struct writer *w, const struct step *s)
 /* Writes a list of quantities that are named but not derived. */
 static void list_write(const struct writer *w, const struct step *const *list, int count)
 {
-    FILE *out = w->formula.out;
+    FILE *out = w->out;
     put(w, LIST);
     for (int k = 0; k < count; k++) {
         put(w, ITEM);
-        step_name(list[k], &w->formula);
+        fputs(list[k]->derived->names.text[w->style], out);
         if (isfinite(list[k]->value)) { /* a quantity that is different in each term has no single value */
             fputs(" = ", out);
             value_write(w, list[k]);
@@ -215,8 +181,8 @@ static void meanings_write(const struct writer *w, const struct explained *e)
         }
     list_write(w, needed, count);
     if (has_equations && !w->dialect)
-        fprintf(w->formula.out, "\n'explain %s%s%s deep' also shows the equations for these quantities.\n",
-                e->name, isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_text(w->value, 10));
+        fprintf(w->out, "\n'explain %s%s%s deep' also shows the equations for these quantities.\n", e->name,
+                isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_text(w->value, 10));
 }
 
 /* Writes the equations of the answer or, if `deep` is true, of all quantities. */
@@ -231,11 +197,11 @@ static void equations_write(const struct writer *w, bool deep)
         if (s->derived->is_given || (s->depth > 0 && !deep))
             continue;
         if (written++)
-            putc('\n', w->formula.out);
+            putc('\n', w->out);
         step_write(w, s);
     }
     if (deep && count > 0) {
-        putc('\n', w->formula.out);
+        putc('\n', w->out);
         put(w, GIVEN);
         list_write(w, given, count);
     }
@@ -246,13 +212,13 @@ static void effect_write(const struct writer *w, const char *with, const struct 
 {
     if (!e->equations)
         return;
-    fprintf(w->formula.out, "\n%s%s", w->dialect ? "\\medskip\n" : "", with);
+    fprintf(w->out, "\n%s%s", w->dialect ? "\\medskip\n" : "", with);
     words_write(w, e->name);
-    fputs(w->dialect ? ":\\\\\n" : ":\n", w->formula.out);
+    fputs(w->dialect ? ":\\\\\n" : ":\n", w->out);
     for (const char *const *line = e->equations; *line; line++) {
-        fputs(w->dialect ? "\\hspace*{2em}" : "    ", w->formula.out);
+        fputs(w->dialect ? "\\hspace*{2em}" : "    ", w->out);
         words_write(w, *line);
-        fputs(w->dialect ? "\\\\\n" : "\n", w->formula.out);
+        fputs(w->dialect ? "\\\\\n" : "\n", w->out);
     }
 }
 
@@ -276,7 +242,7 @@ static void effects_write(const struct writer *w)
 /* Writes a lesson in TeX. */
 static void document_write(const struct writer *w, const struct explained *e, bool deep, const char *verdict)
 {
-    FILE *out = w->formula.out;
+    FILE *out = w->out;
     fprintf(out,
             "\\documentclass{article}\n\\usepackage{amsmath}\n\\setlength{\\parindent}{0pt}\n"
             "\\begin{document}\n\\section*{Where %s comes from}\n\n",
@@ -312,13 +278,13 @@ static bool text_write(struct writer *w, const struct explained *e, bool deep, s
     for (int k = 0; k < 2 && to[k]; k++) {
         char *text = NULL;
         size_t size;
-        w->formula.out = open_memstream(&text, &size);
-        if (w->formula.out && k == 0) {
+        w->out = open_memstream(&text, &size);
+        if (w->out && k == 0) {
             equations_write(w, deep);
             effects_write(w);
-        } else if (w->formula.out)
+        } else if (w->out)
             meanings_write(w, e);
-        const bool whole = w->formula.out && fclose(w->formula.out) == 0;
+        const bool whole = w->out && fclose(w->out) == 0;
         if (whole && k == 0)
             answer_say(a, "%s", strtok(text, "\n")); /* the first line begins the answer */
         if (whole)
@@ -337,10 +303,8 @@ bool explain_write(struct answer *a, const struct derivation *d, const struct ex
     struct writer w = {.derivation = d, .digits = (int)a->style.digits, .value = bound->value};
     w.dialect = is_document ? TEX : PLAIN;
     answer_plan(a, NULL);
-    w.formula = (struct formula){.out = a->out,
-                                 .style = is_document         ? FORMULA_TEX
-                                          : a->layout.letters ? FORMULA_LETTERS
-                                                              : FORMULA_PLAIN};
+    w.out = a->out;
+    w.style = is_document ? FORMULA_TEX : a->layout.letters ? FORMULA_LETTERS : FORMULA_PLAIN;
     if (is_document) {
         document_write(&w, e, bound->deep, verdict);
         return true;

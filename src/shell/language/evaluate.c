@@ -72,11 +72,6 @@ const struct function *function_find(const char *name, int *arguments)
     return f->name ? f : NULL;
 }
 
-const char *function_name(const struct function *f)
-{
-    return f->name;
-}
-
 const char *expression_names(const void *context, int k)
 {
     /* built-in names that are not in the table of functions, because the parser handles them itself */

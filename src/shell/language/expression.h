@@ -138,8 +138,6 @@ bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree,
  * *arguments. */
 const struct function *function_find(const char *name, int *arguments);
 
-const char *function_name(const struct function *function);
-
 /* A names_list (see names.h) of the built-in names. */
 const char *expression_names(const void *context, int k);
 
