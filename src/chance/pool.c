@@ -35,12 +35,11 @@ static const struct column block_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Adds a value to a checksum (FNV-1a of Fowler, Noll and Vo). */
-static void checksum_add(uint32_t *sum, double value)
+/* Adds numbers to a checksum (FNV-1a of Fowler, Noll and Vo). */
+static void checksum_add(uint32_t *sum, const void *numbers, size_t size)
 {
-    unsigned char bytes[sizeof value];
-    memcpy(bytes, &value, sizeof bytes);
-    for (size_t i = 0; i < sizeof bytes; i++)
+    const unsigned char *bytes = numbers;
+    for (size_t i = 0; i < size; i++)
         *sum = (*sum ^ bytes[i]) * 16777619u;
 }
 
@@ -56,22 +55,12 @@ static uint32_t row_checksum(const struct double_row *made)
                           DOM_DYNAMICS(VALUE) made->compute.tol,
                           IN_DOUBLE};
 #undef VALUE
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        checksum_add(&sum, all[i]);
+    checksum_add(&sum, all, sizeof all);
     if (row->engine) {
         const struct scene_engine *engine = row->engine->context;
-        checksum_add(&sum, engine->feet);
-        checksum_add(&sum, engine->bounce);
+        checksum_add(&sum, (const double[]){engine->feet, engine->bounce}, 2 * sizeof(double));
     }
-    for (size_t k = 0; k < row->count; k++) {
-        checksum_add(&sum, row->domino[k].height);
-        checksum_add(&sum, row->domino[k].thickness);
-        checksum_add(&sum, row->domino[k].gap);
-        checksum_add(&sum, row->domino[k].mass);
-        checksum_add(&sum, row->domino[k].radius);
-        checksum_add(&sum, row->domino[k].lean);
-        checksum_add(&sum, row->domino[k].width);
-    }
+    checksum_add(&sum, row->domino, row->count * sizeof *row->domino);
     return sum;
 }
 
@@ -213,17 +202,11 @@ static const struct csv_kind pool_kind = {
              "without: " BLOCKS,
 };
 
-struct block {
-    size_t first, rows;
-    struct csv_place at;
-};
-
 struct pool {
     domq_real common[FIRST]; /* the values that must be the same in all blocks of a study */
     const char *checksum, *errors;
     struct study study;
-    struct block *block;
-    size_t blocks;
+    bool *seen; /* for each row of the study, whether it was in a block */
 };
 
 static bool pool_begin(struct pool *p, struct csv_table *csv)
@@ -236,7 +219,8 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
                               .dominoes = (size_t)csv->value[DOMINOES]};
     snprintf(p->study.errors, sizeof p->study.errors, "%s", p->errors);
     p->study.stops = calloc((1 + DOM_ERROR_COUNT) * p->study.dominoes, sizeof *p->study.stops);
-    return p->study.stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
+    p->seen = calloc((size_t)csv->value[OF], sizeof *p->seen);
+    return (p->study.stops && p->seen) || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
 /* Parses an entry DOMINO:COUNT, such as "5:12", and adds COUNT to the rows that stop at DOMINO. Moves *text
@@ -315,57 +299,38 @@ static bool block_add(struct pool *p, struct csv_table *csv)
     p->study.result.rows += rows;
     p->study.result.fall += fall;
     p->study.result.unknown += unknown;
-    struct block *more = realloc(p->block, (p->blocks + 1) * sizeof *more);
-    if (!more)
-        return csv_wrong(&csv->file, csv->row.at, "out of memory");
-    p->block = more;
-    p->block[p->blocks++] = (struct block){first, rows, csv->row.at};
-    return true;
-}
-
-static int compare_first(const void *a, const void *b)
-{
-    const struct block *x = a, *y = b;
-    return x->first < y->first ? -1 : x->first > y->first;
-}
-
-/* Counts the missing rows of the study and writes the result into `missing`. Writes "" if no row is missing.
- * Fails if a row occurs twice. */
-static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, size_t size)
-{
-    const size_t all = (size_t)p->common[OF];
-    size_t next = 1;
-    missing[0] = '\0';
-    qsort(p->block, p->blocks, sizeof *p->block, compare_first);
-    for (size_t i = 0; i <= p->blocks; i++) {
-        const struct block end = {.first = all + 1}, *b = i < p->blocks ? &p->block[i] : &end;
-        if (b->first < next)
-            return csv_wrong(&csv->file, b->at,
+    for (size_t i = first - 1; i < first - 1 + rows; i++) {
+        if (p->seen[i])
+            return csv_wrong(&csv->file, csv->row.at,
                              "row %zu of the study is in the file twice; include each part of the study "
                              "only once",
-                             b->first);
-        if (b->first > next && !*missing)
-            snprintf(missing, size, "%zu of the %zu rows are missing; the first missing row is number %zu",
-                     all - p->study.result.rows, all, next);
-        next = b->first + b->rows;
+                             i + 1);
+        p->seen[i] = true;
     }
     return true;
 }
 
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem)
 {
-    char missing[128];
-    struct pool p = {.blocks = 0};
+    char missing[128] = "";
+    struct pool p = {.seen = NULL};
     struct csv_table *csv =
         csv_named(query->scene, query->run_context, query->given->word[0], true, &pool_kind, problem);
     while (csv && csv_next(csv) && block_add(&p, csv))
         ;
-    bool good = p.block && !*csv->file.problem.text && blocks_check(&p, csv, missing, sizeof missing);
-    good = csv_end(csv, problem) && good;
+    const bool good = csv_end(csv, problem) && p.seen;
+    const size_t all = (size_t)p.common[OF], rows = p.study.result.rows;
+    size_t first = 0;
+    while (good && rows < all && p.seen[first])
+        first++;
+    if (good && rows < all)
+        snprintf(missing, sizeof missing,
+                 "%zu of the %zu rows are missing; the first missing row is number %zu", all - rows, all,
+                 first + 1);
     enum dom_status status = good ? dom_study_interval(&p.study.result) : DOM_OK;
     if (good && status == DOM_OK)
         study_answer(a, &p.study, *missing ? missing : NULL);
     free(p.study.stops);
-    free(p.block);
+    free(p.seen);
     return good && query_status(query, problem, status);
 }

@@ -226,58 +226,42 @@ static void change_say(const struct query *query, struct answer *a, const struct
         answer_say(a, "domino %zu: %s %s to %s %s", k, name, one, other, unit.unit);
 }
 
-static void changes_say(const struct query *query, struct answer *a, const struct row_change *change,
-                        const struct row_range *range, int ranges, size_t count, const domq_real *before,
-                        const domq_real *after)
+/* Prints the old and the new measurements of the dominoes that have changed. */
+static bool changes_say(const struct query *query, struct answer *a, const struct row_change *change,
+                        const struct row_range *range, int ranges, const struct scene_row *before,
+                        struct problem *problem)
 {
+    struct scene_row after;
     size_t changed = 0;
-    for (size_t k = 1; k <= count; k++)
-        if (row_selected(range, ranges, k) && changed++ < LINES)
-            change_say(query, a, change, k, before[k - 1], after[k - 1]);
+    if (!scene_row_list(&query->next->scene, &after, problem))
+        return false;
+    for (size_t k = 0; k < after.row.count; k++)
+        if (row_selected(range, ranges, k + 1) && changed++ < LINES)
+            change_say(query, a, change, k + 1,
+                       scene_row_measure(query->scene, &before->domino[k], change->measure),
+                       scene_row_measure(&query->next->scene, &after.domino[k], change->measure));
     if (changed > LINES)
         answer_say(a, "and %zu more; 'row' lists all dominoes", changed - LINES);
     a->progress.wrote_text = true;
-}
-
-/* Returns one measurement of each domino, such as its height. The caller frees the array. */
-static domq_real *measures_list(const struct scene *scene, enum row_measure measure, size_t *count,
-                                struct problem *problem)
-{
-    struct scene_row row;
-    if (!scene_row_list(scene, &row, problem))
-        return NULL;
-    *count = row.row.count;
-    domq_real *list = calloc(*count, sizeof *list);
-    for (size_t k = 0; list && k < *count; k++)
-        list[k] = scene_row_measure(scene, &row.domino[k], measure);
-    free(row.domino);
-    if (!list)
-        problem_status(problem, scene, DOM_NO_MEMORY);
-    return list;
+    free(after.domino);
+    return true;
 }
 
 bool run_change(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct changing *c = query->given->bound;
-    const enum row_measure measure = c->change.measure;
-    size_t count;
+    struct scene_row before;
     if (!query->next)
         return true;
-    domq_real *before = measures_list(query->scene, measure, &count, problem), *after = NULL;
-    if (!before)
+    if (!scene_row_list(query->scene, &before, problem))
         return false;
-    struct row_range all = {measure == MEASURE_GAP ? 2 : 1, count};
+    struct row_range all = {c->change.measure == MEASURE_GAP ? 2 : 1, before.row.count};
     const struct row_range *range = c->ranges ? c->range : &all;
     const int ranges = c->ranges ? c->ranges : 1;
     bool good = scene_row_change(&query->next->scene, &c->change, range, ranges, problem);
-    if (good && answer_for_people(a) && !query->run_context->sourced) {
-        after = measures_list(&query->next->scene, measure, &count, problem);
-        good = after;
-        if (good)
-            changes_say(query, a, &c->change, range, ranges, count, before, after);
-    }
-    free(before);
-    free(after);
+    if (good && answer_for_people(a) && !query->run_context->sourced)
+        good = changes_say(query, a, &c->change, range, ranges, &before, problem);
+    free(before.domino);
     return good;
 }
 

@@ -114,7 +114,7 @@ effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 de
     whole=$(json "$scene; $all; placement 40")
     "$DOMINO" -e "$scene; $all; save scene.dom"
     same saved "$whole" "$(json 'source scene.dom; set output json; placement 40')"
-    grep -qx 'set placement 0.002 0 uniform' scene.dom
+    grep -qx 'set placement 2 mm 0 uniform' scene.dom
     same undone "$(json "$scene; effect placement 2 mm; placement 40")" \
         "$(json "$scene; effect placement 2 mm; effect error_mass 0.2; undo; placement 40" | tail -n 1)"
     same swept "$(json "$scene; effect placement 2 mm; effect error_friction 0.1; placement 40" | values fall)" \
