@@ -71,7 +71,6 @@ TEST(failures_are_reported)
     assert_int_equal(num_root(nan_inside, NULL, 0, 1, 0, &x), NUM_NOT_FINITE);
     assert_int_equal(num_maximum(root_of_sine, NULL, 0, 0.5, 1, 0, &x), NUM_NOT_BRACKETED);
     assert_int_equal(num_maximum(nan_inside, NULL, 0, 0.75, 0.8, 0, &x), NUM_NOT_BRACKETED);
-    assert_int_equal(num_integral(nan_inside, NULL, 0, 1, 1e-10, &x, NULL), NUM_NOT_FINITE);
     assert_near("untouched", x, -7, 0);
 }
 
@@ -94,70 +93,6 @@ TEST(maxima)
     assert_near("smooth top", x, 0.44, 1e-7);
     assert_int_equal(num_maximum(kink, NULL, 0, 0.6, 1.3, 1e-14, &x), NUM_OK);
     assert_near("kink", x, 0.7, 1e-13);
-}
-
-static double near_stop(double x, void *c)
-{
-    double margin = *(const double *)c;
-    return 1 / sqrt(margin + x * x);
-}
-
-/* Checks peaks like those of a train that nearly stops, whose integral over [0, 1] is asinh(1 /
- * sqrt(margin)). */
-TEST(integrals)
-{
-    for (double margin = 1; margin > 1e-25; margin /= 100) {
-        double integral = DOMQ_NAN;
-        assert_int_equal(num_integral(near_stop, &margin, 0, 1, 1e-13, &integral, NULL), NUM_OK);
-        assert_near("integral", integral, asinh(1 / sqrt(margin)), 1e-13);
-    }
-}
-
-struct counted {
-    num_function *f;
-    void *context;
-    size_t calls;
-};
-
-struct peak {
-    double width, at;
-    size_t calls;
-};
-
-/* Returns a function with a peak inside the interval, on a sloping background. */
-static double peaked(double x, void *context)
-{
-    struct peak *p = context;
-    p->calls++;
-    return (1 + x) / sqrt(p->width * p->width + (x - p->at) * (x - p->at));
-}
-
-static double peaked_integral(const struct peak *p, double x)
-{
-    double u = (x - p->at) / p->width;
-    return (1 + p->at) * asinh(u) + p->width * sqrt(1 + u * u);
-}
-
-/* Checks that the number of evaluations to 1e-12 does not depend on the width of a peak, and that the
- * integral is right even if the width is unknown. Away from x = 0, rounding errors would affect peaks
- * narrower than 1e-3. */
-TEST(peaks)
-{
-    double value = DOMQ_NAN, error = DOMQ_NAN;
-    const double bound = 1e-12;
-    for (double width = 1; width > 1e-10; width /= 10) {
-        struct peak p = {.width = width, .at = width > 5e-4 ? 0.3 : 0};
-        const double expected = peaked_integral(&p, 1) - peaked_integral(&p, 0);
-        assert_int_equal(num_peak_integral(peaked, &p, 0, 1, p.at, width, bound, &value, NULL), NUM_OK);
-        assert_near("peak", value, expected, bound);
-        assert_true(p.calls <= 65);
-        assert_int_equal(num_peak_integral(peaked, &p, 0, 1, p.at, width, bound, &value, &error), NUM_OK);
-        assert_true(fabs(value - expected) <= error + bound * expected && error < 1e-9 * expected);
-        assert_int_equal(num_peak_integral(peaked, &p, 0, 1, p.at, DOMQ_NAN, bound, &value, NULL), NUM_OK);
-        assert_near("peak of unknown width", value, expected, bound);
-    }
-    assert_int_equal(num_peak_integral(nan_inside, NULL, 0, 1, 0.5, 0.1, 1e-10, &value, NULL),
-                     NUM_NOT_FINITE);
 }
 
 /* ---- Linear equations whose G and v are known in closed form ---- */

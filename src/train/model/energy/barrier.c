@@ -349,14 +349,3 @@ KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel 
     } while (geometry->tol < tol / 4);
     return DOM_OK;
 }
-
-KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
-                          real margin)
-{
-    struct sums at;
-    if (!geometry->dynamics->conservative || b->height <= 0 ||
-        chain_change(geometry, from, tilt_half(b->half), PASS_SECOND_DERIVATIVE, &at) != DOM_OK)
-        return REAL_NAN;
-    bool inside = at.H2 < 0 && fabs(at.H1 / at.H2) < b->half / 64;
-    return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
-}

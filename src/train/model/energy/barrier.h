@@ -73,14 +73,4 @@ KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct
  * the relative tolerance tol. Both terms are about `whole`, and their difference is about `left`. */
 KERNEL real balance_tol(real tol, real left, real whole);
 
-/*
- * Near the top of the barrier, the head is slow, so 1/omega has a peak there. Returns the width of this peak.
- * If theta_m is the tilt of the top and w the width, the kinetic energy near the top is (w^2 + (theta -
- * theta_m)^2) |H''| / 2. The argument `margin` is the kinetic energy at the top. Heights are relative to H at
- * the tilt `from`. Returns NaN if there is no barrier, if the top is at an end of the cycle, or if H'' is
- * unknown.
- */
-KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
-                          real margin);
-
 #endif

@@ -1,122 +1,178 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Converts the tilts of a cycle to times and times to tilts, and tabulates the cycle. */
-#include "motion/motion.h"
+/*
+ * The time of a motion is the integral of the slowness 1/(tau omega) over the tilt.
+ *
+ * A clock stores the time as a Chebyshev series, not in the tilt, but in a variable x in which the time is
+ * smooth. The slowness is infinite where the head starts or comes to rest, and it has a peak at the top of a
+ * barrier. Let lo and `to` be the first and the last tilt. The tilt is
+ *
+ *     lo + (to - lo) sin^2 x       for a motion that starts at rest,
+ *     lo + (to - lo) (2 x - x^2)   for a motion that only comes to rest,
+ *     theta_m + width sinh x       for any other motion.
+ *
+ * The tilt at a given time is a root of the series.
+ */
+#include "motion/clock.h"
 
-/* The latest known state of the head. */
-struct clock {
-    real time, theta; /* time since the launch in tau, and tilt */
-};
-
-/* Moves the clock to another tilt. */
-static enum dom_status clock_to(struct motion *m, struct clock *clock, real theta)
+KERNEL real segment_noise(const struct segment *st)
 {
-    const bool ahead = theta >= clock->theta;
-    real step = 0;
-    enum dom_status status =
-        motion_time(m, ahead ? clock->theta : theta, ahead ? theta : clock->theta, &step);
-    clock->time += ahead ? step : -step;
-    clock->theta = theta;
+    const real kinetic = st->start.kinetic, spare = kinetic - st->barrier.height;
+    real slope = 0;
+    if (kinetic != 0 || spare != 0)
+        return fabs(16 * REAL_EPSILON * kinetic / spare);
+    return st->geometry.dynamics->slope(&st->geometry, st->start.from, false, &slope) == DOM_OK && slope < 0
+               ? 16 * REAL_EPSILON * st->geometry.steepest / -slope
+               : (real)INFINITY;
+}
+
+/* Very near a rest, the time hardly changes with x, and the energy would underflow. So the distance of x from
+ * a rest is at least CLOSEST. */
+#define CLOSEST sqrt(REAL_EPSILON)
+
+/* Finds x at a tilt. */
+static real clock_place(const struct clock *c, real theta)
+{
+    const real lo = c->segment->lo, part = fmin(fmax((theta - lo) / (c->to - lo), 0), 1);
+    if (c->segment->start.omegasq == 0)
+        return asin(sqrt(part));
+    return c->rests ? part / (1 + sqrt(1 - part)) : asinh((theta - c->segment->barrier.theta_m) / c->width);
+}
+
+/* Finds dt/dx. */
+static bool clock_rate(real x, void *context, struct num_rate *rate)
+{
+    const struct clock *c = context;
+    struct segment *st = c->segment;
+    const struct geometry *geometry = &st->geometry;
+    const real span = c->to - st->lo;
+    real squared = REAL_NAN, theta, by;
+    if (st->start.omegasq == 0) {
+        const real sine = fmax(sin(x), CLOSEST);
+        theta = st->lo + span * sine * sine;
+        by = 2 * span * sine * cos(x);
+        st->status = geometry->dynamics->near_rest(geometry, st->lo, -span * sine * sine, &squared);
+    } else if (c->rests) {
+        const real left = fmax(1 - x, CLOSEST);
+        theta = st->lo + span * x * (2 - x);
+        by = 2 * span * left;
+        if (theta >= c->smooth)
+            st->status = geometry->dynamics->near_rest(geometry, c->to,
+                                                       fmin(span * left * left, c->to - c->smooth), &squared);
+    } else {
+        const real grow = exp(x);
+        theta = st->barrier.theta_m + c->width * (grow - 1 / grow) / 2;
+        by = c->width * (grow + 1 / grow) / 2;
+    }
+    if (st->status == DOM_OK && isnan(squared)) {
+        st->status = segment_speed(st, fmin(fmax(theta, st->lo), c->to), &squared);
+        squared = 1 / squared;
+    }
+    *rate = (struct num_rate){.c = by * sqrt(squared)};
+    return st->status == DOM_OK;
+}
+
+/* Near a rest, there may be another one, which the head does not reach. If it is closer than this, as a
+ * fraction of the motion, panels are short. */
+#define REST_WIDTH ((real)1e-6)
+
+/* Returns the tilt at which the piece of the series ends that begins at theta: the next edge of the barrier.
+ * Towards a rest, pieces become shorter by the factor 8, and after it longer. */
+static real clock_next(const struct clock *c, real theta)
+{
+    const struct segment *st = c->segment;
+    const real span = c->to - st->lo, width = REST_WIDTH * span, left = c->to - theta;
+    real next = c->to;
+    for (int i = 0; i < st->barrier.edges; i++)
+        if (st->barrier.edge[i] > fmax(theta, REAL_MIN))
+            next = fmin(next, st->barrier.edge[i]);
+    if (c->rests && left > 8 * width)
+        next = fmin(next, c->to - left / 8);
+    if (st->start.omegasq == 0)
+        next = fmin(next, st->lo + fmax(8 * (theta - st->lo), width));
+    return next;
+}
+
+static enum num_status clock_make(struct clock *c)
+{
+    enum num_status solver = NUM_OK;
+    c->time.integral = true;
+    c->time.panels = 0;
+    for (real theta = c->segment->lo; theta < c->to && solver == NUM_OK;) {
+        const real next = clock_next(c, theta), lo = clock_place(c, theta), hi = clock_place(c, next);
+        if (lo < hi)
+            solver = num_linear_solve(clock_rate, c, lo, hi, c->tol, &c->time);
+        theta = next;
+    }
+    return solver;
+}
+
+KERNEL enum dom_status clock_begin(struct clock *c, struct segment *st, real to, bool rests, real tol)
+{
+    const struct barrier *b = &st->barrier;
+    const real noise = segment_noise(st), tol_sums = st->geometry.tol, spare = st->start.kinetic - b->height;
+    c->segment = st;
+    c->to = to;
+    c->rests = rests;
+    c->tol = fmax(tol / 8, noise);
+    c->smooth = st->lo;
+    /* If H were a parabola, the kinetic energy would have its complex zeros at this distance from theta_m. */
+    c->width = b->height > 0 ? (b->theta_m - st->lo) * sqrt(fmax(spare, 0) / b->height) : to - st->lo;
+    if (!(noise < (real)0.125))
+        return DOM_NO_MARGIN;
+    for (int i = 0; i < b->edges; i++)
+        if (b->edge[i] < to)
+            c->smooth = fmax(c->smooth, b->edge[i]);
+    /* sums jump where the number of dominoes in them changes; the jumps must not disturb the series */
+    st->geometry.tol /= 8;
+    st->status = DOM_OK;
+    enum num_status solver;
+    /* With friction, the speed may have fewer digits than the tolerance asks for. */
+    while ((solver = clock_make(c)) == NUM_NOT_CONVERGED && c->tol < sqrt(REAL_EPSILON))
+        c->tol *= 64;
+    st->geometry.tol = tol_sums;
+    return model_status(st->status, solver);
+}
+
+KERNEL void clock_free(struct clock *c)
+{
+    num_linear_free(&c->time);
+}
+
+KERNEL real clock_time(const struct clock *c, real theta)
+{
+    if (c->time.panels == 0)
+        return 0;
+    const real x = clock_place(c, theta);
+    return num_linear_moved(&c->time, x, x - c->time.panel[0].lo);
+}
+
+KERNEL enum dom_status segment_time(struct segment *st, real tol, real *time)
+{
+    struct clock clock = {.tol = tol};
+    const enum dom_status status = clock_begin(&clock, st, st->hi, false, tol);
+    *time = status == DOM_OK ? clock_time(&clock, st->hi) : REAL_NAN;
+    clock_free(&clock);
     return status;
 }
 
-/* Moves the clock to a given time, by Newton's method from its latest state. Bisects if a step would leave
- * the bracket. */
-static enum dom_status clock_find(struct motion *m, struct clock *clock, real time)
-{
-    real lo = 0, hi = m->end;
-    for (int i = 0; i < 200; i++) {
-        real omegasq = 0;
-        enum dom_status status = segment_speed(&m->cycle.segment, clock->theta, &omegasq);
-        if (status != DOM_OK)
-            return status;
-        const real off = time - clock->time, theta = clock->theta;
-        real next = theta + off * sqrt(fmax(omegasq, 0));
-        *(off >= 0 ? &lo : &hi) = theta;
-        if (!(next > lo && next < hi))
-            next = (lo + hi) / 2;
-        if (fabs(next - theta) <= fmax(m->tol, 4 * REAL_EPSILON) * m->end) {
-            *clock = (struct clock){time, next};
-            return DOM_OK;
-        }
-        status = clock_to(m, clock, next);
-        if (status != DOM_OK)
-            return status;
-    }
-    return DOM_NOT_CONVERGED;
-}
-
-KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time_, dom_real *theta)
-{
-    struct motion m;
-    struct clock clock = {0, 0};
-    real time = (real)time_, whole = 0;
-    enum dom_status status = motion_begin(train, &m);
-    if (status == DOM_OK)
-        status = motion_time(&m, 0, m.end, &whole);
-    if (status == DOM_OK && !(time >= 0 && time <= whole * (1 + fmax(m.tol, 4 * REAL_EPSILON))))
-        status = DOM_BAD_TIME;
-    if (status == DOM_OK && time > 0 && time < whole)
-        status = clock_find(&m, &clock, time);
-    else if (status == DOM_OK && time > 0)
-        clock.theta = m.end;
-    motion_end(&m);
-    if (status == DOM_OK)
-        *theta = clock.theta;
-    return status;
-}
-
-/* ---- The cycle as a table ---- */
-
-struct table {
-    struct motion m;
-    struct clock clock;
-    dom_state_visit *visit;
-    void *context;
-    bool ended; /* true after the visitor has ended the walk */
+/* A root is the tilt at which the clock shows a time. */
+struct sought {
+    const struct clock *clock;
+    real time;
 };
 
-static enum dom_status table_row(struct table *t, real theta, const struct instant *event)
+static real clock_early(real theta, void *context)
 {
-    struct dom_state state;
-    enum dom_status status = clock_to(&t->m, &t->clock, fmin(theta, t->m.end));
-    if (status == DOM_OK)
-        status = motion_state(&t->m, theta, t->clock.time, &state);
-    if (status != DOM_OK)
-        return status;
-    struct dom_event timed = {.theta = theta, .time = state.time};
-    if (event) {
-        timed.kind = event->kind;
-        timed.domino = event->domino;
-    }
-    t->ended = !t->visit(&state, event ? &timed : NULL, t->context);
+    const struct sought *s = context;
+    return clock_time(s->clock, theta) - s->time;
+}
+
+KERNEL enum dom_status clock_tilt(const struct clock *c, real time, real *theta)
+{
+    struct sought s = {c, time};
+    const enum num_status solver = num_root(clock_early, &s, c->segment->lo, c->to, c->tol, theta);
+    if (solver != NUM_NOT_BRACKETED)
+        return model_status(DOM_OK, solver);
+    *theta = time > 0 ? c->to : c->segment->lo;
     return DOM_OK;
-}
-
-KERNEL enum dom_status cycle_walk(const struct request *train, size_t states, enum dom_spacing by,
-                                  dom_state_visit *visit, void *context)
-{
-    struct table t = {.visit = visit, .context = context};
-    struct instant events[DOM_EVENTS_MAX];
-    int count = 0, next = 0;
-    real whole = 0;
-    enum dom_status status = motion_begin(train, &t.m);
-    if (status == DOM_OK)
-        status = motion_events(&t.m, events, &count);
-    if (status == DOM_OK)
-        status = motion_time(&t.m, 0, t.m.end, &whole);
-    for (size_t k = 0; k < states && status == DOM_OK && !t.ended; k++) {
-        real part = states > 1 ? (real)k / (real)(states - 1) : 1, theta = part * t.m.end;
-        if (by == DOM_BY_TIME && part > 0 && part < 1) {
-            struct clock seek = t.clock; /* an event may come before */
-            status = clock_find(&t.m, &seek, part * whole);
-            theta = seek.theta;
-        }
-        for (; next < count && status == DOM_OK && !t.ended && events[next].theta <= theta; next++)
-            status = table_row(&t, fmin(events[next].theta, t.m.end), &events[next]);
-        bool between = next < count && theta > events[next > 0 ? next - 1 : 0].theta;
-        if (between && status == DOM_OK && !t.ended)
-            status = table_row(&t, theta, NULL);
-    }
-    motion_end(&t.m);
-    return status == DOM_OK && t.m.stops ? DOM_STOPS : status;
 }

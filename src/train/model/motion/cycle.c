@@ -104,25 +104,13 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
     return DOM_OK;
 }
 
-static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration)
-{
-    struct segment *st = &cycle->segment;
-    if (cycle_stops(cycle))
-        return DOM_STOPS;
-    /* The relative error of the margin due to rounding. The duration cannot be more accurate. */
-    real noise = 8 * REAL_EPSILON * st->start.kinetic / (st->start.kinetic - st->barrier.height);
-    if (!(noise < (real)0.125))
-        return DOM_NO_MARGIN;
-    return segment_integral(st, slowness, 0, st->hi, fmax(tol / 8, noise), duration);
-}
-
 KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *duration)
 {
     struct cycle cycle;
-    real time;
+    real time = REAL_NAN;
     enum dom_status status = cycle_begin(train, &cycle);
     if (status == DOM_OK)
-        status = duration_of(&cycle, (real)train->tol, &time);
+        status = cycle_stops(&cycle) ? DOM_STOPS : segment_time(&cycle.segment, (real)train->tol, &time);
     cycle_free(&cycle);
     if (status == DOM_OK)
         *duration = time;

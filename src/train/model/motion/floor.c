@@ -113,7 +113,7 @@ KERNEL enum dom_status cycle_floor(const struct request *train, struct dom_floor
     struct motion m;
     struct segment *st = &m.cycle.segment;
     struct required_friction required_friction = {0};
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, false, &m);
     st->geometry.tol = fmax(st->geometry.tol, FORCES_TOL);
     for (int i = 1; status == DOM_OK && i < st->barrier.edges; i++) {
         real lo, hi;

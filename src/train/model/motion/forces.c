@@ -218,7 +218,7 @@ KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_
     struct tilt head;
     struct kinematics kinematics = {0};
     real theta = (real)theta_;
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, false, &m);
     if (status == DOM_OK)
         status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
@@ -341,7 +341,7 @@ KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom
     struct motion m;
     struct segment *st = &m.cycle.segment;
     struct least_context c = {.segment = st, .least = (real)INFINITY, .impulse = (real)INFINITY};
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, false, &m);
     st->geometry.tol = fmax(st->geometry.tol, FORCES_TOL);
     for (int i = 1; status == DOM_OK && i < st->barrier.edges; i++) {
         real lo, hi;

@@ -1,74 +1,43 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The events of a cycle, its states, and the cycle as a table. */
 #include "motion/motion.h"
 #include <stdlib.h>
 
-/* ---- Times ---- */
-
-KERNEL enum dom_status motion_begin(const struct request *train, struct motion *m)
+KERNEL enum dom_status motion_begin(const struct request *train, bool timed, struct motion *m)
 {
-    m->room = (struct room){0};
+    *m = (struct motion){.stops = false};
     enum dom_status status = cycle_begin(train, &m->cycle);
     m->cycle.segment.room = &m->room;
     if (status != DOM_OK)
         return status;
-    real margin = m->cycle.launch.kinetic - m->cycle.segment.barrier.height;
     m->stops = cycle_stops(&m->cycle);
-    m->tol = fmax((real)train->tol / 8, 16 * REAL_EPSILON * m->cycle.launch.kinetic / fabs(margin));
-    if (!(m->tol < (real)0.125))
+    if (!(segment_noise(&m->cycle.segment) < (real)0.125))
         /* times grow like ln(1/margin), so they need an accurate margin */
         return DOM_NO_MARGIN;
-    return cycle_end(&m->cycle, &m->end);
+    status = cycle_end(&m->cycle, &m->end);
+    return status == DOM_OK && timed
+               ? clock_begin(&m->clock, &m->cycle.segment, m->end, m->stops, (real)train->tol)
+               : status;
 }
 
 KERNEL void motion_end(struct motion *m)
 {
     cycle_free(&m->cycle);
+    clock_free(&m->clock);
     free(m->room.list);
 }
 
-/* Returns the integrand of the time before a stop. Near the stop, the slowness grows like 1/sqrt(end -
- * theta), so it is not integrated over theta. The substitution theta = end (1 - u^2) gives the smooth
- * integrand dt/du = 2 end u / (tau omega). The argument x runs from 0 to 1, and u = `root` + `span` x. */
-KERNEL real slowness_before(real x, void *context)
-{
-    struct motion *m = context;
-    struct segment *st = &m->cycle.segment;
-    /* Very near the stop, the remaining energy would underflow, and dt/du hardly changes any more. So dt/du
-     * is computed at u = sqrt(REAL_EPSILON) instead of at a smaller u. */
-    real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
-    real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
-    st->status = st->geometry.dynamics->near_rest(&st->geometry, m->end, delta, &slowness_squared);
-    return st->status == DOM_OK ? 2 * m->end * u * sqrt(slowness_squared) : REAL_NAN;
-}
+/* ---- Events ---- */
 
-/* Adds the time of the motion from the tilt m->smooth to the tilt `to`, which is at or before the stop. */
-static enum dom_status motion_time_before(struct motion *m, real to, real *time)
-{
-    real part = 0, far = sqrt((m->end - m->smooth) / m->end);
-    m->root = sqrt(fmax((m->end - to) / m->end, 0));
-    m->span = (to - m->smooth) / m->end / (far + m->root);
-    enum num_status solver = num_integral(slowness_before, m, 0, 1, m->tol, &part, NULL);
-    *time += m->span * part;
-    return model_status(m->cycle.segment.status, solver);
-}
+/* An event without its time. Unlike in struct dom_event, theta has the full precision of the kernel. */
+struct instant {
+    enum dom_event_kind kind;
+    real theta;
+    size_t domino;
+};
 
-KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *time)
-{
-    const struct barrier *b = &m->cycle.segment.barrier;
-    m->smooth = to;
-    *time = 0;
-    if (to <= from)
-        return DOM_OK;
-    if (m->stops) { /* only the last piece before the stop needs slowness_before */
-        m->smooth = from;
-        for (int i = 0; i < b->edges; i++)
-            m->smooth = b->edge[i] < m->end ? fmax(m->smooth, fmin(b->edge[i], to)) : m->smooth;
-    }
-    enum dom_status status = segment_integral(&m->cycle.segment, slowness, from, m->smooth, m->tol, time);
-    return status == DOM_OK && m->smooth < to ? motion_time_before(m, to, time) : status;
-}
-
-KERNEL enum dom_status motion_events(const struct motion *m, struct instant *events, int *count)
+/* Lists the events of the motion in the order in which they happen. There are at most DOM_EVENTS_MAX. */
+static enum dom_status motion_events(const struct motion *m, struct instant *events, int *count)
 {
     bool leaves;
     struct tilt leave;
@@ -98,23 +67,21 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 {
     struct motion m;
     struct instant at[DOM_EVENTS_MAX];
-    real time = 0;
     int n = 0;
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, true, &m);
     if (status == DOM_OK)
         status = motion_events(&m, at, &n);
-    for (int i = 0; i < n && status == DOM_OK; i++) {
-        real step = 0;
-        if (i > 0)
-            status = motion_time(&m, at[i - 1].theta, at[i].theta, &step);
-        time += step;
-        events[i] = (struct dom_event){
-            .kind = at[i].kind, .theta = at[i].theta, .time = time, .domino = at[i].domino};
-    }
+    for (int i = 0; i < n && status == DOM_OK; i++)
+        events[i] = (struct dom_event){.kind = at[i].kind,
+                                       .theta = at[i].theta,
+                                       .time = clock_time(&m.clock, at[i].theta),
+                                       .domino = at[i].domino};
     motion_end(&m);
     *count = status == DOM_OK ? n : 0;
     return status == DOM_OK && m.stops ? DOM_STOPS : status;
 }
+
+/* ---- The state at a tilt ---- */
 
 /* If theta is the tilt at which a follower detaches, the follower counts as detached, even if rounding has
  * made theta slightly smaller. In that case, corrects *left, the energy change of the detached follower. */
@@ -134,7 +101,7 @@ static enum dom_status fallen_energy(const struct geometry *geometry, real theta
     return status;
 }
 
-KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, struct dom_state *state)
+static enum dom_status motion_state(struct motion *m, real theta, struct dom_state *state)
 {
     const struct launch *launch = &m->cycle.launch;
     const struct geometry *geometry = &m->cycle.segment.geometry;
@@ -150,8 +117,6 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = chain_change(geometry, standing, head, PASS_PLAIN, &at);
     if (status == DOM_OK)
         status = fallen_energy(geometry, theta, &at.left);
-    if (status == DOM_OK && isnan(time))
-        status = motion_time(m, 0, theta, &time);
     if (status == DOM_OK)
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
@@ -161,7 +126,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     real before = geometry->weight * launch->kinetic_at_hit;
     *state = (struct dom_state){
         .theta = theta,
-        .time = time,
+        .time = clock_time(&m->clock, theta),
         .omegasq = omegasq,
         .acceleration = acceleration,
         .kinetic = at.J * omegasq,
@@ -177,9 +142,73 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
 KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state)
 {
     struct motion m;
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, true, &m);
     if (status == DOM_OK)
-        status = motion_state(&m, (real)theta, REAL_NAN, state);
+        status = motion_state(&m, (real)theta, state);
     motion_end(&m);
     return status;
+}
+
+KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time_, dom_real *theta)
+{
+    struct motion m;
+    real time = (real)time_, whole = 0, at = 0;
+    enum dom_status status = motion_begin(train, true, &m);
+    if (status == DOM_OK)
+        whole = clock_time(&m.clock, m.end);
+    if (status == DOM_OK && !(time >= 0 && time <= whole * (1 + fmax(m.clock.tol, 4 * REAL_EPSILON))))
+        status = DOM_BAD_TIME;
+    if (status == DOM_OK)
+        status = clock_tilt(&m.clock, time, &at);
+    motion_end(&m);
+    if (status == DOM_OK)
+        *theta = at;
+    return status;
+}
+
+/* ---- The cycle as a table ---- */
+
+struct table {
+    struct motion m;
+    dom_state_visit *visit;
+    void *context;
+    bool ended; /* true after the visitor has ended the walk */
+};
+
+static enum dom_status table_row(struct table *t, real theta, const struct instant *event)
+{
+    struct dom_state state;
+    enum dom_status status = motion_state(&t->m, theta, &state);
+    if (status != DOM_OK)
+        return status;
+    struct dom_event timed = {.theta = theta, .time = state.time};
+    if (event) {
+        timed.kind = event->kind;
+        timed.domino = event->domino;
+    }
+    t->ended = !t->visit(&state, event ? &timed : NULL, t->context);
+    return DOM_OK;
+}
+
+KERNEL enum dom_status cycle_walk(const struct request *train, size_t states, enum dom_spacing by,
+                                  dom_state_visit *visit, void *context)
+{
+    struct table t = {.visit = visit, .context = context};
+    struct instant events[DOM_EVENTS_MAX];
+    int count = 0, next = 0;
+    enum dom_status status = motion_begin(train, true, &t.m);
+    if (status == DOM_OK)
+        status = motion_events(&t.m, events, &count);
+    for (size_t k = 0; k < states && status == DOM_OK && !t.ended; k++) {
+        real part = states > 1 ? (real)k / (real)(states - 1) : 1, theta = part * t.m.end;
+        if (by == DOM_BY_TIME && part > 0 && part < 1)
+            status = clock_tilt(&t.m.clock, part * clock_time(&t.m.clock, t.m.end), &theta);
+        for (; next < count && status == DOM_OK && !t.ended && events[next].theta <= theta; next++)
+            status = table_row(&t, fmin(events[next].theta, t.m.end), &events[next]);
+        bool between = next < count && theta > events[next > 0 ? next - 1 : 0].theta;
+        if (between && status == DOM_OK && !t.ended)
+            status = table_row(&t, theta, NULL);
+    }
+    motion_end(&t.m);
+    return status == DOM_OK && t.m.stops ? DOM_STOPS : status;
 }

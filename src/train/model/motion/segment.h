@@ -57,23 +57,4 @@ KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, 
  * replace the solution of the motion by another solution, which ends near this tilt. */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 
-/* An integrand: the slowness 1 / (tau omega) at a tilt. The context is the segment. */
-KERNEL real slowness(real theta, void *context);
-
-/* Returns the relative error of times, which rounding errors cause. It is large if the energy is hardly
- * enough for the barrier or, for a motion that starts at rest, if hardly anything sets it in motion. */
-KERNEL real segment_noise(const struct segment *segment);
-
-/*
- * Integrates f from one tilt to another. The range is split at the edges of the barrier. In each piece, f
- * must be smooth except for a peak at the top of the barrier. If the motion starts at rest, f must be
- * `slowness`.
- */
-KERNEL enum dom_status segment_integral(struct segment *segment, num_function *f, real from, real to,
-                                        real tol, real *sum);
-
-/* Finds the duration of the segment. Its unit is the time scale tau of the head. If the train nearly stops,
- * the duration grows like ln(1/margin). If the margin is 0 to within rounding errors, the duration is NaN. */
-KERNEL enum dom_status segment_time(struct segment *segment, real *time);
-
 #endif

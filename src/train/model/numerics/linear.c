@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/numerics.h"
 #include <stdlib.h>
+#include <string.h>
 
 enum { N = LINEAR_ORDER };
 
@@ -63,6 +64,28 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
     return true;
 }
 
+/* Finds ln G of a panel. Divides c by G: the values at->c become those of c / G. */
+static bool panel_ln_G(const real *node, int n, real ln_G, real tol, struct num_panel *panel,
+                       struct values *at, real *last_terms)
+{
+    real series[N], half = (panel->hi - panel->lo) / 2, largest = 0, shrunk = 0;
+    series_of(node, at->p, n, series);
+    /* The solution contains exp(ln G). So where ln G hardly changes, an absolute tolerance is enough. */
+    for (int k = 0; k < n; k++)
+        largest = fmax(largest, fabs(series[k]));
+    if (!series_converged(series, n, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at->p_noise,
+                          last_terms))
+        return false;
+    series_integral(series, n, half, ln_G, panel->ln_G);
+    for (int j = 0; j < n; j++) {
+        real by = exp(-series_at(panel->ln_G, n + 1, node[j]));
+        at->c[j] *= by;
+        shrunk = fmax(shrunk, by);
+    }
+    at->c_noise *= shrunk;
+    return true;
+}
+
 /* Computes one panel, from n <= N nodes. ln_G and v are the solution at the left end of the panel. Returns
  * false if the panel is too wide for its series to converge. If f fails, also returns false, and sets *status
  * to NUM_NOT_FINITE. */
@@ -70,27 +93,18 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
                        real tol, struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {
     struct values at;
-    real of_p, of_c, series[N], half = (panel->hi - panel->lo) / 2, largest = 0, shrunk = 0;
+    real of_p = 0, of_c, series[N], half = (panel->hi - panel->lo) / 2;
     if (!values_find(f, context, node, n, panel, &at)) {
         *status = NUM_NOT_FINITE;
         return false;
     }
-    series_of(node, at.p, n, series);
-    /* The solution contains exp(ln G). So where ln G hardly changes, an absolute tolerance is enough. */
-    for (int k = 0; k < n; k++)
-        largest = fmax(largest, fabs(series[k]));
-    if (!series_converged(series, n, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise,
-                          &of_p))
-        return false;
     panel->terms = n + 1;
-    series_integral(series, n, half, ln_G, panel->ln_G);
-    for (int j = 0; j < n; j++) {
-        real by = exp(-series_at(panel->ln_G, n + 1, node[j]));
-        at.c[j] *= by;
-        shrunk = fmax(shrunk, by);
-    }
+    if (s->integral)
+        memset(panel->ln_G, 0, sizeof panel->ln_G);
+    else if (!panel_ln_G(node, n, ln_G, tol, panel, &at, &of_p))
+        return false;
     series_of(node, at.c, n, series);
-    if (!series_converged(series, n, tol, at.c_noise * shrunk, &of_c))
+    if (!series_converged(series, n, tol, at.c_noise, &of_c))
         return false;
     series_integral(series, n, half, v, panel->v);
     s->ln_G_error += half * of_p;
@@ -108,6 +122,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
                                         struct num_linear *s)
 {
     real node[N], width = hi - lo, ln_G = 0, v = 0;
+    bool halved = false;
     enum num_status status = NUM_OK;
     if (!s->panel && !(s->panel = malloc(LINEAR_PANELS * sizeof *s->panel)))
         return NUM_NO_MEMORY;
@@ -125,11 +140,13 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
         if (panel_make(f, context, node, N, ln_G, v, tol, panel, s, &status)) {
             s->panels++;
-            width = 2 * (panel->hi - lo);
+            width = (halved ? 1 : 2) * (panel->hi - lo); /* twice as wide would fail again */
+            halved = false;
             lo = panel->hi;
             num_linear_at(s, lo, &ln_G, &v);
         } else {
             width = (panel->hi - lo) / 2;
+            halved = true;
             if (status != NUM_OK || !(lo + width / 4 > lo))
                 return status != NUM_OK ? status : NUM_NOT_CONVERGED;
         }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Roots, maxima, integrals and linear differential equations in the arithmetic of the kernels. Nothing here
+ * Roots, maxima and linear differential equations in the arithmetic of the kernels. Nothing here
  * depends on dominoes. A num_function that cannot be evaluated returns NaN, which ends a search with
  * NUM_NOT_FINITE.
  *
@@ -36,31 +36,12 @@ KERNEL enum num_status num_root_between(num_function *f, void *context, real lo,
 KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real middle, real hi, real tol,
                                    real *x);
 
-/* Finds the integral of f over [lo, hi] to the relative tolerance tol, and an estimate of the error unless
- * `error` is NULL. The double exponential rule (Takahasi and Mori, 1974) tolerates singularities at the
- * ends. */
-KERNEL enum num_status num_integral(num_function *f, void *context, real lo, real hi, real tol,
-                                    real *integral, real *error);
-
-/*
- * Finds the integral of a function that is smooth except for a peak. The peak has the shape 1 / sqrt(width^2
- * + (x - peak)^2), and may be outside the interval. The width is NaN if it is unknown.
- *
- * The substitution x = peak + width sinh u flattens the peak, so the Clenshaw-Curtis rule (1960) converges
- * fast. If it does not converge, num_integral is called for the piece before the peak and for the piece after
- * the peak, or for the whole interval if the peak is outside.
- */
-KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
-                                         real width, real tol, real *integral, real *error);
-
 /* Returns the sum of the first n terms of a Chebyshev series at x, by Clenshaw's recurrence. */
 KERNEL real series_at(const real *series, int n, real x);
 
 /* Integrates a Chebyshev series of n terms and multiplies the integral by `half`. The result has one term
  * more. Its constant term is chosen so that the result equals `start` at x = -1. */
 KERNEL void series_integral(const real *series, int n, real half, real start, real *integral);
-
-enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIRST << CHEBYSHEV_LEVELS };
 
 /* ---- Linear differential equations ---- */
 
@@ -76,7 +57,7 @@ enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIR
 #if REAL_BITS <= 24
 #define LINEAR_ORDER 8
 #elif REAL_BITS <= 64
-#define LINEAR_ORDER 16
+#define LINEAR_ORDER 24
 #else
 #define LINEAR_ORDER 36
 #endif
@@ -98,6 +79,7 @@ struct num_panel {
 };
 
 struct num_linear {
+    bool integral; /* true if p is 0, so that ln G is 0, and v is the integral of c */
     int panels;
     /* LINEAR_PANELS panels, too large for the stack. NULL before the first solution. */
     struct num_panel *panel;

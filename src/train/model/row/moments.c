@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Finds the state of a row at given times. The motion of each head is divided into passages: whenever a
- * domino detaches, a new passage begins. A detached domino keeps its tilt. Within a passage, the tilt at a
- * given time is found from the tilt at the time before, by Newton's method.
+ * domino detaches, a new passage begins. A detached domino keeps its tilt. Within a passage, a clock finds
+ * the tilt at a given time.
  */
 #include "row/moments.h"
 #include "dynamics/flow.h"
@@ -23,6 +23,7 @@ KERNEL void watch_free(struct watch *w)
 {
     free(w->tilt);
     free(w->omega);
+    clock_free(&w->clock);
 }
 
 /* ---- The state at a given tilt of the head ---- */
@@ -71,107 +72,6 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
                             : status;
 }
 
-/* ---- From time to tilt ---- */
-
-/* Returns a scale for the tilts in a passage. If the head leans backwards at first, the range of the tilts
- * can be larger than the last tilt. */
-static real passage_size(const struct passage *s)
-{
-    return fmax(fabs(s->to), s->to - s->st.lo);
-}
-
-/*
- * The time until the head comes to rest, at the tilt b = `to`, is an integral over the tilt theta. Its
- * integrand 1/omega grows like (b - theta)^(-1/2) near b, so it cannot be integrated directly. The
- * substitution theta = b - (b - lo) x^2 removes the singularity, and time becomes a smooth function of x.
- * Returns the new integrand at x.
- */
-static real slowness_to_rest(real x, void *context)
-{
-    struct passage *s = context;
-    real u = fmax(s->span * x, sqrt(REAL_EPSILON)), squared = REAL_NAN;
-    real size = passage_size(s), by = fmin(size * u * u, s->to - s->st.lo);
-    s->st.status = s->st.geometry.dynamics->near_rest(&s->st.geometry, s->to, by, &squared);
-    return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
-}
-
-/* Sets s->lasts, the duration of the passage, to `lasts`. If `lasts` is NaN, computes the duration. */
-static enum dom_status passage_begin(struct passage *s, real lasts)
-{
-    struct segment *st = &s->st;
-    const real noise = fabs(segment_noise(st));
-    s->tol = fmax(st->geometry.tol / 8, noise);
-    s->at = st->lo;
-    s->lasts = lasts;
-    if (!(noise < (real)0.125))
-        return DOM_NO_MARGIN;
-    if (s->rests)
-        s->span = sqrt((s->to - st->lo) / passage_size(s));
-    if (!isnan(lasts))
-        return DOM_OK;
-    if (!s->rests)
-        return segment_integral(st, slowness, st->lo, s->to, s->tol, &s->lasts);
-    const enum num_status solver = num_integral(slowness_to_rest, s, 0, 1, s->tol, &s->lasts, NULL);
-    return model_status(st->status, solver);
-}
-
-/* Returns the time from x, the variable of slowness_to_rest, until the head comes to rest, minus s->left. */
-static real passage_left(real x, void *context)
-{
-    struct passage *s = context;
-    real time = 0;
-    const enum num_status solver = num_integral(slowness_to_rest, s, 0, x, s->tol, &time, NULL);
-    return solver == NUM_OK ? time - s->left : REAL_NAN;
-}
-
-/* Moves the state (s->at, s->passed) to the time `into`, by Newton's method. Bisects if a step would leave
- * the bracket. */
-static enum dom_status passage_find(struct passage *s, real into)
-{
-    struct segment *st = &s->st;
-    const real close = fmax(s->tol, 4 * REAL_EPSILON) * passage_size(s);
-    real lo = st->lo, hi = s->to;
-    for (int i = 0; i < 200; i++) {
-        const real off = into - s->passed, at = s->at;
-        real omegasq = 0, step = 0;
-        enum dom_status status = segment_speed(st, at, &omegasq);
-        real next = at + off * sqrt(fmax(omegasq, 0));
-        *(off >= 0 ? &lo : &hi) = at;
-        if (!(next > lo && next < hi))
-            next = (lo + hi) / 2;
-        s->at = next;
-        if (status == DOM_OK && fabs(next - at) <= close) {
-            s->passed = into;
-            return DOM_OK;
-        }
-        if (status == DOM_OK)
-            status = segment_integral(st, slowness, fmin(at, next), fmax(at, next), s->tol, &step);
-        if (status != DOM_OK)
-            return status;
-        s->passed += next > at ? step : -step;
-    }
-    return DOM_NOT_CONVERGED;
-}
-
-/* Finds the tilt of the head at the time `into`, counted in tau from the beginning of the passage. */
-static enum dom_status passage_tilt(struct passage *s, real into, real *theta)
-{
-    real x = 0;
-    *theta = into <= 0 ? s->st.lo : s->to;
-    if (!(into > 0 && into < s->lasts))
-        return DOM_OK;
-    if (!s->rests) {
-        enum dom_status status = passage_find(s, into);
-        *theta = s->at;
-        return status;
-    }
-    s->left = s->lasts - into;
-    enum num_status solver = num_root_between(passage_left, s, 0, -s->left, 1, s->lasts - s->left,
-                                              fmax(s->tol, 4 * REAL_EPSILON), &x);
-    *theta = s->to - (s->to - s->st.lo) * x * x;
-    return model_status(s->st.status, solver);
-}
-
 static real passage_end(const struct passage *s)
 {
     return s->since.begins + (s->since.passed + s->lasts) * s->since.tau;
@@ -186,16 +86,20 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
+    enum dom_status status = DOM_OK;
     /*
      * If a requested time lies in this passage, its tilt is sought. If the motion ends here, the caller does
      * not know the duration, and watch_rest needs the time of the end.
      */
-    bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
-    enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
+    if (isnan(lasts) || (w->next < w->times && (real)w->time[w->next] < passage_end(s)))
+        status = clock_begin(&w->clock, &s->st, to, rests, st->geometry.tol);
+    if (isnan(lasts) && status == DOM_OK)
+        s->lasts = clock_time(&w->clock, to);
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
-        real theta = 0;
-        status =
-            passage_tilt(s, ((real)w->time[w->next] - since->begins) / since->tau - since->passed, &theta);
+        const real time = ((real)w->time[w->next] - since->begins) / since->tau - since->passed;
+        real theta = st->lo;
+        if (time > 0)
+            status = clock_tilt(&w->clock, time, &theta);
         if (status == DOM_OK)
             status = passage_lean(w, s, theta);
         if (status == DOM_OK)
@@ -228,17 +132,21 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 
 /* ---- Before the first hit ---- */
 
-/* A single domino with rounded edges or with drag, which falls from theta_u. */
+/*
+ * A single domino tips over from theta_u. Let its tilt be theta_u + phi. It would take an infinite time to
+ * leave theta_u, so times are counted back from the hit. tau omega / sin(phi / 2) is a smooth function of
+ * phi, and constant with sharp edges. So the variable is q = ln [tan(phi_c / 4) / tan(phi / 4)], with phi_c
+ * at the hit.
+ */
 struct tipping {
     const struct segment *st;
-    real end;  /* p = ln tan(phi / 4) at the hit */
-    real left; /* the time, in tau, by which the wanted state precedes the hit */
+    const struct num_linear *time; /* the time from q to the hit, in tau */
+    real left;                     /* the time whose q is sought */
 };
 
-/* Returns the angle phi beyond theta_u, given p = ln tan(phi / 4). */
-static real tipping_phi(real p)
+static real tipping_phi(const struct segment *st, real q)
 {
-    return 4 * atan(exp(p));
+    return 4 * atan(tan((st->hi - st->lo) / 4) * exp(-q));
 }
 
 /* With drag, the solution of the equation of motion has too few digits where the domino has hardly moved.
@@ -262,66 +170,59 @@ static real tipping_rate(const struct segment *st, real phi)
                       at = tilt_make(sin(st->lo + phi), cos(st->lo + phi));
     /* The released energy divided by sin^2(phi / 2). h' is 0 at theta_u, so no large terms cancel. */
     real energy = 2 * geometry_height(geometry, u) * (1 - 2 * geometry->drag * phi / 3);
-    if (phi > cbrt(REAL_EPSILON))
-        energy += geometry->rounded.roll * (sin(phi) - phi) / (sin(phi / 2) * sin(phi / 2));
+    const real half = sin(phi / 2);
+    energy += geometry->rounded.roll * (phi < exp(log(REAL_EPSILON) / 5) ? -2 * phi / 3 * (1 + phi * phi / 30)
+                                                                         : (sin(phi) - phi) / (half * half));
     return sqrt(energy / geometry_inertia(geometry, at));
 }
 
-static real tipping_slowness(real p, void *context)
-{
-    return 2 / tipping_rate(((const struct tipping *)context)->st, tipping_phi(p));
-}
-
-/* Returns the time from p to the hit, minus t->left. */
-static real tipping_over(real p, void *context)
+static bool tipping_slowness(real q, void *context, struct num_rate *rate)
 {
     const struct tipping *t = context;
-    real time = 0;
-    const real tol = losses_end_alone(&t->st->geometry) ? t->st->geometry.tol / 8 : DRAG_TOL;
-    enum num_status solver =
-        p < t->end ? num_integral(tipping_slowness, context, p, t->end, tol, &time, NULL) : NUM_OK;
-    return solver == NUM_OK ? time - t->left : REAL_NAN;
+    *rate = (struct num_rate){.c = 2 / tipping_rate(t->st, tipping_phi(t->st, q))};
+    return true;
 }
 
-/* A domino tips over from theta_u. Returns the angle phi by which it has turned beyond
- * theta_u when the time `left`, in tau, remains until it hits the next domino. */
-static real tipping_at(const struct segment *st, real left)
+static real tipping_early(real q, void *context)
 {
-    struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
-    /*
-     * The root is a value of p between `first` and the value of p at the hit. The moment of inertia is at
-     * least a quarter of its value for sharp edges. So p grows by at most sqrt(2 R) per tau, where R is the
-     * reach. If p always grew that fast, `first` would be the root.
-     */
-    real first = t.end - left * sqrt(2 * st->geometry.steepest), p = t.end;
-    return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
-                                                                                    : REAL_NAN;
+    const struct tipping *t = context;
+    return num_linear_moved(t->time, q, q) - t->left;
 }
 
-/*
- * A single domino tips over from theta_u. Let its tilt be theta_u + phi. With sharp edges, tau^2 omega^2 =
- * 2 u sin^2(phi / 2), where u = sqrt(1 + d^2) is the reach. So tan(phi / 4) is proportional to
- * exp(t sqrt(u / 2)), where t is the time in tau.
- */
-KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
+KERNEL enum dom_status watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)
-        return;
+        return DOM_OK;
     /* the domino touches the next one before it tips over, and leans on it at rest */
     if (tip->hi <= tip->lo) {
         w->tilt[0] = tip->hi;
-        return;
+        return DOM_OK;
     }
-    const bool closed = !tip->geometry.law->rolls && losses_end_alone(&tip->geometry);
-    const real u = tip->geometry.steepest, whole = tip->hi - tip->lo;
-    struct passage *s = &w->last;
-    *s = (struct passage){.st = *tip, .to = tip->hi, .since = {.tau = tau}};
+    const bool asked = w->next < w->times && w->time[w->next] < 0;
+    const real tol = losses_end_alone(&tip->geometry) ? tip->geometry.tol / 8 : DRAG_TOL,
+               first = asked ? -(real)w->time[w->next] / tau : 0;
+    struct num_linear *time = &w->clock.time;
+    struct tipping t = {.st = tip, .time = time};
+    enum num_status solver = NUM_OK;
+    time->integral = true;
+    time->panels = 0;
+    /* The moment of inertia is at least a quarter of its value for sharp edges. So q grows by at most
+     * sqrt(2 steepest) per tau. */
+    const real most = first * sqrt(2 * tip->geometry.steepest);
+    for (real q = 0, next; q < most && solver == NUM_OK; q = next) {
+        next = fmin(fmax(8 * q, 1), most);
+        solver = num_linear_solve(tipping_slowness, &t, q, next, tol, time);
+    }
+    w->last = (struct passage){.st = *tip, .to = tip->hi, .since = {.tau = tau}};
     w->moving = 1;
-    while (!w->ended && w->next < w->times && (real)w->time[w->next] < 0) {
-        real time = (real)w->time[w->next] / tau,
-             phi = closed ? 4 * atan(tan(whole / 4) * exp(time * sqrt(u / 2))) : tipping_at(tip, -time);
+    while (solver == NUM_OK && !w->ended && w->next < w->times && w->time[w->next] < 0) {
+        real q = 0;
+        t.left = -(real)w->time[w->next] / tau;
+        solver = num_root(tipping_early, &t, 0, most, tip->geometry.tol, &q);
+        const real phi = tipping_phi(tip, q);
         w->tilt[0] = tip->lo + phi;
-        w->omega[0] = (closed ? sqrt(2 * u) : tipping_rate(tip, phi)) * sin(phi / 2) / tau;
+        w->omega[0] = tipping_rate(tip, phi) * sin(phi / 2) / tau;
         watch_visit(w, w->time[w->next]);
     }
+    return model_status(DOM_OK, solver);
 }

@@ -3,7 +3,7 @@
 #ifndef DOM_MOMENTS_H
 #define DOM_MOMENTS_H
 
-#include "motion/segment.h"
+#include "motion/clock.h"
 
 /* The time at which a passage starts: `begins` + `passed` * `tau`. */
 struct since {
@@ -18,13 +18,8 @@ struct passage {
     real to;    /* tilt of the head at the end of the passage */
     bool rests; /* true if the head comes to rest at the tilt `to` */
     struct since since;
-    real lasts;      /* duration of the passage in tau */
-    size_t head;     /* index of the head, from 0 */
-    real tol;        /* tolerance of times */
-    real span;       /* sqrt((to - lo) / passage_size), if `rests` is true */
-    real at, passed; /* a tilt of the head, and the time, in tau, from the start of the passage to it */
-    /* Only if `rests` is true: the time, in tau, that is left when the head has the tilt that is sought. */
-    real left;
+    real lasts;  /* duration of the passage in tau */
+    size_t head; /* index of the head, from 0 */
 };
 
 /* The times at which the caller wants the state of a row, and the current state. */
@@ -37,6 +32,7 @@ struct watch {
     dom_real *tilt, *omega; /* tilt and angular velocity of each domino, in rad and rad/s */
     size_t head, moving;    /* index of the head, and number of moving dominoes */
     struct passage last;
+    struct clock clock; /* of `last` */
 };
 
 /* Allocates the memory for a row. Call watch_free even after an error. */
@@ -47,7 +43,7 @@ KERNEL void watch_free(struct watch *watch);
 
 /* Reports the states at those requested times that lie before the first hit. Until then, the first domino
  * tips over its edge. If it touches the next domino before it tips over, it leans on that domino at rest. */
-KERNEL void watch_tip(struct watch *watch, const struct segment *tip, real tau);
+KERNEL enum dom_status watch_tip(struct watch *watch, const struct segment *tip, real tau);
 
 /* Reports the states at those requested times that lie in one passage. The passage ends when the head has the
  * tilt `to`. `lasts` is the duration of the passage in tau, or NaN if the duration is unknown. */

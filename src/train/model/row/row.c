@@ -48,7 +48,9 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
         return status;
     d->climbed += st->end.dH;
     if (times)
-        status = segment_time(st, &part);
+        status = segment_time(st, st->geometry.tol, &part);
+    if (status == DOM_NO_MARGIN) /* then the time is NaN */
+        status = DOM_OK;
     if (status == DOM_OK)
         status = watch_passage(d->watch, st, d->head, to, false, &since, part);
     d->time += part;
@@ -173,7 +175,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
         status = losses_tipped(geometry, &omegasq);
     if (status == DOM_OK && run->request->floor && tips)
         status = floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction);
-    watch_tip(run->watch, &d->st, block.tau);
+    if (status == DOM_OK)
+        status = watch_tip(run->watch, &d->st, block.tau);
     d->st.start.from = geometry->c;
     d->st.start.J = geometry_inertia(geometry, geometry->c);
     d->st.start.omegasq = omegasq;
