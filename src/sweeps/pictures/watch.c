@@ -3,15 +3,13 @@
  * stores the value in the session. */
 #include "io/terminal.h"
 #include "pictures/picture/chart.h"
+#include "pictures/picture/screen.h"
 #include "session/session.h"
 #include "sweeps/sweeps.h"
 #include <gsl/gsl_errno.h>
 #include <math.h>
-#include <poll.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <termios.h>
 #include <unistd.h>
 
 enum {
@@ -26,7 +24,7 @@ struct watch {
     double curve[STEPS / COARSE + 1]; /* the answers along the curve, or NaN if there is no answer */
     double x;                         /* the value of the parameter at the moving point */
     int step;                         /* number of the small step nearest to x, 0 .. STEPS */
-    enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE, WATCH_STOP } state;
+    enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE } state;
 };
 
 static double watch_x(const struct watch *w, int step)
@@ -84,48 +82,35 @@ static void watch_draw(struct watch *w, FILE *out)
     chart_free(&chart);
 }
 
-/* A terminal sends three characters for an arrow key: ESC, then '[' or 'O', then a letter from A to D. */
-static void keys_take(struct watch *w, const char *key, ssize_t count)
+static void key_take(struct watch *w, int key)
 {
     static const int steps[] = {1, -1, COARSE, -COARSE}; /* up, down, right, left */
-    for (ssize_t i = 0; i < count; i++) {
-        bool is_arrow = i >= 2 && (key[i - 1] == '[' || key[i - 1] == 'O') && key[i - 2] == '\033' &&
-                        key[i] >= 'A' && key[i] <= 'D';
-        if (is_arrow) {
-            w->step += steps[key[i] - 'A'];
-            w->step = w->step < 0 ? 0 : w->step > STEPS ? STEPS : w->step;
-            w->x = watch_x(w, w->step);
-        } else if (key[i] == '\n' || key[i] == '\r') {
-            w->state = WATCH_KEEP;
-        } else if (key[i] == 'q' || key[i] == 4 /* ^D */) {
-            w->state = WATCH_LEAVE;
-        } else if (key[i] == 26 /* ^Z */) {
-            w->state = WATCH_STOP;
-        }
+    if (key >= KEY_UP && key <= KEY_LEFT) {
+        w->step += steps[key - KEY_UP];
+        w->step = w->step < 0 ? 0 : w->step > STEPS ? STEPS : w->step;
+        w->x = watch_x(w, w->step);
+    } else if (key == '\n' || key == '\r') {
+        w->state = WATCH_KEEP;
+    } else if (key == KEY_END) {
+        w->state = WATCH_LEAVE;
     }
 }
 
 /* Handles keys until a key, a signal or the end of the input ends the command. */
 static void watch_run(struct watch *w, FILE *out)
 {
-    struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
-    int width = 0, height = 0;
+    int width = 0, height = 0, key = KEY_BACK;
     double shown = (double)NAN;
-    char key[64];
     while (w->state == WATCH_ON) {
         int across, down;
         terminal_size(out, &across, &down);
-        if (across != width || down != height || w->x != shown)
+        if (across != width || down != height || w->x != shown || key == KEY_BACK)
             watch_draw(w, out);
         width = across;
         height = down;
         shown = w->x;
-        ssize_t count = poll(&input, 1, 200) > 0 ? read(STDIN_FILENO, key, sizeof key) : -1;
-        if (dom_raised(w->probe.query->scene->compute.interrupt) || count == 0 ||
-            (input.revents & (POLLHUP | POLLERR)))
-            w->state = WATCH_LEAVE;
-        else if (count > 0)
-            keys_take(w, key, count);
+        key = screen_key(1, w->probe.query->scene->compute.interrupt);
+        key_take(w, key);
     }
 }
 
@@ -139,24 +124,6 @@ static bool watch_possible(const struct session *session, struct problem *proble
            problem_error(problem,
                          "'watch' works only at the prompt of a terminal that can move its cursor; elsewhere "
                          "'sweep s 0.1 0.9 9 : rmax' lists the answers");
-}
-
-/* Runs the command on the alternate screen. Keys are read at once, and not echoed. */
-static void watch_show(struct watch *w, FILE *out)
-{
-    struct termios before, keys;
-    if (tcgetattr(STDIN_FILENO, &before) != 0)
-        return;
-    keys = before;
-    keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
-    /* ^Z is read as a key, so that the terminal is restored before the process stops. */
-    keys.c_cc[VSUSP] = _POSIX_VDISABLE;
-    tcsetattr(STDIN_FILENO, TCSADRAIN, &keys);
-    fputs("\033[?1049h\033[?25l", out); /* alternate screen, no cursor */
-    watch_run(w, out);
-    fputs("\033[?25h\033[?1049l", out);
-    fflush(out);
-    tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
 }
 
 static bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
@@ -174,12 +141,13 @@ static bool run_watch(struct session *session, const struct arguments *given, st
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
     bool begun = watch_begin(&w, problem);
     progress_end();
-    if (begun)
-        watch_show(&w, session->output->out);
+    FILE *screen = begun ? screen_begin(session->output->out) : NULL;
+    if (screen) {
+        watch_run(&w, screen);
+        screen_end();
+    }
     gsl_set_error_handler(handler);
     domq_real value = w.x;
-    if (w.state == WATCH_STOP)
-        raise(SIGTSTP);
     if (w.state == WATCH_KEEP && !parameter_set(&session->state, solve->parameter, &value, 1, NULL, problem))
         return false;
     if (begun)
