@@ -109,7 +109,7 @@ seconds() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_
         same "$row: pages" 2 "$(pdftotext listed.pdf - | tr -cd '\f' | wc -c)"
     done
     # A longer list takes a third page, and no part of the sheet is torn.
-    "$DOMINO" -e 'set row 19; set push 3; set r 1.05; sheet > listed.pdf'
+    "$DOMINO" -e 'set row 22; set push 3; set r 1.05; sheet > listed.pdf'
     same 'the top of the second page' Questions "$(pdftotext -layout -f 2 -l 2 listed.pdf - | grep . | sed -n 2p)"
     # A long row, and a row with a long list.
     "$DOMINO" -e "$block set row 3000; sheet > long.pdf; set row 19; set r 1.05; sheet > list.pdf"

@@ -5,6 +5,7 @@
 #define SHELL_CHART_H
 
 #include "pictures/picture/canvas.h"
+#include "pictures/picture/picture.h"
 
 enum chart_kind {
     CHART_LINE,
@@ -123,10 +124,8 @@ bool chart_prepare(struct chart *chart);
 /* Applies the user's title, labels and scales. Returns NULL, or a message if this is not possible. */
 const char *chart_dress(struct chart *chart);
 
-/* Returns the sizes of the picture and of its font. If the user has not chosen a height, the picture is tall
- * enough for the axes and the text around them. If the user has not chosen a font size, a narrow picture gets
- * a smaller font. */
-struct chart_look chart_size(const struct chart *chart);
+/* Writes the gnuplot terminal setting for a chart. `name` is the name of the terminal. */
+void chart_terminal(const struct chart *chart, const char *name, char terminal[TERMINAL_TEXT]);
 
 /* axis_place returns the position of a value on its axis: 0 is the lower end, and 1 is the upper end.
  * axis_number returns the value at a position. */

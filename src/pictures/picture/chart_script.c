@@ -4,95 +4,81 @@
 #include "io/escape.h"
 #include "io/terminal.h"
 #include "pictures/picture/chart.h"
-#include "pictures/picture/picture.h"
 #include <math.h>
 #include <string.h>
 
 enum { ROOM = 320 };
 
-/* The height of a line of text in cm, divided by the font size in points. */
-#define LINE_CM 0.048
+/* How a picture and the text in it are arranged. */
+struct arrangement {
+    double width, height, font; /* in cm, and in points */
+    int columns;                /* the number of characters that fit across the picture */
+    int across;                 /* the number of columns of the legend */
+    int title;                  /* the number of characters that fit on a line of the legend */
+    int longest;                /* the number of characters of the longest title in the legend */
+    int ticks_up;               /* the number of ticks for which the y axis has room */
+};
 
-/* Returns how many characters fit on a line of `width` cm, with a font of `font` points. */
-static int columns_in(double width, double font)
+/* Without a height that the user has chosen, the picture is tall enough for the axes and the text around
+ * them. Without a font size, a narrow picture gets a smaller font. */
+static struct arrangement arrangement_of(const struct chart *c)
 {
-    const double usual = 64;
-    int columns = (int)(usual * width / CHART_WIDTH * CHART_FONT / font);
-    return columns > 16 ? columns : 16;
-}
-
-/* The width in characters of the sample line before a title in the legend, blanks included. */
-#define SAMPLE 9
-
-/* Returns how many characters of a title fit on a line of the legend. */
-static int legend_columns(const struct chart *c, int columns)
-{
-    return c->look.legend == CHART_LEGEND_RIGHT ? columns / 3 : columns - SAMPLE;
-}
-
-/* Returns the number of columns of the legend. Sets *longest to the length of the longest title. */
-static int legend_across(const struct chart *c, int columns, int *longest)
-{
-    *longest = 0;
-    for (int k = 0; k < c->curves; k++) {
-        int title = utf8_columns(c->curve[k].title);
-        *longest = title > *longest ? title : *longest;
-    }
-    if (c->look.legend != CHART_LEGEND_BELOW)
-        return 1;
-    int across = (columns + 4) / (*longest + SAMPLE);
-    return across > 0 ? across : 1;
-}
-
-/* Returns how many lines the text around the axes takes up, not counting the names of events. */
-static int lines_around(const struct chart *c, int columns)
-{
-    const char *const texts[] = {c->title, c->note, c->x.label, c->y.label, c->map.value ? c->map.label : ""};
-    int lines = 3, longest, across = legend_across(c, columns, &longest);
-    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
-        lines += *texts[k] ? utf8_columns(texts[k]) / columns + 1 : 0;
-    /* An entry of the legend has two lines if the longest title has to be broken. */
-    const int high = longest > legend_columns(c, columns) ? 2 : 1;
-    return lines + (c->map.value || c->look.legend != CHART_LEGEND_BELOW
-                        ? 0
-                        : high * ((c->curves + across - 1) / across));
-}
-
-struct chart_look chart_size(const struct chart *c)
-{
+    const double line_cm = 0.048;   /* the height of a line in cm, divided by the font size in points */
     const double least_high = 0.45; /* the minimum height of the axes, relative to the picture's width */
     const double narrow = 10;       /* below this width in cm, the font is smaller */
     const double least_font = 7;    /* in points */
-    struct chart_look look = c->look;
-    look.width = look.width > 0 ? look.width : CHART_WIDTH;
-    look.font =
-        look.font > 0 ? look.font : fmax(fmin(CHART_FONT, CHART_FONT * look.width / narrow), least_font);
-    double texts = LINE_CM * look.font * lines_around(c, columns_in(look.width, look.font));
-    look.height = look.height > 0
-                      ? look.height
-                      : fmax(look.width * CHART_HEIGHT / CHART_WIDTH, texts + least_high * look.width);
-    return look;
+    const int sample = 9;           /* the width in characters of the line before a title in the legend */
+    const struct chart_look *look = &c->look;
+    const char *const texts[] = {c->title, c->note, c->x.label, c->y.label, c->map.value ? c->map.label : ""};
+    const bool is_below = !c->map.value && look->legend == CHART_LEGEND_BELOW;
+    struct arrangement l = {.width = look->width > 0 ? look->width : CHART_WIDTH, .across = 1};
+    l.font = look->font > 0 ? look->font : fmax(CHART_FONT * fmin(l.width / narrow, 1), least_font);
+    l.columns = (int)fmax(64 * l.width / CHART_WIDTH * CHART_FONT / l.font, 16);
+    l.title = look->legend == CHART_LEGEND_RIGHT ? l.columns / 3 : l.columns - sample;
+    for (int k = 0; k < c->curves; k++)
+        l.longest = (int)fmax(l.longest, utf8_columns(c->curve[k].title));
+    if (is_below)
+        l.across = (int)fmax((l.columns + 4) / (l.longest + sample), 1);
+    int lines = is_below ? 3 + (l.longest > l.title ? 2 : 1) * ((c->curves + l.across - 1) / l.across) : 3;
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
+        lines += *texts[k] ? utf8_columns(texts[k]) / l.columns + 1 : 0;
+    const double line = line_cm * l.font;
+    l.height = look->height > 0
+                   ? look->height
+                   : fmax(l.width * CHART_HEIGHT / CHART_WIDTH, lines * line + least_high * l.width);
+    l.ticks_up = (int)fmin(fmax((l.height - lines * line) / (1.8 * line), 2), 9);
+    return l;
 }
 
-/* Returns how many characters fit across the picture. */
-static int columns_of(const struct chart *c)
-{
-    const struct chart_look look = chart_size(c);
-    return columns_in(look.width, look.font);
-}
+#define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */
 
-static int ticks_up(const struct chart *c)
+void chart_terminal(const struct chart *c, const char *name, char terminal[TERMINAL_TEXT])
 {
-    const struct chart_look look = chart_size(c);
-    double line = LINE_CM * look.font, high = look.height - line * lines_around(c, columns_of(c));
-    int most = (int)(high / (1.8 * line));
-    return most < 2 ? 2 : most < 9 ? most : 9;
+    enum { SIZE = TERMINAL_TEXT };
+    const struct chart_look *chosen = &c->look;
+    struct arrangement l = arrangement_of(c);
+    /* the font 'sans' exists even on a minimal Debian system */
+    const char *family = chosen->family ? chosen->family : "sans";
+    const bool svg = strcmp(name, "svg") == 0;
+    const double dots = svg ? 45 : 60; /* dots per cm */
+    if (!(c->tex || chosen->width > 0 || chosen->height > 0 || chosen->font > 0 || chosen->family))
+        l.height = CHART_HEIGHT;
+    if (c->tex)
+        snprintf(terminal, SIZE, "%s size %.6gcm,%.6gcm textscale %.4g", name, l.width, l.height,
+                 l.font / TEX_FONT);
+    else if (strcmp(name, "pdfcairo") == 0)
+        snprintf(terminal, SIZE, "%s size %.6gcm,%.6gcm font '%s,%.3g' enhanced", name, l.width, l.height,
+                 family, l.font);
+    else /* the font is large, since a phone shrinks the picture */
+        snprintf(terminal, SIZE, "%s size %.0f,%.0f%s font '%s,%.3g'%s enhanced", name, dots * l.width,
+                 dots * l.height, svg ? " dynamic" : "", family, l.font * 17 / CHART_FONT,
+                 svg ? " background rgb 'white'" : "");
 }
 
 /* Returns the width of a character, as a fraction of the x axis. */
-static double letter_of(const struct chart *c)
+static double letter_of(const struct arrangement *l)
 {
-    return 1.024 / columns_of(c);
+    return 1.024 / l->columns;
 }
 
 /* Breaks a text into lines of similar length, each with at most `most` characters. For TeX, escapes the
@@ -139,14 +125,12 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name,
 }
 
 /* Sets up the legend, with as many columns as the longest title allows. */
-static void legend_script(const struct chart *c, FILE *out)
+static void legend_script(const struct chart *c, const struct arrangement *l, FILE *out)
 {
-    int longest, across = legend_across(c, columns_of(c), &longest), most = 1;
+    int most = 1;
     char title[ROOM];
-    for (int k = 0; k < c->curves; k++) {
-        const int lines = lines_make(c, c->curve[k].title, legend_columns(c, columns_of(c)), title);
-        most = lines > most ? lines : most;
-    }
+    for (int k = 0; k < c->curves; k++)
+        most = (int)fmax(most, lines_make(c, c->curve[k].title, l->title, title));
     /* By default, gnuplot leaves room for titles of one line, but the longest title has `most` lines. */
     if (c->look.legend == CHART_LEGEND_OFF)
         fprintf(out, "unset key\n");
@@ -155,22 +139,22 @@ static void legend_script(const struct chart *c, FILE *out)
     else /* gnuplot reserves too much width for long titles; a negative `width` takes some of it away */
         fprintf(out,
                 "set key below Left reverse samplen 4 height %g spacing %g noenhanced maxcols %d width %d\n",
-                most > 1 ? 1.4 : 1.2, (double)most, across, longest > 16 ? -longest / 6 : 0);
+                most > 1 ? 1.4 : 1.2, (double)most, l->across, l->longest > 16 ? -l->longest / 6 : 0);
 }
 
 /* Writes the title and the labels. The label of the y axis is written above the axis, because a long label
  * beside the axis would be cut off. */
-static void texts_script(const struct chart *c, FILE *out)
+static void texts_script(const struct chart *c, const struct arrangement *l, FILE *out)
 {
     char title[ROOM], note[ROOM], both[2 * ROOM], x[ROOM], y[ROOM], shades[ROOM];
-    const int most = columns_of(c);
+    const int most = l->columns;
     int lines = lines_make(c, c->title, most, title) + lines_make(c, c->note, most, note),
-        above = event_rows(c, letter_of(c));
+        above = event_rows(c, letter_of(l));
     int left = lines_make(c, c->y.label, most, y),
         right = c->map.value ? lines_make(c, c->map.label, most, shades) : 0;
     text_script(out, "set label ", y);
     fprintf(out, " at screen 0.02, graph 1 left offset 0,%g\n", above + left + 0.1);
-    if (right && utf8_columns(c->y.label) + utf8_columns(c->map.label) > columns_of(c) - 4)
+    if (right && utf8_columns(c->y.label) + utf8_columns(c->map.label) > most - 4)
         above += left; /* the two labels do not fit side by side */
     above += left > right ? left : right;
     if (right) {
@@ -184,13 +168,13 @@ static void texts_script(const struct chart *c, FILE *out)
     fprintf(out, " offset 0,%g\nset tmargin %g\n", above + 0.2, above + lines + 1.6);
 }
 
-static void events_script(const struct chart *c, FILE *out)
+static void events_script(const struct chart *c, const struct arrangement *l, FILE *out)
 {
     for (int k = 0; k < c->events; k++) {
-        const struct event_spot spot = event_spot(c, k, letter_of(c));
+        const struct event_spot spot = event_spot(c, k, letter_of(l));
         double x = c->event[k].x;
         char name[ROOM];
-        lines_make(c, c->event[k].name, columns_of(c), name);
+        lines_make(c, c->event[k].name, l->columns, name);
         fprintf(out, "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n", x,
                 x);
         text_script(out, "set label ", name);
@@ -252,7 +236,7 @@ static void map_script(const struct chart *c, FILE *out)
                   : "(($1+$2)/2):(($3+$4)/2):1:2:3:4:5 with boxxyerror fs solid noborder lc palette z");
 }
 
-static void curve_script(const struct chart *c, int k, FILE *out)
+static void curve_script(const struct chart *c, const struct arrangement *l, int k, FILE *out)
 {
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     static const struct {
@@ -271,7 +255,7 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     const struct chart_curve *curve = &c->curve[k];
     char title[ROOM];
     /* In a small picture, large points and thick lines would cover each other. */
-    const double point = c->tex ? 2 : 1, small = fmin(chart_size(c).width / (0.8 * CHART_WIDTH), 1),
+    const double point = c->tex ? 2 : 1, small = fmin(l->width / (0.8 * CHART_WIDTH), 1),
                  thin = fmax(small, 0.6);
     double usual = curve->ink == INK_GREY ? 1.5 : 2.5, width = styles[curve->kind].width;
     fprintf(out, "%s$curve%d using %s lc rgb '#%06x' lw %g", k ? ", " : "plot ", k, styles[curve->kind].how,
@@ -280,7 +264,7 @@ static void curve_script(const struct chart *c, int k, FILE *out)
         fprintf(out, " dt %d", curve->dash + 1);
     if (styles[curve->kind].size > 0)
         fprintf(out, " pt %d ps %g", points[curve->ink], point * small * styles[curve->kind].size);
-    lines_make(c, curve->title, legend_columns(c, columns_of(c)), title);
+    lines_make(c, curve->title, l->title, title);
     fputs(" title ", out);
     gnuplot_text(out, title);
 }
@@ -291,16 +275,13 @@ void chart_script(const struct chart *c, FILE *out)
                  "set grid lc rgb '#bbbbbb' lw 0.5 dt 1\n");
     if (c->look.has_range[0] || c->look.has_range[1])
         fprintf(out, "set clip two\n"); /* makes gnuplot draw lines whose ends are both outside the axes */
-    legend_script(c, out);
-    texts_script(c, out);
-    const int across = 9 * columns_of(c) / 64;
+    const struct arrangement l = arrangement_of(c);
+    legend_script(c, &l, out);
+    texts_script(c, &l, out);
     axis_script(out, &c->x, "x",
-                c->x.whole   ? 20 * columns_of(c) / 64
-                : across < 4 ? 4
-                : across < 9 ? across
-                             : 9);
-    axis_script(out, &c->y, "y", c->y.whole ? 20 : ticks_up(c));
-    events_script(c, out);
+                c->x.whole ? 20 * l.columns / 64 : (int)fmin(fmax(9 * l.columns / 64, 4), 9));
+    axis_script(out, &c->y, "y", c->y.whole ? 20 : l.ticks_up);
+    events_script(c, &l, out);
     if (c->map.value) { /* a chart with a map has no curves */
         map_script(c, out);
         return;
@@ -308,6 +289,6 @@ void chart_script(const struct chart *c, FILE *out)
     for (int k = 0; k < c->curves; k++)
         points_script(&c->curve[k], k, out);
     for (int k = 0; k < c->curves; k++)
-        curve_script(c, k, out);
+        curve_script(c, &l, k, out);
     fprintf(out, "\n");
 }

@@ -2,7 +2,6 @@
 #include "pictures/picture/show.h"
 #include "io/terminal.h"
 #include "language/names.h"
-#include "pictures/picture/picture.h"
 #include <string.h>
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23 };
@@ -44,32 +43,6 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
     height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height;
     return chart ? chart_text(chart, display, width, height, a->out)
                  : stage_text(stage, display, width, height, a->out);
-}
-
-#define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */
-
-/* Writes the gnuplot terminal setting for a chart. `name` is the name of the terminal. */
-static void chart_terminal(const struct chart *chart, const char *name, char terminal[TERMINAL_TEXT])
-{
-    enum { SIZE = TERMINAL_TEXT };
-    const struct chart_look *chosen = &chart->look;
-    struct chart_look look = chart_size(chart);
-    /* the font 'sans' exists even on a minimal Debian system */
-    const char *family = look.family ? look.family : "sans";
-    const bool svg = strcmp(name, "svg") == 0;
-    const double dots = svg ? 45 : 60; /* dots per cm */
-    if (!(chart->tex || chosen->width > 0 || chosen->height > 0 || chosen->font > 0 || chosen->family))
-        look.height = CHART_HEIGHT;
-    if (chart->tex)
-        snprintf(terminal, SIZE, "%s size %.6gcm,%.6gcm textscale %.4g", name, look.width, look.height,
-                 look.font / TEX_FONT);
-    else if (strcmp(name, "pdfcairo") == 0)
-        snprintf(terminal, SIZE, "%s size %.6gcm,%.6gcm font '%s,%.3g' enhanced", name, look.width,
-                 look.height, family, look.font);
-    else /* the font is large, since a phone shrinks the picture */
-        snprintf(terminal, SIZE, "%s size %.0f,%.0f%s font '%s,%.3g'%s enhanced", name, dots * look.width,
-                 dots * look.height, svg ? " dynamic" : "", family, look.font * 17 / CHART_FONT,
-                 svg ? " background rgb 'white'" : "");
 }
 
 /* Draws a picture with gnuplot. */

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes a stage, to scale, as a gnuplot script. */
 #include "answer/wrap.h"
-#include "language/text.h"
 #include "pictures/picture/picture.h"
 #include "pictures/picture/stage.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- The sheet, in dots ---- */
@@ -43,8 +41,7 @@ static int caption_lines(const char *text)
 /* Returns the sheet for a stage, with `room` dots above the tallest domino. */
 static struct sheet sheet_with(const struct stage *stage, double least, double most, double room)
 {
-    /* the number of caption lines, plus one for labels_missing */
-    int lines = caption_lines(stage->caption) + (stage->row != NULL);
+    const int lines = caption_lines(stage->caption);
     struct sheet v = {.width = SHEET_WIDTH, .below = MARGIN_BELOW, .above = 10 + LINE * lines, .indent = 10};
     double edge = EDGE * (stage->right - stage->left), wide = stage->right - stage->left + 2 * edge;
     double by_width = wide / ACROSS, by_height = stage->top / (most - v.above - v.below - STRIP - room);
@@ -134,9 +131,9 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             (v->below - MARGIN_BELOW + 9) / v->height, SMALL + 1);
 }
 
-/* Writes text into the caption, starting at line `line`. */
-static void caption_script(const char *text, const struct sheet *v, int line, FILE *script)
+static void caption_script(const char *text, const struct sheet *v, FILE *script)
 {
+    int line = 0;
     for (size_t n; *text; line++, text += n + (text[n] == ' ' || text[n] == '\n')) {
         n = line_break(text, CAPTION_COLUMNS);
         fputs("set label ", script);
@@ -246,9 +243,9 @@ static bool height_repeats(const struct stage *stage, size_t k)
 }
 
 /* Writes the number of a domino below it, and its height above it. If the previous domino has the same
- * height, the height is not repeated. If one of the two does not fit, writes neither and returns false,
- * except for marked dominoes. */
-static bool names_put(const struct stage *stage, size_t k, struct labels *l)
+ * height, the height is not repeated. If one of the two does not fit, writes neither, except for marked
+ * dominoes. */
+static void names_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
     const struct sheet *v = l->sheet;
@@ -264,7 +261,6 @@ static bool names_put(const struct stage *stage, size_t k, struct labels *l)
         label_put(l, &number);
     if ((fits || drawn_marked(d)) && *text)
         label_put(l, &height);
-    return fits || (stage->row && !is_sized(stage, k));
 }
 
 /* Writes the size of the gap before domino k into the gap, if there is room. */
@@ -280,35 +276,9 @@ static void gap_put(const struct stage *stage, size_t k, struct labels *l)
         label_put(l, &label);
 }
 
-/* Writes a line with the heights of the unlabelled dominoes, unless the line would be too long. */
-static void labels_missing(const struct stage *stage, const struct sheet *v, const bool *is_missing,
-                           FILE *script)
-{
-    char line[2 * CAPTION_COLUMNS] = "";
-    for (size_t k = 0; k < stage->count && strlen(line) < CAPTION_COLUMNS; k++) {
-        size_t from = k;
-        while (is_missing[k] && k + 1 < stage->count && is_missing[k + 1])
-            k++;
-        if (!is_missing[k])
-            continue;
-        const char *to = k == from + 1 ? "and" : "to",
-                   *start = *line ? ", " : "Too small for labels: domino ";
-        if (k == from)
-            text_add(line, sizeof line, "%s%zu (%.12s)", start, k + 1, height_of(stage, k).text);
-        else
-            text_add(line, sizeof line, "%s%zu %s %zu (%.12s %s %.12s)", start, from + 1, to, k + 1,
-                     height_of(stage, from).text, to, height_of(stage, k).text);
-    }
-    if (*line && strlen(line) < CAPTION_COLUMNS) {
-        text_add(line, sizeof line, ".");
-        caption_script(line, v, caption_lines(stage->caption), script);
-    }
-}
-
 static void labels_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {
     struct labels l = {.script = script, .sheet = v};
-    bool *is_missing = stage->row ? calloc(stage->count, sizeof *is_missing) : NULL;
     /* Later labels get only the room that earlier labels leave. The first pass writes the labels of marked
      * dominoes, the second pass those of all other dominoes, and the third pass the gaps. Each pass begins at
      * the front, where the largest dominoes usually are. */
@@ -318,12 +288,9 @@ static void labels_script(const struct stage *stage, const struct sheet *v, FILE
             size_t k = (size_t)(d - stage->domino);
             if (pass == 2 && is_sized(stage, k))
                 gap_put(stage, k, &l);
-            else if (drawn_marked(d) == (pass == 0) && !names_put(stage, k, &l) && is_missing)
-                is_missing[k] = true;
+            else if (drawn_marked(d) == (pass == 0))
+                names_put(stage, k, &l);
         }
-    if (is_missing)
-        labels_missing(stage, v, is_missing, script);
-    free(is_missing);
 }
 
 struct sheet sheet_of(const struct stage *stage, double least, double most)
@@ -423,7 +390,7 @@ void stage_script(const struct stage *stage, const struct sheet *v, FILE *script
     const char *comma = "plot ";
     int count[PARTS];
     axes_script(stage, v, script);
-    caption_script(stage->caption, v, 0, script);
+    caption_script(stage->caption, v, script);
     for (int part = 0; part < PARTS; part++)
         count[part] = part_script(stage, v, (enum part)part, script);
     int contacts = contacts_script(stage, v, script);
