@@ -415,18 +415,6 @@ static void best_say(const struct hunt *h, struct answer *a)
         answer_say(a, "%s.", same);
 }
 
-static void ties_say(const struct hunt *h, struct answer *a)
-{
-    char text[512] = "", place[PLACE];
-    for (int k = 0; k < h->peak[0].ties; k++) {
-        place_write(h, 0, h->peak[0].tie[k], digits_right(h, h->peak[0].tie[k], h->peak[0].within), place);
-        text_add(text, sizeof text, "%s%s = %s", k ? " and " : "", h->optimum->range[0].parameter->name,
-                 place);
-    }
-    if (*text)
-        answer_say(a, "It has the same value at %s.", text);
-}
-
 static void missing_say(const struct hunt *h, struct answer *a)
 {
     char missing[256];
@@ -453,7 +441,6 @@ bool run_optimum(const struct query *query, struct answer *a, struct problem *pr
     if (!h)
         return false;
     best_say(h, a);
-    ties_say(h, a);
     missing_say(h, a);
     for (int i = 0; i < o->axes && !answer_lost(a); i++) {
         const struct peak *p = &h->peak[i];

@@ -10,17 +10,13 @@ struct spot {
     double x, value;
 };
 
-enum { SPOTS_MOST = 24 };
-
 struct search {
     const struct slope *slope;
     const double *value;
     size_t count;
     struct spot best;
-    double lowest;                /* the smallest value of all points */
-    bool is_edge;                 /* `best` was found by bisection, beside a place without a value */
-    struct spot spot[SPOTS_MOST]; /* the maxima, one from each neighbourhood */
-    int spots;
+    double lowest; /* the smallest value of all points */
+    bool is_edge;  /* `best` was found by bisection, beside a place without a value */
 };
 
 size_t peak_points(const struct slope *s, size_t most)
@@ -182,8 +178,6 @@ static void look_around(struct search *s, size_t k)
     const struct spot a = neighbour(s, k, -1, &left), b = neighbour(s, k, 1, &right);
     struct spot m = {x_of(s, k), s->value[k]}, found;
     found = s->slope->whole ? whole_find(s, m, a.x, b.x) : between(s, a, m, b);
-    if (s->spots < SPOTS_MOST)
-        s->spot[s->spots++] = found;
     if (found.value <= s->best.value)
         return;
     s->best = found;
@@ -300,32 +294,6 @@ static enum peak_end plateau_ends(const struct search *s, const struct peak *p)
     return high == PEAK_BEFORE_HOLE ? high : low == PEAK_AFTER_HOLE ? low : PEAK_INSIDE;
 }
 
-/* Returns true if the values fall between a place and the best one, so that it is a maximum of its own. */
-static bool is_separate(const struct search *s, const struct peak *p, const struct spot *t)
-{
-    const double from = t->x < p->low ? t->x : p->high, to = t->x < p->low ? p->low : t->x;
-    for (size_t k = 0; k < s->count; k++)
-        if (x_of(s, k) > from && x_of(s, k) < to && !(s->value[k] >= t->value - alike(s)))
-            return true;
-    return false;
-}
-
-/* Lists the other places whose value is as large. The values of two equal maxima differ by what their places
- * are off. */
-static void ties_find(const struct search *s, struct peak *p)
-{
-    const double cell = (s->slope->to - s->slope->from) / (double)(s->count > 1 ? s->count - 1 : 1),
-                 off = 2 * alike(s) + 1e-12 * (s->best.value - s->lowest);
-    for (int i = 0; i < s->spots && p->ties < PEAK_TIES; i++) {
-        const struct spot *t = &s->spot[i];
-        bool is_new = t->value >= s->best.value - off && (t->x < p->low - cell || t->x > p->high + cell);
-        for (int j = 0; j < p->ties; j++)
-            is_new = is_new && fabs(t->x - p->tie[j]) > 2 * cell;
-        if (is_new && is_separate(s, p, t))
-            p->tie[p->ties++] = t->x;
-    }
-}
-
 struct peak peak_find(const struct slope *slope, const double *value, size_t count, bool is_rough)
 {
     struct search s = {
@@ -349,6 +317,5 @@ struct peak peak_find(const struct slope *slope, const double *value, size_t cou
     around(&s, &p);
     if (p.low < p.high)
         p.end = plateau_ends(&s, &p);
-    ties_find(&s, &p);
     return p;
 }

@@ -20,7 +20,7 @@ struct slope {
     const volatile sig_atomic_t *interrupt;
 };
 
-enum { PEAK_POINTS = 241, PEAK_TIES = 4 };
+enum { PEAK_POINTS = 241 };
 
 /* Where the largest value is. */
 enum peak_end {
@@ -38,8 +38,6 @@ struct peak {
     /* The function has the same value from `low` to `high`. Elsewhere than on a plateau, both are x. */
     double low, high;
     enum peak_end end;
-    double tie[PEAK_TIES]; /* other places with the same value */
-    int ties;
 };
 
 /* Returns how many points of the interval peak_find needs first: at most `most`, evenly spaced, and for whole

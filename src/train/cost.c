@@ -5,7 +5,6 @@
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
-#include "train/seconds.h"
 #include "train/train.h"
 
 /* ---- The quantities that can be measured ---- */
@@ -62,17 +61,30 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
 
 /* ---- Measuring ---- */
 
-struct timed {
-    int which;
-    const struct domq_train *train;
-    const struct any_compute *compute;
-};
-
-static bool timed_answer(void *context)
+/* Returns how many seconds the answer takes, in the fastest of up to seven batches. A slow answer is timed
+ * only once. Returns NaN if there is no answer. */
+static double seconds_of(int which, const struct domq_train *train, const struct any_compute *compute)
 {
-    const struct timed *t = context;
+    const double shortest = 2e-4; /* in s; the clock is too coarse for a shorter batch */
+    const double slow = 0.1;      /* in s; a batch that takes longer is the last */
+    const int batches = 7;
+    double least = HUGE_VAL;
+    long repeats = 1;
     domq_real value;
-    return compute_answer(t->which, t->train, t->compute, &value) == DOM_OK;
+    for (int batch = 0; batch < batches;) {
+        double begun = terminal_clock();
+        for (long i = 0; i < repeats; i++)
+            if (compute_answer(which, train, compute, &value) != DOM_OK)
+                return (double)NAN;
+        double seconds = terminal_clock() - begun;
+        if (seconds < shortest) {
+            repeats *= 2;
+            continue;
+        }
+        least = fmin(least, seconds / (double)repeats);
+        batch += seconds > slow ? batches : 1;
+    }
+    return least;
 }
 
 static void row_measure(int which, const struct query *query, domq_real reference, struct cost_row *row)
@@ -91,7 +103,7 @@ static void row_measure(int which, const struct query *query, domq_real referenc
                     rounding = (domq_real)any_arithmetic(IN_QUAD).epsilon * size;
     row->error = quad_larger(quad(fabs)(value - reference), rounding) / size;
     compute.work = NULL;
-    row->seconds = seconds_of(timed_answer, &(struct timed){which, train, &compute});
+    row->seconds = seconds_of(which, train, &compute);
 }
 
 static const struct {

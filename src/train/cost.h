@@ -17,7 +17,7 @@ struct cost_row {
     enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
     domq_real error;        /* the relative error of the result, or that of the reference if it is larger */
     struct dom_work work;
-    double seconds; /* time that a run takes, as seconds_of measures it */
+    double seconds; /* the time that an answer takes: the shortest of up to seven measurements */
 };
 
 enum { COST_ROWS = 65 };

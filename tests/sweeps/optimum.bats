@@ -86,10 +86,9 @@ END
 }
 
 # The sum is cut off where the rest no longer matters, so that it falls in steps, of which the first are tiny.
-@test "a step below the best values is no other maximum" {
+@test "a step below the best values ends the range of the maximum" {
     run -0 "$DOMINO" -e 'maximize s 0.02 0.6 : sum(chain(0).weight)'
     grep -q '^sum(chain(0).weight) is largest, 1.24615, for every s from 0.02 ' <<<"$output"
-    run ! grep -q 'same value' <<<"$output"
 }
 
 # With growth r, ln(20 m/h) / ln r dominoes are needed, rounded up.
@@ -136,7 +135,6 @@ maximize s : fuel|0.66666666666667|0.854166666667|hole
 END
     run -0 "$DOMINO" -e 'minimize s : (s-0.3)^2*(s-0.7)^2'
     grep -qE ' is smallest, 0, at s = 0\.[37] ' <<<"$output"
-    grep -qE '^It has the same value at s = 0\.[37] ' <<<"$output"
     run -0 "$DOMINO" -e 'maximize s 0.1 0.8 : s^2'
     same end 's^2 is largest, 0.64, at s = 0.8 (3.84 cm), the largest value that was tried.' "$output"
 }
