@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/fit.h"
+#include "language/quad.h"
 #include "language/text.h"
 #include "sweeps/sweeps.h"
 #include "train/falling.h"
@@ -157,17 +158,21 @@ static void rows_write(struct answer *a, const struct fit *f)
 
 /* ---- In words ---- */
 
-/* Says the best value with its interval, with as many digits as the ends of the interval need to differ. */
+/* Says the best value with its interval, with as many digits as the ends of the interval need to differ. The
+ * interval ends where the range of the parameter ends. */
 static void value_say(struct answer *a, const struct fit_unknown *u, const char *unit, double t)
 {
+    const struct parameter *p = u->parameter;
+    const domq_real least = quad_larger((domq_real)(u->value - t * u->deviation), p->value->lowest),
+                    most = quad_smaller((domq_real)(u->value + t * u->deviation), p->value->highest);
     struct measured low, high;
     int digits = 4;
     do {
-        low = measured((domq_real)(u->value - t * u->deviation), unit, digits);
-        high = measured((domq_real)(u->value + t * u->deviation), unit, digits);
+        low = measured(least, unit, digits);
+        high = measured(most, unit, digits);
     } while (strcmp(low.text, high.text) == 0 && ++digits < 15);
     answer_say(a, "The best fit is %s %s, with a standard deviation of %s and a 95 %% interval of %s to %s.",
-               u->parameter->name, measured((domq_real)u->value, unit, digits).text,
+               p->name, measured((domq_real)u->value, unit, digits).text,
                measured((domq_real)u->deviation, unit, 2).text, low.text, high.text);
 }
 

@@ -63,10 +63,10 @@ static bool hit_unclear(const struct fit *f, const struct sound *s, size_t d, co
     return problem_no_answer(
         problem,
         "%s:%ld: the hit %s after that of domino %zu cannot be numbered: the next one is due after about "
-        "%s; if it is an echo, delete the line, and otherwise give numbers in a column 'domino', or "
-        "'set push' if the row was pushed",
+        "%s; if it is an echo, delete the line, and otherwise give numbers in a column 'domino'%s",
         shown, point->line, measured((domq_real)(point->measured - point[-1].measured), "s", 3).text, d,
-        measured((domq_real)(s->scale * (s->time[d + 1] - s->time[d])), "s", 3).text);
+        measured((domq_real)(s->scale * (s->time[d + 1] - s->time[d])), "s", 3).text,
+        f->query->scene->effect[DOM_EFFECT_push].on ? "" : ", or 'set push' if the row was pushed");
 }
 
 /* Numbers the hits of a run. Without a number, the first hit is that of domino 2, which domino 1 hits. */

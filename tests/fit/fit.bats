@@ -251,6 +251,9 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     try '2:9: error: this is a percentage; write a speed such as 1.3 m/s' 'gap (mm), speed (m/s), error\n9, 1.3, 2 %\n'
     try '2:9: error: this is a percentage; write a speed' 'gap (mm), speed (m/s), error (m/s)\n9, 1.3, 2 %\n'
     try '2:9: error % = 2 is too large; the range of error % is more than 0, up to 100 %' 'gap (mm), speed (m/s), relative error\n9, 1.3, 2\n'
+    # An interval ends where the range of the parameter does.
+    printf 'gap (mm),speed (m/s)\n10,0.8\n20,1.0\n30,1.05\n' >three.csv
+    "$DOMINO" -e 'set r 1; fit friction three.csv' | grep -qF 'a 95 % interval of 0 to 0.7475.'
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 50 %%, 20\n' >share.csv
     wrong 'set row share.csv' 'share.csv:3:5: thickness: this is a percentage; write a length'
 }

@@ -109,6 +109,8 @@ evenly() { # COUNT
     for place in '0.2|between the top and the hit' '0.01|between the launch and the top'; do
         grep -q "^Cycle 1, ${place#*|}: the train " <<<"$("$DOMINO" -e "step to ${place%|*}")" || same "$place" "$place" ''
     done
+    wrong 'energy 5' "; for degrees, write '5 deg'$"
+    wrong 'energy 5 rad' "'thetac' gives theta_c$"
     same start '1 launch 0' "$(json 'step 8; step to start' | tail -n 1 | sed -E 's/.*"cycle":([0-9]*),"event":"([a-z]*)","theta":([^,]*),.*/\1 \2 \3/')"
     run -1 "$DOMINO" --keep-going -e 'set r 1.7; goto 0.3'
     [[ $output == *'the train stops before that, at theta = 0.02802163121 rad'* ]]

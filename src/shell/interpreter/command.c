@@ -195,12 +195,15 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
         return problem_status(problem, query->scene, status);
     /* If the user has copied theta_c from an answer in degrees, the value may have been rounded up. */
     domq_real slack = 2 * (domq_real)any_arithmetic(query->scene->compute.precision).epsilon * angles.theta_c;
+    char degrees[96] = "";
+    if (q.angle != 1 && style->angle == ANGLE_RAD && theta > 0 && theta * (QUAD_PI / 180) <= angles.theta_c)
+        snprintf(degrees, sizeof degrees, "; for degrees, write '%.40s deg'", quad_text(theta, 10));
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
         return problem_no_answer(problem,
                                  "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
-                                 "%.17g]; 'thetac' gives theta_c",
+                                 "%.17g]; 'thetac' gives theta_c%s",
                                  a->name, quad_text(style_angle(style, theta), 10), style_angle_unit(style),
-                                 a->name, (double)style_angle(style, angles.theta_c));
+                                 a->name, (double)style_angle(style, angles.theta_c), degrees);
     *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs turns -0 into 0. */
     return true;
 }
