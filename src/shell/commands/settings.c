@@ -109,22 +109,33 @@ static void missing_say(const struct query *query, struct answer *a, const struc
         answer_say(a, "This is set, and counts once there is a row: enter 'set row N' or 'set row FILE'.");
 }
 
-/* The length of a width is that of the first domino. Says how wide the last one is if it is wider, because
- * the user may have meant all of them. */
-static void width_say(const struct query *query, struct answer *a, const struct typed_length *length)
+/* Says what a change of a parameter leaves as it was in the row. The length of a width is that of the first
+ * domino, but the user may have meant all of them. */
+static void row_say(const struct query *query, struct answer *a, const struct parameter *p,
+                    const struct typed_length *length)
 {
     const struct scene *scene = &query->next->scene;
+    const struct listed_row *listed = &scene->listed;
+    const bool is_width = p->share == SHARE_width;
+    const size_t kept = p->share == SHARE_s ? gaps_changed(listed) : 0;
     struct problem none = {.kind = PROBLEM_NONE};
     struct scene_row row = {.domino = NULL};
-    if (length->m > 0 && !scene->listed.domino && scene->effect[DOM_EFFECT_row].on &&
-        !query->run_context->sourced && scene_row_list(scene, &row, &none)) {
-        const struct domq_domino *last = &row.domino[row.row.count - 1];
+    if (listed->domino && (p->of_row || (is_width && listed->domino->width > 0)))
+        change_say(query, a, "%s does not change the row, whose %s come from %s%s.", p->name,
+                   is_width ? "widths" : "dominoes", effect_setting(query->scene, DOM_EFFECT_row),
+                   is_width ? "" : "; 'set row N' makes a row from s, r, d and h");
+    else if (kept > 0)
+        change_say(query, a,
+                   "s does not change the gaps that 'change', 'place' or 'improve' has set (%zu of %zu); "
+                   "'set row N' makes a row from s and r.",
+                   kept, listed->changes - 1);
+    else if (is_width && length->m > 0 && !listed->domino && scene_row_list(scene, &row, &none) &&
+             row.domino[row.row.count - 1].width != row.domino->width) {
         const char *typed = length_write(length->m, length->unit, (char[LENGTH_TEXT]){""});
-        if (last->width != row.domino->width)
-            change_say(query, a,
-                       "%s is the width of domino 1, and domino %zu is %s wide; 'change all width %s' sets "
-                       "all widths.",
-                       typed, row.row.count, measured(last->width, "m", 3).text, typed);
+        change_say(query, a,
+                   "%s is the width of domino 1, and domino %zu is %s wide; 'change all width %s' sets "
+                   "all widths.",
+                   typed, row.row.count, measured(row.domino[row.row.count - 1].width, "m", 3).text, typed);
     }
     free(row.domino);
 }
@@ -149,23 +160,8 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (p == parameter_find("digits") && next->settings.style.digits > all && !query->run_context->sourced)
         answer_say(a, "%s precision has at most %d digits%s", any_arithmetic(precision).name, all,
                    precision == IN_QUAD ? "" : "; 'set precision quad' has more");
-    if (next->scene.listed.domino && p->of_row && !query->run_context->sourced)
-        change_say(query, a,
-                   "%s does not change the row, whose dominoes come from %s; 'set row N' makes a row from "
-                   "s, r, d and h.",
-                   p->name, effect_setting(query->scene, DOM_EFFECT_row));
-    if (next->scene.listed.domino && next->scene.listed.domino->width > 0 && p == parameter_find("width") &&
-        !query->run_context->sourced)
-        change_say(query, a, "width does not change the row, whose widths come from %s.",
-                   effect_setting(query->scene, DOM_EFFECT_row));
-    if (p == parameter_find("width"))
-        width_say(query, a, &length);
-    const size_t kept = p == parameter_find("s") ? gaps_changed(&next->scene.listed) : 0;
-    if (kept > 0 && !next->scene.listed.domino && !query->run_context->sourced)
-        change_say(query, a,
-                   "s does not change the gaps that 'change', 'place' or 'improve' has set (%zu of %zu); "
-                   "'set row N' makes a row from s and r.",
-                   kept, next->scene.listed.changes - 1);
+    if (!query->run_context->sourced)
+        row_say(query, a, p, &length);
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         effect_say(query, a, p, before != EFFECT_OFF);
     missing_say(query, a, p);
@@ -407,7 +403,9 @@ const struct command session_commands[] = {
      .columns = step_columns,
      .act = run_redo},
     {.name = "print",
-     .synonyms = "calculate calculator convert units feet inch evaluate",
+     .synonyms =
+         "calculate calculator convert unit units feet inch evaluate sum expression expressions function "
+         "functions",
      .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY},
                   {.name = "to U",
                    .kind = ARGUMENT_UNIT,

@@ -76,12 +76,7 @@ const char *topic_names(const void *context, int k)
 static const struct parameter *parameter_for(const char *word)
 {
     const struct parameter *usual = parameter_by_synonym(word, false);
-    if (usual)
-        return usual;
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (parameter_is_number(p) && names_exact(parameter_words, p, word) >= 0)
-            return p;
-    return NULL;
+    return usual ? usual : parameter_by_value(word);
 }
 
 static bool topic_has(const char *topic, const char *word)

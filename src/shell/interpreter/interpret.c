@@ -81,32 +81,47 @@ static void resume(struct session *session)
         *session->interrupt_flag = 0;
 }
 
-/* Runs a text of several lines, as a script with these lines. */
-static void run_lines(struct session *session, const char *text)
+/* Runs the lines of a stream. If `resumes` is true, SIGINT ends only one of them (see resume). Returns the
+ * error that ends the stream, or 0. */
+static int run_lines(struct session *session, FILE *in, bool resumes)
 {
     char *line = NULL;
     size_t size = 0;
-    long joined = 0, errors = session->errors;
-    FILE *in = fmemopen((char *)text, strlen(text), "r");
-    while (in && !session_stops(session, errors) && text_read(&line, &size, in, &joined) != -1) {
-        errors = session->errors;
-        run_line(session, line, strlen(line));
-        session->source.line += 1 + joined;
-        joined = 0;
+    ssize_t length;
+    bool goes_on = !session->quit;
+    errno = 0;
+    for (long joined = 0; goes_on && (length = text_read(&line, &size, in, &joined)) != -1; joined = 0) {
+        const long errors = session->errors;
+        bool is_text = strlen(line) == (size_t)length;
+        session->source.line++;
+        if (resumes)
+            resume(session);
+        if (is_text)
+            run_line(session, line, strlen(line));
+        else
+            session_error(session, "the line contains a NUL byte; commands are text");
+        if (resumes)
+            resume(session);
+        session->source.line += joined;
+        goes_on = !session_stops(session, errors) && (is_text || length <= TEXT_MOST);
+        errno = 0;
     }
-    if (in)
-        fclose(in);
-    else
-        session_error(session, "out of memory");
+    int reason = ferror(in) || errno == ENOMEM ? errno : 0;
+    if (reason && reason != ECANCELED)
+        session_error(session, "cannot read the next line: %s", strerror(reason));
     free(line);
+    return reason;
 }
 
 void command_run_text(struct session *session, const char *text)
 {
+    FILE *in = strchr(text, '\n') ? fmemopen((char *)text, strlen(text), "r") : NULL;
     resume(session);
-    if (strchr(text, '\n'))
-        run_lines(session, text);
-    else
+    if (in) {
+        session->source.line--; /* it is the line of the first one already */
+        run_lines(session, in, false);
+        fclose(in);
+    } else
         run_line(session, text, strlen(text));
     resume(session);
 }
@@ -115,32 +130,11 @@ void command_run_text(struct session *session, const char *text)
 
 void line_stream(struct session *session, FILE *in, const char *name)
 {
-    char *text = NULL;
-    size_t size = 0;
-    ssize_t length;
     const struct source outer = session->source;
     const char *command = session->command;
     session->source = (struct source){.name = name, .stream = in, .depth = outer.depth};
     session->command = NULL;
-    errno = 0;
-    for (long joined = 0; !session->quit && (length = text_read(&text, &size, in, &joined)) != -1;
-         joined = 0) {
-        long errors = session->errors;
-        session->source.line++;
-        bool is_text = strlen(text) == (size_t)length;
-        if (is_text)
-            command_run_text(session, text);
-        else
-            session_error(session, "the line contains a NUL byte; commands are text");
-        session->source.line += joined;
-        if (session_stops(session, errors) || (!is_text && length > TEXT_MOST))
-            break;
-        errno = 0;
-    }
-    int reason = ferror(in) || errno == ENOMEM ? errno : 0;
-    if (reason && reason != ECANCELED)
-        session_error(session, "cannot read the next line: %s", strerror(reason));
-    free(text);
+    const int reason = run_lines(session, in, true);
     session->source = outer;
     session->command = command;
     /* An interrupt is reported for the command 'source', not for a line of the file. */

@@ -83,17 +83,6 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     return item_parse_value(r, p, i - 1, value->name, item);
 }
 
-/* Returns true for a topic of 'help' that is about expressions, such as sin, cm or units. */
-static bool is_expression_topic(const char *word)
-{
-    static const char *const topics[] = {"ans",        "sum",         "unit",     "units",
-                                         "expression", "expressions", "function", "functions"};
-    for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
-        if (strcmp(topics[i], word) == 0)
-            return true;
-    return is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0;
-}
-
 /* Parses the name of a parameter or topic. Variables are accepted if no value follows. */
 static bool topic_parse(struct reader *r, const struct argument *a, struct question *q, int i)
 {
@@ -121,7 +110,8 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     int k = is_topic && group_named(word) ? -1 : parameter_search(a->choices, a->noun, word, message);
     if (k < 0 && is_topic && landmark_find(word))
         k = names_exact(a->choices, NULL, "landmarks");
-    if (k < 0 && is_topic && is_expression_topic(word))
+    if (k < 0 && is_topic &&
+        (is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0)) /* such as sin or cm */
         k = names_exact(a->choices, NULL, "print");
     q->item[i].number = k;
     if (k < 0 && is_topic && (group_named(word) || topic_by_synonym(word, 0)))

@@ -62,32 +62,26 @@ const struct parameter *parameter_by_value(const char *word)
     return NULL;
 }
 
-/* A list of names, without those of effects. */
-struct without_effects {
-    names_list *list;
-};
-
-static const char *without_effects_names(const void *context, int k)
+/* The context is a names_list; the names are those of this list that are not effects. */
+static const char *without_effects(const void *context, int k)
 {
-    const struct without_effects *without = context;
+    names_list *const *list = context;
+    const struct parameter *p;
     const char *name;
-    for (int i = 0; (name = without->list(NULL, i)) != NULL; i++) {
-        const struct parameter *p = parameter_find(name);
-        if (!(p && p->effect) && k-- == 0)
+    for (int i = 0; (name = (*list)(NULL, i)) != NULL; i++)
+        if ((!(p = parameter_find(name)) || !p->effect) && k-- == 0)
             break;
-    }
     return name;
 }
 
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE])
 {
-    /* One or two letters mean a measure, not an effect: w is the width, not the walls. */
-    const bool is_short = strlen(word) < 3 && names_exact(list, NULL, word) < 0;
-    const struct without_effects without = {list};
-    int k = is_short ? names_find(without_effects_names, &without, what, word, message)
-                     : names_find(list, NULL, what, word, message);
-    if (is_short && k >= 0)
-        k = names_exact(list, NULL, without_effects_names(&without, k));
+    int k = names_exact(list, NULL, word);
+    if (k < 0 && strlen(word) < 3) { /* One or two letters mean a measure: w is the width, not the walls. */
+        k = names_find(without_effects, &list, what, word, message);
+        k = k < 0 ? k : names_exact(list, NULL, without_effects(&list, k));
+    } else if (k < 0)
+        k = names_find(list, NULL, what, word, message);
     const char *feature = k < 0 && !parameter_find(word) ? parameter_missing(word) : NULL;
     if (feature) {
         snprintf(message, NAMES_MESSAGE, "'%s' belongs to '%s', which this build of the program leaves out",
