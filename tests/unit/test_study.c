@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Studies save work: they run only the part of a row that a change affects, and leave out the search for the
- * barrier. They are compared here with runs of whole rows. */
+ * barrier. They are compared here with runs of whole rows, and in test_verdicts for random rows. */
 
 #include "request.h"
 #include "support.h"
@@ -121,40 +121,6 @@ TEST(rows_again_end_like_whole_rows)
     }
     print_message("# %d rows fall; %d changes also change the verdict\n", falls, other);
     assert_true(falls > 500 && other > 100);
-}
-
-/* Checks that a random row ends at the same domino and in the same way, whether it is run as in a study or in
- * full. The barrier of thin dominoes with friction is narrow, and lies close to the start of their motion. */
-TEST(random_rows_end_like_whole_rows)
-{
-    uint64_t seed = 44;
-    int ends[2] = {0}, quick = 0;
-    for (int i = 0; i < 2000; i++) {
-        static struct random_dominoes row;
-        struct study *study;
-        struct dom_verdict found, whole;
-        dominoes_make(&row, &seed, i % 2 ? uniform(&seed, 0, 0.5) : 0);
-        row.request.push = i % 7 ? exp(uniform(&seed, 0, 3)) : DOM_NAN;
-        row.request.effect[DOM_EFFECT_edges] = i % 5 == 1 ? uniform(&seed, 0, 0.01) : 0;
-        row.request.effect[DOM_EFFECT_slope] = i % 3 ? 0 : uniform(&seed, -0.01, 0.01);
-        const double thin = uniform(&seed, 0.3, 2);
-        for (size_t k = 0; k < ROW; k++) {
-            row.domino[k].thickness *= thin;
-            row.domino[k].lean = i % 11 || i % 5 == 1 ? 0 : uniform(&seed, -0.01, 0.02);
-        }
-        assert_status(study_begin(&row.request, &study, NULL), DOM_OK);
-        const struct dom_row copy = row_of(&row.request);
-        assert_status(row_study(study, &copy, 0, row.request.count - 1, &found), DOM_OK);
-        quick += study->quick && !study->doubt;
-        row_study_end(study);
-        assert_status(row_run(&row.request, false, NULL, NULL, &whole), DOM_OK);
-        if (found.end != whole.end || found.domino != whole.domino)
-            fail_msg("row %d: %d at domino %zu instead of %d at %zu", i, found.end, found.domino, whole.end,
-                     whole.domino);
-        ends[whole.end == DOM_ROW_FALLS]++;
-    }
-    print_message("# %d fall, %d end early; %d need one run\n", ends[1], ends[0], quick);
-    assert_true(ends[0] > 200 && ends[1] > 200 && quick > 1500);
 }
 
 /* ---- Heads that certainly keep falling ---- */

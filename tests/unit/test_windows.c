@@ -7,33 +7,10 @@
 enum { MOST = ROW_MOST };
 static struct dom_window windows[MOST];
 
-static bool falls_with(const struct run *run, size_t domino, double gap)
-{
-    static struct run other;
-    other = *run;
-    other.domino[domino - 1].gap = gap;
-    return row_end(&other) == DOM_ROW_FALLS;
-}
-
 static void find(struct run *run)
 {
     run->row.domino = run->domino;
     assert_status(ask_row_windows(&run->row, DOM_WINDOW_GAP, NULL, NULL, windows), DOM_OK);
-}
-
-/* Checks one window of a row: all dominoes fall inside the window, but not two units of the seventh digit
- * beyond either end. */
-static void check_ends(const struct run *run, const struct dom_window *w)
-{
-    double low = w->low, high = w->high, tall = (double)run->domino[w->domino - 2].height;
-    double digit = pow(10, floor(log10(high)) - 6);
-    assert_true(low >= 0 && low <= high && high <= tall);
-    assert_true(falls_with(run, w->domino, low) && falls_with(run, w->domino, high));
-    for (int part = 1; part < 8; part++)
-        assert_true(falls_with(run, w->domino, low + (high - low) * part / 8));
-    if (low > 0)
-        assert_false(falls_with(run, w->domino, low - 2 * digit));
-    assert_false(falls_with(run, w->domino, high + 2 * digit));
 }
 
 static void random_row(struct run *run, uint64_t *seed)
@@ -49,47 +26,6 @@ static void random_row(struct run *run, uint64_t *seed)
     run->row.floor = random_unit(seed) < 0.2; /* changes nothing */
 }
 
-TEST(the_verdict_changes_at_the_ends)
-{
-    static struct run run;
-    uint64_t seed = 17;
-    int fall = 0, stop = 0, open = 0, narrow = 0, none = 0;
-    for (int i = 0; i < 60; i++) {
-        random_row(&run, &seed);
-        bool falls = row_end(&run) == DOM_ROW_FALLS;
-        size_t ends_at = run.verdict.domino;
-        find(&run);
-        fall += falls;
-        stop += !falls;
-        for (size_t k = 0; k + 1 < run.row.count; k++) {
-            const struct dom_window *w = &windows[k];
-            assert_int_equal(w->domino, k + 2);
-            assert_true(w->now == (double)run.domino[k + 1].gap);
-            none += isnan((double)w->low);
-            if (isnan((double)w->low)) {
-                assert_false(falls);
-                continue;
-            }
-            check_ends(&run, w);
-            if (falls) {
-                assert_true(w->low <= w->now && w->now <= w->high);
-                assert_true((w->below == DOM_ROW_FALLS) == (w->low == 0));
-                assert_true(w->above != DOM_ROW_FALLS);
-                open += w->low == 0;
-                narrow += w->low > 0;
-            } else {
-                assert_true(w->now < w->low || w->now > w->high);
-                assert_true(w->domino <= ends_at + 1);
-            }
-        }
-    }
-    print_message("# %d rows fall, %d do not; %d windows reach 0, %d do not; %d gaps have none\n", fall, stop,
-                  open, narrow, none);
-    assert_true(fall > 10 && stop > 5 && open > 5 && narrow > 5 && none > 5);
-}
-
-/* ---- Places, heights, friction, leans ---- */
-
 /* Changes one value of the row as a builder would, without the library, and returns true if the row falls. */
 static bool falls_changed(const struct run *run, enum dom_window_of of, const struct dom_window *w,
                           double value)
@@ -97,7 +33,9 @@ static bool falls_changed(const struct run *run, enum dom_window_of of, const st
     static struct run other;
     other = *run;
     struct domq_domino *d = &other.domino[w->domino ? w->domino - 1 : 0];
-    if (of == DOM_WINDOW_PLACE) {
+    if (of == DOM_WINDOW_GAP) {
+        d->gap = value;
+    } else if (of == DOM_WINDOW_PLACE) {
         domq_real by = value - w->now;
         d->gap = fmax((double)(d->gap + by), 0);
         if (w->domino < other.row.count)
@@ -122,57 +60,65 @@ static void check_window(const struct run *run, enum dom_window_of of, const str
                          int ends[2])
 {
     double low = (double)w->low, high = (double)w->high;
-    double size = fmax(fabs(low), fabs(high)),
-           outside = 20 * pow(10, floor(log10(fmax(size, 1e-3))) - 6) + 1e-9 * size;
+    const double size = fmax(fabs(low), fabs(high)), digit = pow(10, floor(log10(fmax(size, 1e-3))) - 6),
+                 outside = of == DOM_WINDOW_GAP ? 2 * digit : 20 * digit + 1e-9 * size;
+    /* gaps have a limit on either side, unless they reach 0 */
+    const bool ends_below = of == DOM_WINDOW_GAP ? low > 0 : w->below != DOM_ROW_FALLS,
+               ends_above = of == DOM_WINDOW_GAP || w->above != DOM_ROW_FALLS;
+    assert_true(of != DOM_WINDOW_GAP || (low >= 0 && high <= (double)run->domino[w->domino - 2].height));
     assert_true(low <= high);
     for (int part = 0; part <= 8; part++)
         assert_true(falls_changed(run, of, w, low + (high - low) * part / 8));
-    if (w->below != DOM_ROW_FALLS)
+    if (ends_below)
         assert_false(falls_changed(run, of, w, low - outside));
-    if (w->above != DOM_ROW_FALLS)
+    if (ends_above)
         assert_false(falls_changed(run, of, w, high + outside));
-    ends[0] += w->below != DOM_ROW_FALLS;
-    ends[1] += w->above != DOM_ROW_FALLS;
+    ends[0] += ends_below;
+    ends[1] += ends_above;
 }
 
-TEST(places_heights_and_friction)
+TEST(the_verdict_changes_at_the_ends)
 {
     static struct run run;
     uint64_t seed = 41;
-    int ends[5][2] = {{0}}, beside = 0;
-    for (int i = 0; i < 24; i++) {
+    int ends[DOM_WINDOW_THICKNESS + 1][2] = {{0}}, beside = 0, none = 0;
+    for (int i = 0; i < 30; i++) {
         random_row(&run, &seed);
         run.row.alpha = random_unit(&seed) < 0.8 ? 0 : 0.05;
         run.domino[run.row.count / 2].height *= i % 3 ? 1 : 2;
         bool falls = row_end(&run) == DOM_ROW_FALLS;
-        size_t count = run.row.count;
-        for (enum dom_window_of of = DOM_WINDOW_PLACE; of <= DOM_WINDOW_THICKNESS; of++) {
-            size_t first = of == DOM_WINDOW_PLACE ? 1 : 0;
+        const size_t count = run.row.count, ends_at = run.verdict.domino;
+        for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_THICKNESS; of++) {
+            size_t first = of <= DOM_WINDOW_PLACE ? 1 : 0;
             size_t end = of == DOM_WINDOW_FRICTION ? 1 : count;
             run.row.domino = run.domino;
             assert_status(ask_row_windows(&run.row, of, NULL, NULL, windows), DOM_OK);
             for (size_t k = first; k < end; k++) {
                 const struct dom_window *w = &windows[k - first];
                 assert_int_equal(w->domino, of == DOM_WINDOW_FRICTION ? 0 : k + 1);
+                none += isnan((double)w->low);
                 if (isnan((double)w->low)) {
                     assert_false(falls);
                     continue;
                 }
+                assert_true(of != DOM_WINDOW_GAP || w->now == (double)run.domino[k].gap);
+                assert_true(of != DOM_WINDOW_GAP || falls || w->domino <= ends_at + 1);
+                assert_true(of != DOM_WINDOW_GAP || !falls ||
+                            ((w->below == DOM_ROW_FALLS) == (w->low == 0) && w->above != DOM_ROW_FALLS));
                 assert_true(!falls || (w->low <= w->now && w->now <= w->high));
                 assert_true(falls || w->now < w->low || w->now > w->high);
-                check_window(&run, of, w, ends[of - DOM_WINDOW_PLACE]);
+                check_window(&run, of, w, ends[of]);
                 beside += !falls;
             }
         }
     }
-    print_message("# thicknesses: %d, %d\n", ends[4][0], ends[4][1]);
-    assert_true(ends[4][0] > 5 && ends[4][1] > 5);
-    print_message(
-        "# ends below and above: places %d, %d; heights %d, %d; friction %d, %d; leans %d, %d; %d beside\n",
-        ends[0][0], ends[0][1], ends[1][0], ends[1][1], ends[2][0], ends[2][1], ends[3][0], ends[3][1],
-        beside);
-    assert_true(ends[0][0] > 5 && ends[0][1] > 5 && ends[1][0] > 5 && ends[1][1] > 5 && ends[2][1] > 5);
-    assert_true(ends[3][0] > 5 && beside > 5);
+    for (int of = DOM_WINDOW_GAP; of <= DOM_WINDOW_THICKNESS; of++) {
+        print_message("# kind %d: %d ends below, %d above\n", of, ends[of][0], ends[of][1]);
+        assert_true((of == DOM_WINDOW_FRICTION || ends[of][0] > 5) &&
+                    (of == DOM_WINDOW_LEAN || ends[of][1] > 5));
+    }
+    print_message("# %d beside, %d have none\n", beside, none);
+    assert_true(beside > 5 && none > 5);
 }
 
 /* Checks that places are measured from the back of the first domino to the back of each domino. */
@@ -216,7 +162,7 @@ TEST(trials_end_early)
 {
     static struct run run;
     uint64_t seed = 9;
-    int fall = 0, stop = 0;
+    int fall = 0, stop = 0, ends[2] = {0};
     for (int i = 0; i < 3; i++) {
         make_row(&run, 24, 0.45, 1, i == 1 ? 0.15 : 0);
         for (size_t k = 0; k < 24; k++)
@@ -231,7 +177,7 @@ TEST(trials_end_early)
         find(&run);
         for (size_t k = 0; k < 23; k += 3) {
             if (!isnan((double)windows[k].low))
-                check_ends(&run, &windows[k]);
+                check_window(&run, DOM_WINDOW_GAP, &windows[k], ends);
             assert_true(!falls || windows[k].low <= windows[k].now);
         }
     }
