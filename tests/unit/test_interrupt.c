@@ -35,88 +35,40 @@ static struct dom_compute compute;
 
 typedef enum dom_status function(void);
 
-static enum dom_status rmax(void)
-{
-    struct dom_limit limit;
-    return dom_limit_rmax(&train, &compute, &limit);
-}
+/* Defines a function without arguments, which asks the library. */
+#define ASKS(name, result, ...)                                                                              \
+    static enum dom_status name(void)                                                                        \
+    {                                                                                                        \
+        static result;                                                                                       \
+        return __VA_ARGS__;                                                                                  \
+    }
 
-static enum dom_status best(void)
-{
-    struct dom_best found;
-    return dom_limit_best(&train, &compute, &found);
-}
+static const struct dom_placement placement = {.error[DOM_ERROR_gap] = {.size = 1e-3}, .rows = RANDOM_ROWS};
+static const struct dom_limits limits = {.q = 4, .hall = HUGE_VAL, .heaviest = HUGE_VAL};
+static const struct dom_wish wish = {
+    .first = 0.05, .height = 1, .safety = 1.1, .hall = HUGE_VAL, .g = 9.81, .push = (double)NAN};
 
-static enum dom_status barrier(void)
-{
-    struct dom_barrier found;
-    return dom_barrier_find(&train, &compute, &found);
-}
-
-static enum dom_status duration(void)
-{
-    double found;
-    return dom_cycle_duration(&train, &compute, &found);
-}
-
-static enum dom_status least_force(void)
-{
-    struct dom_least_force found;
-    return dom_cycle_least_force(&train, &compute, &found);
-}
+ASKS(rmax, struct dom_limit limit, dom_limit_rmax(&train, &compute, &limit))
+ASKS(best, struct dom_best found, dom_limit_best(&train, &compute, &found))
+ASKS(barrier, struct dom_barrier found, dom_barrier_find(&train, &compute, &found))
+ASKS(duration, double found, dom_cycle_duration(&train, &compute, &found))
+ASKS(least_force, struct dom_least_force found, dom_cycle_least_force(&train, &compute, &found))
+ASKS(run, struct dom_verdict verdict, dom_row_run(&row, &compute, true, NULL, NULL, &verdict))
+ASKS(windows, struct dom_window window[ROW],
+     dom_row_windows(&row, &compute, DOM_WINDOW_GAP, NULL, NULL, window))
+ASKS(push, dom_real found, dom_row_weakest_push(&row, &compute, 100, &found))
+ASKS(study, struct dom_study found, dom_placement_study(&row, &compute, &placement, &found, NULL))
+ASKS(budget, struct dom_budget found,
+     dom_placement_budget(&row, &compute, &placement, DOM_ERROR_gap, 0.5, &found))
+ASKS(improve, struct dom_study found[2],
+     dom_row_improve(&row, &compute, &placement, &limits, NULL, NULL, other, found))
+ASKS(design, struct dom_design found, dom_design_find(&train, &wish, &compute, &found))
 
 static enum dom_status prove(void)
 {
     struct dom_proof proof;
     const enum dom_status status = dom_prove_rmax(&train, &compute, &proof);
     return status == DOM_OK && proof.gap == DOM_PROOF_INTERRUPTED ? DOM_INTERRUPTED : status;
-}
-
-static enum dom_status run(void)
-{
-    struct dom_verdict verdict;
-    return dom_row_run(&row, &compute, true, NULL, NULL, &verdict);
-}
-
-static enum dom_status windows(void)
-{
-    static struct dom_window window[ROW];
-    return dom_row_windows(&row, &compute, DOM_WINDOW_GAP, NULL, NULL, window);
-}
-
-static enum dom_status push(void)
-{
-    dom_real found;
-    return dom_row_weakest_push(&row, &compute, 100, &found);
-}
-
-static const struct dom_placement placement = {.error[DOM_ERROR_gap] = {.size = 1e-3}, .rows = RANDOM_ROWS};
-
-static enum dom_status study(void)
-{
-    struct dom_study found;
-    return dom_placement_study(&row, &compute, &placement, &found, NULL);
-}
-
-static enum dom_status budget(void)
-{
-    struct dom_budget found;
-    return dom_placement_budget(&row, &compute, &placement, DOM_ERROR_gap, 0.5, &found);
-}
-
-static enum dom_status improve(void)
-{
-    const struct dom_limits limits = {.q = 4, .hall = HUGE_VAL, .heaviest = HUGE_VAL};
-    struct dom_study found[2];
-    return dom_row_improve(&row, &compute, &placement, &limits, NULL, NULL, other, found);
-}
-
-static enum dom_status design(void)
-{
-    const struct dom_wish wish = {
-        .first = 0.05, .height = 1, .safety = 1.1, .hall = HUGE_VAL, .g = 9.81, .push = (double)NAN};
-    struct dom_design found;
-    return dom_design_find(&train, &wish, &compute, &found);
 }
 
 /* Calls the function and raises the flag at check number `at`. Returns the number of checks. */

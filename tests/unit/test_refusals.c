@@ -43,85 +43,50 @@ static bool never_fall(const struct dom_fall *fall, void *context)
 
 /* ---- Every function of a train ---- */
 
-/* Room for the result of any function. */
-union result {
-    struct dom_angles angles;
-    struct dom_contact contact;
-    struct dom_energy energy;
-    struct dom_fuels fuels;
-    struct dom_launch launch;
-    struct dom_barrier barrier;
-    double value;
-    struct dom_state state;
-    struct dom_event events[DOM_EVENTS_MAX];
-    struct dom_least_force least;
-    struct dom_floor floor;
-    struct dom_limit limit;
-    struct dom_best best;
-};
-
-/* Numbers of the functions. The last three choose r themselves, and the last one chooses s, too. */
-enum { LIMITS = 17, BEST = 19, FUNCTIONS };
-
-static enum dom_status ask(int function, const struct dom_train *t, const struct dom_compute *c,
-                           union result *to)
+/* Returns true if a function chooses this member itself: the limits choose r, and the best separation also s.
+ */
+static bool is_chosen(const char *function, const char *member)
 {
-    int count;
-    double theta;
-    switch (function) {
-    case 0:
-        return dom_train_check(t, c);
-    case 1:
-        return dom_angles_find(t, c, &to->angles);
-    case 2:
-        return dom_contact_find(t, c, 0.1, &to->contact);
-    case 3:
-        return dom_chain_walk(t, c, 0.1, never_link, NULL);
-    case 4:
-        return dom_energy_find(t, c, 0.1, &to->energy);
-    case 5:
-        return dom_fuel_find(t, c, &to->fuels);
-    case 6:
-        return dom_launch_find(t, c, &to->launch);
-    case 7:
-        return dom_barrier_find(t, c, &to->barrier);
-    case 8:
-        return dom_cycle_omegasq(t, c, 0.1, &to->value);
-    case 9:
-        return dom_cycle_duration(t, c, &to->value);
-    case 10:
-        return dom_cycle_events(t, c, to->events, &count);
-    case 11:
-        return dom_cycle_state(t, c, 0.1, &to->state);
-    case 12:
-        return dom_cycle_tilt(t, c, 0.1, &theta);
-    case 13:
-        return dom_cycle_walk(t, c, 3, DOM_BY_TIME, never_state, NULL);
-    case 14:
-        return dom_cycle_forces(t, c, 0.1, never_force, NULL);
-    case 15:
-        return dom_cycle_least_force(t, c, &to->least);
-    case 16:
-        return dom_cycle_floor(t, c, &to->floor);
-    case 17:
-        return dom_limit_rmax(t, c, &to->limit);
-    case 18:
-        return dom_limit_pair(t, c, &to->limit);
-    default:
-        return dom_limit_best(t, c, &to->best);
-    }
+    return (strncmp(function, "limit_", 6) == 0 && strcmp(member, "r") == 0) ||
+           (strcmp(function, "limit_best") == 0 && strcmp(member, "s") == 0);
 }
 
-/* Calls every function, and the check of <domino_quad.h>, with a train of which one member is bad. */
-static void refused(const struct dom_train *train, const struct dom_compute *compute, char member,
+/* Calls every function with a train of which one member is bad. */
+static void every_function(const struct dom_train *t, const struct dom_compute *c, const char *member,
+                           enum dom_status expected)
+{
+    struct dom_event events[DOM_EVENTS_MAX];
+    int count;
+    double number;
+#define FIND(name, structure)                                                                                \
+    {                                                                                                        \
+        struct dom_##structure result;                                                                       \
+        if (!is_chosen(#name, member))                                                                       \
+            assert_named(dom_##name(t, c, &result), expected);                                               \
+    }
+#define FIND_AT(name, structure)                                                                             \
+    {                                                                                                        \
+        struct dom_##structure result;                                                                       \
+        assert_named(dom_##name(t, c, 0.1, &result), expected);                                              \
+    }
+#define NUMBER(name)    assert_named(dom_##name(t, c, &number), expected);
+#define NUMBER_AT(name) assert_named(dom_##name(t, c, 0.1, &number), expected);
+    DOM_FINDS(FIND)
+    DOM_FINDS_AT(FIND_AT)
+    DOM_NUMBERS(NUMBER)
+    DOM_NUMBERS_AT(NUMBER_AT)
+    assert_named(dom_train_check(t, c), expected);
+    assert_named(dom_chain_walk(t, c, 0.1, never_link, NULL), expected);
+    assert_named(dom_cycle_events(t, c, events, &count), expected);
+    assert_named(dom_cycle_walk(t, c, 3, DOM_BY_TIME, never_state, NULL), expected);
+    assert_named(dom_cycle_forces(t, c, 0.1, never_force, NULL), expected);
+}
+
+/* Calls every function, and the check of <domino_quad.h>. */
+static void refused(const struct dom_train *train, const struct dom_compute *compute, const char *member,
                     enum dom_status expected)
 {
-    for (int k = 0; k < FUNCTIONS; k++) {
-        union result result = {.limit.ends = DOM_END_REACH};
-        if ((member == 'r' && k >= LIMITS) || (member == 's' && k == BEST))
-            continue;
-        assert_named(ask(k, train, compute, &result), expected);
-    }
+    every_function(train, compute, member, expected);
     const struct dom_train *a = train;
     const struct domq_train wide = {.fuel = a->fuel,
                                     DOM_TRAIN_PARAMETERS(SETUP_COPY_NUMBER) DOM_DYNAMICS(SETUP_COPY_EFFECT)};
@@ -152,7 +117,7 @@ TEST(parameters)
         train = dom_train_default();                                                                         \
         compute = dom_compute_default();                                                                     \
         owner.name = bad[k];                                                                                 \
-        refused(&train, &compute, #name[0], expected);                                                       \
+        refused(&train, &compute, #name, expected);                                                          \
     }
 #define OF_TRAIN(name, default_, lowest, highest, unit, meaning) BAD(train, name, lowest, highest, BAD_##name)
 #define OF_COMPUTE(name, default_, lowest, highest, unit, meaning)                                           \
@@ -170,7 +135,7 @@ TEST(parameters)
     compute.tol = dom_arithmetic()->tol_floor;
     assert_status(dom_train_check(&train, &compute), DOM_OK);
     compute.tol *= 0.999;
-    refused(&train, &compute, 't', DOM_BAD_TOL);
+    refused(&train, &compute, "tol", DOM_BAD_TOL);
     const struct domq_train wide = domq_train_default();
     for (enum precision p = IN_FLOAT; p <= IN_QUAD; p++)
         if (any_arithmetic(p).bits) {
@@ -186,27 +151,25 @@ TEST(choices)
     struct dom_train train = dom_train_default();
     struct dom_compute compute = dom_compute_default();
     train.fuel = (enum dom_fuel)(DOM_FUEL_PAPER + 1);
-    refused(&train, &compute, '\0', DOM_BAD_FUEL);
+    refused(&train, &compute, "", DOM_BAD_FUEL);
     train = dom_train_default();
     compute.method = (enum dom_method)(DOM_METHOD_PAPER + 1);
-    refused(&train, &compute, '\0', DOM_BAD_METHOD);
+    refused(&train, &compute, "", DOM_BAD_METHOD);
 }
 
 /* Checks that a member of a later version is refused, whatever is asked. */
 TEST(members_of_later_versions)
 {
-    for (int place = 0; place < DOM_LATER; place++)
-        for (int k = 0; k < FUNCTIONS; k++) {
-            struct dom_train train = dom_train_default();
-            struct dom_compute compute = dom_compute_default();
-            union result result;
-            assert_true(train.later[place] == 0 && compute.later[place] == 0);
-            train.later[place] = 1e-9;
-            assert_named(ask(k, &train, &compute, &result), DOM_NEWER);
-            train.later[place] = 0;
-            compute.later[place] = 1;
-            assert_named(ask(k, &train, &compute, &result), DOM_NEWER);
-        }
+    for (int place = 0; place < DOM_LATER; place++) {
+        struct dom_train train = dom_train_default();
+        struct dom_compute compute = dom_compute_default();
+        assert_true(train.later[place] == 0 && compute.later[place] == 0);
+        train.later[place] = 1e-9;
+        every_function(&train, &compute, "", DOM_NEWER);
+        train.later[place] = 0;
+        compute.later[place] = 1;
+        every_function(&train, &compute, "", DOM_NEWER);
+    }
 }
 
 /* ---- Tilts and times ---- */
@@ -215,25 +178,26 @@ TEST(tilts_and_times)
 {
     const struct dom_train t = dom_train_default();
     struct dom_angles angles;
-    double whole, value;
-    union result result;
-    double theta = -7;
+    struct dom_contact contact;
+    struct dom_energy energy;
+    struct dom_state moving;
+    double whole, value, theta = -7;
     assert_status(dom_angles_find(&t, NULL, &angles), DOM_OK);
     assert_status(dom_cycle_duration(&t, NULL, &whole), DOM_OK);
     const double bad[] = {-1e-300, angles.theta_c * (1 + 1e-14), (double)NAN, (double)INFINITY,
                           -(double)INFINITY};
     for (int k = 0; k < 5; k++) {
-        assert_named(dom_contact_find(&t, NULL, bad[k], &result.contact), DOM_BAD_TILT);
+        assert_named(dom_contact_find(&t, NULL, bad[k], &contact), DOM_BAD_TILT);
         assert_named(dom_chain_walk(&t, NULL, bad[k], never_link, NULL), DOM_BAD_TILT);
-        assert_named(dom_energy_find(&t, NULL, bad[k], &result.energy), DOM_BAD_TILT);
+        assert_named(dom_energy_find(&t, NULL, bad[k], &energy), DOM_BAD_TILT);
         assert_named(dom_cycle_omegasq(&t, NULL, bad[k], &value), DOM_BAD_TILT);
-        assert_named(dom_cycle_state(&t, NULL, bad[k], &result.state), DOM_BAD_TILT);
+        assert_named(dom_cycle_state(&t, NULL, bad[k], &moving), DOM_BAD_TILT);
         assert_named(dom_cycle_forces(&t, NULL, bad[k], never_force, NULL), DOM_BAD_TILT);
         double time = k == 1 ? whole * (1 + 1e-9) : bad[k];
         assert_named(dom_cycle_tilt(&t, NULL, time, &theta), DOM_BAD_TIME);
     }
     assert_true(theta == -7);
-    assert_status(dom_energy_find(&t, NULL, angles.theta_c, &result.energy), DOM_OK);
+    assert_status(dom_energy_find(&t, NULL, angles.theta_c, &energy), DOM_OK);
 }
 
 /* ---- Rows ---- */
