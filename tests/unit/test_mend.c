@@ -70,42 +70,6 @@ static void random_row(struct run *run, uint64_t *seed)
     run->row.floor = random_unit(seed) < 0.2; /* changes nothing */
 }
 
-/* Checks that all dominoes fall with each gap that is found, and with a gap a third of the way from `to` to
- * `until`. With a gap two units of the seventh digit nearer to the present gap, some must not fall. */
-TEST(mended_rows_fall)
-{
-    static struct run run;
-    uint64_t seed = 82;
-    int mended = 0, lost = 0, ended = 0;
-    for (int i = 0; i < 80; i++) {
-        random_row(&run, &seed);
-        if (row_end(&run) == DOM_ROW_FALLS)
-            continue;
-        size_t last = run.verdict.domino + 1, count = mend(&run);
-        lost += count == 0;
-        for (size_t j = 0; j < count; j++) {
-            const struct mend *m = &mends[j];
-            double to = m->to, until = m->until, gap = m->gap, away = to > gap ? 1 : -1;
-            double digit = pow(10, floor(log10(fmax(to, gap))) - 6);
-            assert_true(m->domino >= 2 && m->domino <= last);
-            assert_true(m->gap == (double)run.domino[m->domino - 1].gap);
-            assert_true((until - to) * away >= 0 && (to - gap) * away > 0);
-            assert_true(falls_with(&run, m->domino, to));
-            assert_true(falls_with(&run, m->domino, to + (until - to) / 3));
-            assert_true(falls_with(&run, m->domino, until) || until == 0 ||
-                        until == (double)run.domino[m->domino - 2].height);
-            assert_false(falls_with(&run, m->domino, to - 2 * away * digit));
-            for (size_t k = 0; k < j; k++)
-                assert_true(mends[k].domino != m->domino);
-            ended += until > 0 && until < (double)run.domino[m->domino - 2].height;
-            mended++;
-        }
-    }
-    print_message("# %d mends, %d of them with a limit on the far side; %d rows have none\n", mended, ended,
-                  lost);
-    assert_true(mended > 40 && lost > 5 && ended > 5);
-}
-
 /* Tries 500 larger and 500 smaller values for every gap of the row. No value may mend the row with a smaller
  * change than the first mend that was found. */
 TEST(no_smaller_change)

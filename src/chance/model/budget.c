@@ -2,6 +2,7 @@
 /* Finds how large random errors may be if a row must fall with a given probability. */
 #include "chance/model/draw.h"
 #include "chance/model/interval.h"
+#include "search/edge.h"
 #include <math.h>
 
 enum { BUDGET_SEEN = 128 };
@@ -13,10 +14,10 @@ struct budget {
     /* the kind of error whose size is wanted, or DOM_ERROR_COUNT for all kinds together */
     enum dom_error_of kind;
     double widest; /* the largest sigma that is tried */
+    double share;  /* the share of the rows that must fall */
+    enum dom_status status;
     /* bounds on sigma: enough rows fall at `lo`, too few at `hi` */
     double lo, hi;
-    /* true during the search for sigma itself, false for the ends of its confidence interval */
-    bool of_answer;
     /* A cache of the latest results. It saves time because the searches for sigma and for both ends of its
      * confidence interval begin with the same values of sigma. */
     struct {
@@ -25,16 +26,14 @@ struct budget {
     int answers;
 };
 
-/* Runs the random rows and stores in *share the fraction that falls. The errors of b->kind have the size
- * `sigma`. If b->kind is DOM_ERROR_COUNT, all errors are multiplied by `sigma`. The random numbers are the
- * same for every sigma, so that the fractions for two sigmas can be compared. */
-static enum dom_status fall_share(struct budget *b, double sigma, double *share)
+/* Returns the fraction of the random rows that falls. The errors of b->kind have the size `sigma`. If b->kind
+ * is DOM_ERROR_COUNT, all errors are multiplied by `sigma`. The random numbers are the same for every sigma,
+ * so that the fractions for two sigmas can be compared. */
+static double fall_share(struct budget *b, double sigma)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
-        if (b->seen[i].sigma == sigma) {
-            *share = b->seen[i].share;
-            return DOM_OK;
-        }
+        if (b->seen[i].sigma == sigma)
+            return b->seen[i].share;
     struct dom_placement p = *b->placement;
     struct dom_study study = {.rows = p.rows};
     for (int k = 0; k < DOM_ERROR_COUNT; k++)
@@ -42,58 +41,43 @@ static enum dom_status fall_share(struct budget *b, double sigma, double *share)
             p.error[k].size *= sigma;
         else if (k == (int)b->kind)
             p.error[k].size = sigma;
-    enum dom_status status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
-    *share = (double)study.fall / (double)study.rows;
-    if (status == DOM_OK) {
+    b->status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
+    const double share = (double)study.fall / (double)study.rows;
+    if (b->status == DOM_OK) {
         b->seen[b->answers % BUDGET_SEEN].sigma = sigma;
-        b->seen[b->answers++ % BUDGET_SEEN].share = *share;
+        b->seen[b->answers++ % BUDGET_SEEN].share = share;
     }
-    return status;
+    return share;
 }
 
-/* Records the bounds on sigma that are known so far. They are reported if the search is interrupted. */
-static void known(struct budget *b, double lo, double hi)
+/* An edge_test: returns true if enough rows fall. After an error, nothing more is run. */
+static bool enough_fall(double sigma, double *spare, void *context)
 {
-    b->lo = b->of_answer ? lo : b->lo;
-    b->hi = b->of_answer ? hi : b->hi;
+    struct budget *b = context;
+    (void)spare; /* the share is a step function */
+    if (b->status != DOM_OK)
+        return false;
+    if (sigma < 1e-9 / 4096 * b->widest) /* errors this small are negligible in a real row */
+        return true;
+    const bool enough = fall_share(b, sigma) >= b->share && b->status == DOM_OK;
+    if (b->status == DOM_OK)
+        *(enough ? &b->lo : &b->hi) = sigma;
+    return enough;
 }
 
-/* Finds the largest sigma between `lo` and `hi` at which the requested share of the rows falls. At `lo`, this
- * share must fall, and at `hi`, it must not. The search is a bisection, which ends at a relative tolerance of
- * 1e-3. */
-static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
+/* Finds the largest sigma at which the share b->share of the rows falls, to a relative tolerance of 1e-3. If
+ * this share falls even at b->widest, returns infinity. */
+static double sigma_find(struct budget *b)
 {
-    const double none = 1e-9 * hi; /* errors this small are negligible in a real row */
-    while (hi - lo > 1e-3 * hi && hi > none) {
-        double at = 0.5 * (lo + hi), falls;
-        enum dom_status status = fall_share(b, at, &falls);
-        if (status != DOM_OK)
-            return status;
-        *(falls >= share ? &lo : &hi) = at;
-        known(b, lo, hi);
+    double lo = 0, hi = b->widest / 4096;
+    b->lo = 0;
+    b->hi = HUGE_VAL;
+    for (; enough_fall(hi, NULL, b); hi *= 2) {
+        if (hi >= b->widest)
+            return HUGE_VAL;
+        lo = hi;
     }
-    *sigma = lo;
-    known(b, lo, lo);
-    return DOM_OK;
-}
-
-/* Finds the largest sigma at which the requested share of the rows falls. If this share falls even at
- * b->widest, sets *sigma to infinity. */
-static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
-{
-    double lo = 0, falls = 1;
-    for (double hi = b->widest / 4096;; lo = hi, hi *= 2) {
-        enum dom_status status = fall_share(b, hi, &falls);
-        if (status != DOM_OK)
-            return status;
-        known(b, falls < share ? lo : hi, falls < share ? hi : HUGE_VAL);
-        if (falls < share)
-            return sigma_between(b, share, lo, hi, sigma);
-        if (hi >= b->widest) {
-            *sigma = HUGE_VAL;
-            return DOM_OK;
-        }
-    }
+    return edge_find(enough_fall, b, lo, &hi, 0, 1e-3);
 }
 
 /* Returns the largest sigma that is tried for a kind of error. The limits are described at
@@ -123,29 +107,33 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
                                      const struct dom_placement *p, enum dom_error_of kind, double share,
                                      struct dom_budget *budget)
 {
-    struct budget b = {
-        .row = row, .compute = compute, .placement = p, .kind = kind, .hi = HUGE_VAL, .of_answer = true};
-    double falls;
+    struct budget b = {.row = row, .compute = compute, .placement = p, .kind = kind};
     if (!(share > 0 && share < 1))
         return DOM_BAD_PROBABILITY;
     if (kind > DOM_ERROR_COUNT)
         return DOM_BAD_ERROR;
-    enum dom_status status = fall_share(&b, 0, &falls);
-    if (status != DOM_OK || falls < share)
-        return status != DOM_OK ? status : DOM_STOPS;
+    const double falls = fall_share(&b, 0);
+    if (b.status != DOM_OK || falls < share)
+        return b.status != DOM_OK ? b.status : DOM_STOPS;
     b.widest = size_most(row, kind);
-    double N = (double)p->rows, few = fmax(unlikely_count(share, N, false), 0),
-           many = unlikely_count(share, N, true);
+    const double N = (double)p->rows, few = fmax(unlikely_count(share, N, false), 0),
+                 many = unlikely_count(share, N, true);
     struct dom_budget found = {.low = 0};
-    status = sigma_at(&b, share, &found.sigma);
-    b.of_answer = false;
-    if (status == DOM_OK && many <= N)
-        status = sigma_at(&b, many / N, &found.low);
-    if (status == DOM_OK)
-        status = sigma_at(&b, few / N, &found.high);
-    if (status == DOM_INTERRUPTED && b.lo > 0)
+    b.share = share;
+    found.sigma = sigma_find(&b);
+    if (b.status == DOM_INTERRUPTED && b.lo > 0)
         *budget = (struct dom_budget){.sigma = b.lo, .low = b.lo, .high = b.hi};
-    if (status == DOM_OK)
+    if (b.status != DOM_OK)
+        return b.status;
+    b.share = many / N;
+    if (many <= N)
+        found.low = sigma_find(&b);
+    b.share = few / N;
+    if (b.status == DOM_OK)
+        found.high = sigma_find(&b);
+    if (b.status == DOM_INTERRUPTED && found.sigma > 0)
+        found.low = found.high = found.sigma;
+    if (b.status == DOM_OK || (b.status == DOM_INTERRUPTED && found.sigma > 0))
         *budget = found;
-    return status;
+    return b.status;
 }

@@ -7,6 +7,7 @@
  */
 #include "planning/model/planner.h"
 #include "planning/model/shape.h"
+#include "search/edge.h"
 #include <stdlib.h>
 
 /* In the first search, k is a multiple of COARSE. A search for a separation takes steps of STEP, or of
@@ -62,20 +63,23 @@ static bool enough_in_engine(struct planner *p, struct choice c)
 
 /* ---- The separation ---- */
 
+/* An edge_test: returns true if a train with the separation p->train.s and the growth r is safe. */
+static bool growth_enough(double r, double *spare, void *planner)
+{
+    struct planner *p = planner;
+    (void)spare;
+    return planner_train_ratio(p, p->train.s, r) >= p->wish->safety;
+}
+
 /* Returns the largest growth r at which a train with the separation s is safe. Its relative error is at most
  * 1e-7. If the train is not safe at r = 1, returns 0. */
 static double safe_growth(struct planner *p, double s)
 {
-    double lo = 1, hi = 1 / s;
-    if (!(planner_train_ratio(p, s, 1) >= p->wish->safety))
-        return 0;
-    if (planner_train_ratio(p, s, hi) >= p->wish->safety)
-        return hi;
-    while (hi - lo > 1e-7 * hi && p->status == DOM_OK) {
-        double middle = (lo + hi) / 2;
-        *(planner_train_ratio(p, s, middle) >= p->wish->safety ? &lo : &hi) = middle;
-    }
-    return lo;
+    double most = 1 / s;
+    p->train.s = s;
+    return !growth_enough(1, NULL, p)     ? 0
+           : growth_enough(most, NULL, p) ? most
+                                          : edge_find(growth_enough, p, 1, &most, 0, 1e-7);
 }
 
 /* Finds the separation whose train is safe at the largest growth. Sets *best to this separation and returns
@@ -162,22 +166,24 @@ static double row_search(struct planner *p, size_t fewest, int k, bool shortest,
     return p->status == DOM_OK ? length : HUGE_VAL;
 }
 
-/* Finds the weakest push that makes the row safe enough. The push that is returned has a relative error of at
- * most 1e-4. If no such push is found, returns NaN. */
-static double push_enough(struct planner *p, struct choice c)
+/* An edge_test: returns true if the row p->pushed is safe enough with this push. */
+static bool push_enough(double push, double *spare, void *planner)
 {
-    double hi = !(p->wish->push > 0) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
-    for (int i = 0; i < 16 && planner_row_ratio(p, c, hi, false) < p->wish->safety; i++) {
-        lo = hi;
-        hi *= 2;
-    }
-    if (!(planner_row_ratio(p, c, hi, false) >= p->wish->safety))
-        return DOM_NAN;
-    while (hi - lo > 1e-4 * hi && p->status == DOM_OK) {
-        double middle = (lo + hi) / 2;
-        *(planner_row_ratio(p, c, middle, false) >= p->wish->safety ? &hi : &lo) = middle;
-    }
-    return hi;
+    struct planner *p = planner;
+    (void)spare;
+    return planner_row_ratio(p, p->pushed, push, false) >= p->wish->safety;
+}
+
+/* Returns the weakest push that makes the row safe enough, with a relative error of at most 1e-4. If no such
+ * push is found, returns NaN. */
+static double push_find(struct planner *p, struct choice c)
+{
+    double push = !(p->wish->push > 0) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, weak = 0;
+    p->pushed = c;
+    for (int i = 0; i <= 16; i++, weak = push, push *= 2)
+        if (push_enough(push, NULL, p))
+            return edge_find(push_enough, p, push, &weak, 0, 1e-4);
+    return DOM_NAN;
 }
 
 /* Returns an estimate of the largest ratio of kinetic energy to barrier that any train can have. This ratio
@@ -287,7 +293,7 @@ static struct choice design_search(struct planner *p, struct dom_design *found)
         found->limit = DOM_DESIGN_ENGINE;
     } else if (p->status == DOM_OK) {
         found->limit = DOM_DESIGN_START;
-        found->needs = push_enough(p, (struct choice){k, fewest});
+        found->needs = push_find(p, (struct choice){k, fewest});
     }
     return none;
 }

@@ -12,6 +12,12 @@
 
 enum { GRID = 1000 };
 
+/* A candidate row. Its separation is k / GRID, and it has steps + 1 dominoes. */
+struct choice {
+    int k;
+    size_t steps;
+};
+
 /* The state of a search for a design. If an error occurs, `status` is set to a value other than DOM_OK. From
  * then on, nothing more is computed, and every test fails. */
 struct planner {
@@ -28,15 +34,10 @@ struct planner {
     /* number of the weakest domino in the last run, counted from 1: the domino with the smallest ratio of
      * kinetic energy to barrier; the first domino does not count, because its energy depends on the push */
     size_t weakest;
+    struct choice pushed;           /* the row for which a push is searched */
     double least;                   /* ratio of kinetic energy to barrier of `weakest` */
     double seconds, engine_seconds; /* duration of the last run in the model and in the engine */
     bool engine_refused; /* true if a row was safe enough in the model but did not fall in the engine */
-};
-
-/* A candidate row. Its separation is k / GRID, and it has steps + 1 dominoes. */
-struct choice {
-    int k;
-    size_t steps;
 };
 
 static inline double separation(int k)

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 /* Tests a value. If a number is known that is positive where the test is true, negative where it is false,
- * and that changes smoothly near the edge, the test writes it to *spare, which is NaN otherwise. */
+ * and that changes smoothly near the edge, the test may write it to *spare. */
 typedef bool edge_test(double x, double *spare, void *context);
 
 /*
