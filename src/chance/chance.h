@@ -3,6 +3,7 @@
 #ifndef CHANCE_H
 #define CHANCE_H
 
+#include "parallel/workers.h"
 #include "rows/rows.h"
 
 /* ---- Kinds of random error ---- */
@@ -43,6 +44,22 @@ const char *errors_text(const struct dom_random_error *error, char text[ERRORS_T
 
 extern const struct column placement_columns[];
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
+
+/* The row and the random errors of a study. Do not copy this struct, which has pointers into itself. */
+struct trials {
+    struct double_row row;
+    struct scene_row scene; /* for its engine; its dominoes have been freed */
+    struct dom_placement placement;
+    bool has_errors; /* an effect that describes random errors is on */
+    struct task_pool pool;
+};
+
+/* Makes the row and its random errors. After a failure nothing needs to be freed. */
+bool trials_make(const struct query *query, struct problem *problem, size_t rows, bool progress,
+                 struct trials *trials);
+
+/* Reports that `what` needs random errors. Returns false. */
+bool problem_no_errors(struct problem *problem, const char *what);
 
 /* The results of a study of random rows. */
 struct study {

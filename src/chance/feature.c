@@ -9,5 +9,4 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-const struct feature chance_feature = {
-    .name = "chance", .groups = groups, .parameter = error_parameter};
+const struct feature chance_feature = {.name = "chance", .groups = groups, .parameter = error_parameter};

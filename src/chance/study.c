@@ -6,18 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The row and the random errors of a study. Do not copy this struct, which has pointers into itself. */
-struct trials {
-    struct double_row row;
-    struct scene_row scene; /* for its engine; its dominoes have been freed */
-    struct dom_placement placement;
-    bool has_errors; /* an effect that describes random errors is on */
-    struct task_pool pool;
-};
-
-/* Makes the row and its random errors. After a failure nothing needs to be freed. */
-static bool trials_make(const struct query *query, struct problem *problem, domq_real rows, bool progress,
-                        struct trials *t)
+bool trials_make(const struct query *query, struct problem *problem, size_t rows, bool progress,
+                 struct trials *t)
 {
     if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &t->scene, problem))
         return false;
@@ -30,12 +20,21 @@ static bool trials_make(const struct query *query, struct problem *problem, domq
                                  .interrupt = query->scene->compute.interrupt};
     t->placement = (struct dom_placement){
         .seed = (unsigned long)query->scene->seed,
-        .rows = (size_t)rows,
+        .rows = rows,
         .parallel = workers_tasks,
         .pool = &t->pool,
     };
     t->has_errors = scene_errors(query->scene, t->placement.error);
     return true;
+}
+
+bool problem_no_errors(struct problem *problem, const char *what)
+{
+    return problem_error(
+        problem,
+        "%s needs random errors; first enter 'set placement 1 mm', or another error, such as "
+        "'set error_thickness 1 %%'",
+        what);
 }
 
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct dom_study *study,
@@ -44,7 +43,7 @@ bool study_run(const struct query *query, struct problem *problem, size_t rows, 
     struct trials t;
     enum dom_status status = DOM_OK;
     *study = (struct dom_study){.rows = 0};
-    if (!trials_make(query, problem, (domq_real)rows, true, &t))
+    if (!trials_make(query, problem, rows, true, &t))
         return false;
     if (t.has_errors)
         status = dom_placement_study(&t.row.row, &t.row.compute, &t.placement, study, NULL);
@@ -74,14 +73,12 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
 static bool run_placement(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct trials t;
-    if (!trials_make(query, problem, query->given->count > 0 ? query->given->number[0] : 2000, true, &t))
+    if (!trials_make(query, problem, query->given->count > 0 ? (size_t)query->given->number[0] : 2000, true,
+                     &t))
         return false;
-    bool done =
-        !t.has_errors
-            ? problem_error(problem, "this command needs random errors; first enter 'set placement 1 mm', "
-                                     "or another error, such as 'set error_thickness 1 %%'")
-        : query->run_context->shard.parts > 0 ? study_blocks(query, a, problem, &t.row, &t.placement)
-                                              : placement_answer(query, a, problem, &t);
+    bool done = !t.has_errors                         ? problem_no_errors(problem, "this command")
+                : query->run_context->shard.parts > 0 ? study_blocks(query, a, problem, &t.row, &t.placement)
+                                                      : placement_answer(query, a, problem, &t);
     free(t.row.domino);
     return done;
 }
@@ -261,7 +258,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_text(call.share, 10));
     /* No progress is shown, because the number of studies is not known in advance. */
-    if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000, false, &t))
+    if (!trials_make(query, problem, given->count > 1 ? (size_t)given->number[1] : 1000, false, &t))
         return false;
     bool good = budget_check(query, &t, call.kind, problem);
     enum dom_status status = good ? dom_placement_budget(&t.row.row, &t.row.compute, &t.placement, call.kind,

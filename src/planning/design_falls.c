@@ -118,8 +118,7 @@ bool design_falls(const struct query *query, struct answer *a, const struct dom_
     if (!errors_check(query->scene, problem))
         return false;
     if (!scene_errors(query->scene, error))
-        return problem_error(problem, "'falls' needs random errors; first enter 'set placement 1 mm', or "
-                                      "another error, such as 'set error_thickness 1 %%'");
+        return problem_no_errors(problem, "'falls'");
     design->limit = DOM_DESIGN_SAFETY;
     for (size_t steps = 1; steps < DOMINOES_MOST && count < DESIGNS_MOST && beyond <= BEYOND; steps++) {
         struct dom_design d;

@@ -29,18 +29,14 @@ const struct column improve_columns[] = {
  * engine. */
 enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 
-/* A row and its improvement. Do not copy the struct, because its member `placement` points to its member
- * `pool`. */
+/* A row and its improvement. */
 struct improvement {
-    struct scene_row scene; /* the row before the changes; its dominoes have been freed */
-    struct double_row from; /* the same in double */
+    struct trials before; /* the row before the changes, and its random errors */
     struct dom_domino *domino;
     struct dom_limits limits;
-    struct dom_placement placement;
-    struct task_pool pool;
     struct dom_study study[2];
     /* the length of the row in m, including its fallen last domino, before and after the changes */
-    double before, after;
+    double from, to;
     size_t changed;
 };
 
@@ -62,37 +58,30 @@ static bool is_changed(const struct dom_domino *a, const struct dom_domino *b)
 static bool improvement_make(const struct query *query, const struct wishes *w, struct problem *problem,
                              struct improvement *i)
 {
-    if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &i->scene, problem))
+    struct trials *t = &i->before;
+    if (!trials_make(query, problem, ROWS, false, t))
         return false;
-    const size_t count = i->scene.row.count;
-    const enum dom_status status = scene_row_in_double(&i->scene, &i->from);
-    free(i->scene.domino);
+    const size_t count = t->row.row.count;
+    t->placement.first = 1;
+    t->placement.rows = t->row.row.engine ? ROWS_OF_ENGINE : ROWS;
     i->domino = malloc(count * sizeof *i->domino);
-    if (status != DOM_OK || !i->domino)
+    if (!i->domino)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    i->before = length_of(i->from.domino, count);
+    i->from = length_of(t->row.domino, count);
     i->limits = (struct dom_limits){.sizes = w->sizes,
                                     .q = (double)query->scene->train.q,
-                                    .hall = w->has_hall ? (double)w->hall : i->before,
+                                    .hall = w->has_hall ? (double)w->hall : i->from,
                                     .heaviest = (double)w->mass,
                                     .grid = (double)w->grid,
                                     .board = w->board,
                                     .boards = w->boards};
-    i->pool = (struct task_pool){.threads = query->state->settings.threads,
-                                 .interrupt = query->scene->compute.interrupt};
-    i->placement = (struct dom_placement){.seed = (unsigned long)query->scene->seed,
-                                          .first = 1,
-                                          .rows = i->from.row.engine ? ROWS_OF_ENGINE : ROWS,
-                                          .parallel = workers_tasks,
-                                          .pool = &i->pool};
-    if (!scene_errors(query->scene, i->placement.error))
-        return problem_error(problem, "this command needs random errors; first enter 'set placement 1 "
-                                      "mm', or another error, such as 'set error_thickness 1 %%'");
+    if (!t->has_errors)
+        return problem_no_errors(problem, "this command");
     if (!w->sizes && (w->boards > 0 || isfinite(w->mass)))
         return problem_error(
             problem,
             "without 'sizes', only gaps change, not thicknesses or masses; enter 'improve sizes ...'");
-    if (!grid_check(w->grid, quad_decimal(i->from.domino[0].height), problem))
+    if (!grid_check(w->grid, quad_decimal(t->row.domino[0].height), problem))
         return false;
     if (isfinite(w->mass) && !scene_has_masses(query->scene))
         return problem_error(problem, "the masses of this row are not known; set the mass of its first "
@@ -118,8 +107,8 @@ static void changes_list(struct answer *a, const struct improvement *i)
             answer_leave_out(&list, columns[c].key);
     list.style.errors = false;
     for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
-        for (size_t k = 0; k < i->from.row.count && !answer_lost(&list); k++) {
-            const struct dom_domino *from = &i->from.domino[k], *to = &i->domino[k];
+        for (size_t k = 0; k < i->before.row.row.count && !answer_lost(&list); k++) {
+            const struct dom_domino *from = &i->before.row.domino[k], *to = &i->domino[k];
             struct cell cells[] = {cell_count((domq_real)k + 1),
                                    cell_real(from->height),
                                    cell_real(to->height),
@@ -155,7 +144,7 @@ static struct phrase study_words(const struct dom_study *s)
 static void improvement_say(const struct query *query, struct answer *a, const struct improvement *i,
                             bool interrupted)
 {
-    const size_t count = i->from.row.count;
+    const size_t count = i->before.row.row.count;
     if (interrupted)
         answer_say(a, "Interrupted; this is the best row so far.");
     if (i->study[0].fall == i->study[0].rows && i->changed == 0)
@@ -171,7 +160,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     else
         answer_say(a, "Before, %s; now %s, with 95 %% confidence.", study_words(&i->study[0]).text,
                    study_words(&i->study[1]).text);
-    if (i->from.row.engine)
+    if (i->before.row.row.engine)
         answer_detail(
             a,
             "The search used the model, which treats feet as hinges. The probability comes from the "
@@ -184,7 +173,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     answer_detail(a, "The search itself used other random rows.\n");
     changes_list(a, i);
     answer_say(a, "Including the fallen last domino, the row is %s long; before, it was %s.%s",
-               measured(i->after, "m", 4).text, measured(i->before, "m", 4).text,
+               measured(i->to, "m", 4).text, measured(i->from, "m", 4).text,
                query->next ? " 'row' lists the row, and 'undo' reverts the changes." : "");
 }
 
@@ -215,7 +204,7 @@ static bool improvement_none(const struct query *query, struct problem *problem,
 /* Makes the improved row the row of the scene. */
 static bool improvement_keep(struct scene *scene, const struct improvement *i, struct problem *problem)
 {
-    const size_t count = i->from.row.count;
+    const size_t count = i->before.row.row.count;
     struct domq_domino *domino = malloc(count * sizeof *domino);
     if (!domino)
         return problem_status(problem, scene, DOM_NO_MEMORY);
@@ -231,27 +220,28 @@ bool improve_row(const struct query *query, const struct wishes *w, struct answe
 {
     struct improvement i = {.domino = NULL};
     bool good = improvement_make(query, w, problem, &i);
-    enum dom_status status = good ? dom_row_improve(&i.from.row, &i.from.compute, &i.placement, &i.limits,
-                                                    progress_count, NULL, i.domino, i.study)
-                                  : DOM_OK;
+    enum dom_status status =
+        good ? dom_row_improve(&i.before.row.row, &i.before.row.compute, &i.before.placement, &i.limits,
+                               progress_count, NULL, i.domino, i.study)
+             : DOM_OK;
     const bool interrupted = status == DOM_INTERRUPTED && i.study[1].rows > 0 && !a->sink.take;
     if (good && status == DOM_OK && (i.study[1].rows == 0 || (i.study[1].fall == 0 && i.study[0].fall > 0)))
         good = limits_unmet(w, problem);
     if (good && (status == DOM_OK || interrupted)) {
-        i.after = length_of(i.domino, i.from.row.count);
-        for (size_t k = 0; k < i.from.row.count; k++)
-            i.changed += is_changed(&i.from.domino[k], &i.domino[k]);
+        i.to = length_of(i.domino, i.before.row.row.count);
+        for (size_t k = 0; k < i.before.row.row.count; k++)
+            i.changed += is_changed(&i.before.row.domino[k], &i.domino[k]);
         if (answer_for_people(a))
             improvement_say(query, a, &i, interrupted);
         *found = (struct improved){.study = {i.study[0], i.study[1]},
                                    .changed = i.changed,
-                                   .length = i.after,
+                                   .length = i.to,
                                    .interrupted = interrupted};
         good = !query->next || a->sink.take || i.changed == 0 ||
                improvement_keep(&query->next->scene, &i, problem);
     }
     free(i.domino);
-    free(i.from.domino);
+    free(i.before.row.domino);
     return good && (status == DOM_OK || improvement_none(query, problem, &i, status));
 }
 
