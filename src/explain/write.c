@@ -43,9 +43,9 @@ void step_numbers(FILE *out, enum formula_style style, const struct step *s, int
 
 /* The texts before, between and after the equations of a derivation. */
 enum text { HEADING, OPEN, EQUALS, JOIN, CLOSE, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
-enum dialect { PLAIN, TEX, DIALECTS };
 
-static const char *const texts[][DIALECTS] = {
+static const char *const texts[][2] = {
+    /* as text, and in TeX */
     [HEADING] = {":\n", ":\n\n"},
     [OPEN] = {"    ", "\\[\n\\begin{aligned}\n"},
     [EQUALS] = {" = ", " &= "},
@@ -64,21 +64,20 @@ struct writer {
     const struct derivation *derivation;
     FILE *out;
     enum formula_style style;
-    enum dialect dialect;
     int digits;
     domq_real value; /* the value that the user typed after the question, or NaN */
 };
 
 static void put(const struct writer *w, enum text text)
 {
-    fputs(texts[text][w->dialect], w->out);
+    fputs(texts[text][w->style == FORMULA_TEX], w->out);
 }
 
 static void words_write(const struct writer *w, const char *words)
 {
     char piece[ESCAPE_PIECE];
     for (const char *c = words; *c; c++)
-        if (w->dialect == TEX)
+        if (w->style == FORMULA_TEX)
             fputs(escape_tex(*c, piece), w->out);
         else
             putc(*c, w->out);
@@ -116,7 +115,7 @@ static void value_write(const struct writer *w, const struct step *s)
     else
         number_write(w->out, w->style, s->value, w->digits);
     if (*s->unit)
-        fprintf(out, w->dialect ? "\\,\\mathrm{%s}" : " %s", s->unit);
+        fprintf(out, w->style == FORMULA_TEX ? "\\,\\mathrm{%s}" : " %s", s->unit);
 }
 
 /* Writes one quantity: its description, its equation, the equation with numbers, and its value. */
@@ -127,7 +126,7 @@ static void step_write(const struct writer *w, const struct step *s)
     if (words[strspn(words, "abcdefghijklmnopqrstuvwxyz")] != '^') /* a symbol, such as tau^2 */
         putc(toupper((unsigned char)*words++), out);
     words_write(w, words);
-    if (w->dialect && *s->reference)
+    if (w->style == FORMULA_TEX && *s->reference)
         fprintf(out, " (%s)", s->reference);
     put(w, HEADING);
     put(w, OPEN);
@@ -135,7 +134,7 @@ static void step_write(const struct writer *w, const struct step *s)
     put(w, EQUALS);
     if (s->tree) {
         step_symbols(out, w->style, s);
-        if (!w->dialect && *s->reference)
+        if (w->style != FORMULA_TEX && *s->reference)
             fprintf(out, "    (%s)", s->reference);
         put(w, JOIN);
         if (s->tree->kind != TREE_SYMBOL) { /* the number of a symbol is the value, which follows */
@@ -180,7 +179,7 @@ static void meanings_write(const struct writer *w, const struct explained *e)
             needed[count++] = &d->step[k];
         }
     list_write(w, needed, count);
-    if (has_equations && !w->dialect)
+    if (has_equations && w->style != FORMULA_TEX)
         fprintf(w->out, "\n'explain %s%s%s deep' also shows the equations for these quantities.\n", e->name,
                 isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_text(w->value, 10));
 }
@@ -212,13 +211,13 @@ static void effect_write(const struct writer *w, const char *with, const struct 
 {
     if (!e->equations)
         return;
-    fprintf(w->out, "\n%s%s", w->dialect ? "\\medskip\n" : "", with);
+    fprintf(w->out, "\n%s%s", w->style == FORMULA_TEX ? "\\medskip\n" : "", with);
     words_write(w, e->name);
-    fputs(w->dialect ? ":\\\\\n" : ":\n", w->out);
+    fputs(w->style == FORMULA_TEX ? ":\\\\\n" : ":\n", w->out);
     for (const char *const *line = e->equations; *line; line++) {
-        fputs(w->dialect ? "\\hspace*{2em}" : "    ", w->out);
+        fputs(w->style == FORMULA_TEX ? "\\hspace*{2em}" : "    ", w->out);
         words_write(w, *line);
-        fputs(w->dialect ? "\\\\\n" : "\n", w->out);
+        fputs(w->style == FORMULA_TEX ? "\\\\\n" : "\n", w->out);
     }
 }
 
@@ -301,7 +300,6 @@ bool explain_write(struct answer *a, const struct derivation *d, const struct ex
 {
     const bool is_document = a->path && extension_of(a->path)->is_document;
     struct writer w = {.derivation = d, .digits = (int)a->style.digits, .value = bound->value};
-    w.dialect = is_document ? TEX : PLAIN;
     answer_plan(a, NULL);
     w.out = a->out;
     w.style = is_document ? FORMULA_TEX : a->layout.letters ? FORMULA_LETTERS : FORMULA_PLAIN;

@@ -8,6 +8,9 @@
 extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
     effect_commands[];
 
+/* The members that most commands about a train share. */
+#define TRAIN_COMMAND .precision = PRECISION_AS_SET, .train = true
+
 /* The parts of commands that are defined outside the files of their tables. */
 extern const struct column count_columns[], why_columns[], growths_columns[], fewest_columns[];
 
