@@ -81,10 +81,10 @@ static bool sigint_ends(void)
 
 static void on_signal(int number)
 {
-    /* The store is atomic because other threads read `interrupted` in dom_raised. */
-    __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED);
     if (number != SIGINT || sigint_ends())
         ended = number;
+    /* The store is atomic because other threads read `interrupted` in dom_raised. */
+    __atomic_store_n(&interrupted, ended ? ended : number, __ATOMIC_RELAXED);
 }
 
 /* Installs the signal handler. The first signal ends the script, after the script has written its results so
@@ -305,7 +305,7 @@ int main(int argc, char **argv)
     if (plan.prompt)
         interrupted = ended;
     if (plan.prompt && !is_over(&session)) {
-        line_prompt(&session);
+        line_prompt(&session, &interrupted);
         /* At a prompt, the user has already seen the errors, so they do not affect the exit status. */
         session.errors = 0;
     } else if (plan.reads && !is_over(&session))

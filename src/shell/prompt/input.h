@@ -4,9 +4,11 @@
 #define SHELL_INPUT_H
 
 #include "session/session.h"
+#include <signal.h>
 
-/* Reads and runs lines from the terminal, until the session ends. */
-void line_prompt(struct session *session);
+/* Reads and runs lines from the terminal, until the session ends or *raised becomes the number of a signal
+ * other than SIGINT. SIGINT ends the line that is being typed, or the command that runs. */
+void line_prompt(struct session *session, volatile sig_atomic_t *raised);
 
 /* Reads one line from the terminal, with line editing and the history, also while line_prompt runs a command.
  * Returns NULL at the end of the input. If the session is interrupted, returns an empty line. The caller
