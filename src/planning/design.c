@@ -5,6 +5,7 @@
 #include "planning/designs.h"
 #include "planning/planning.h"
 #include "rows/row_edit.h"
+#include "rows/rows.h"
 #include "train/falling.h"
 #include <stdlib.h>
 
@@ -164,7 +165,7 @@ static bool design_find(const struct query *query, struct dom_wish *wish, const 
     return !wish->engine || row_engine->make(&with_row, d->steps + 1, engine, problem);
 }
 
-/* Prints how safe the design is. Adds a list of its dominoes to the details. */
+/* Prints how safe the design is. */
 static void design_say(const struct query *query, struct answer *a, const struct dom_wish *wish,
                        const struct dom_design *d, const struct designed_row *plan)
 {
@@ -188,10 +189,6 @@ static void design_say(const struct query *query, struct answer *a, const struct
     if (wish->engine)
         answer_detail(a, "All dominoes also fall in the rigid-body engine, which is used because %s.",
                       scene_engine_why(query->scene));
-    struct answer list = {.out = answer_rest(a), .style = a->style};
-    answer_detail(a, "%s", "");
-    if (list.out)
-        designed_list(&list, plan, false);
 }
 
 /* Says what the design replaces in the session, as in ", in place of the row from hall.csv". If there was no
@@ -291,15 +288,19 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
     if ((keeps && !design_keep(query, problem, d, plan)) ||
         (keeps && w->probability > 0 && !design_improve(query, w, a, plan, d, study, problem)))
         return false;
-    if (file)
-        designed_list(a, plan, true);
-    else
-        design_row(a, plan, d, study,
-                   isinf(d->row)
-                       ? "no domino after the first needs energy to fall over, so no safety is known"
-                       : NULL);
+    struct query of_row = *query;
+    struct answer list = {.out = answer_rest(a), .style = a->style};
+    of_row.scene = keeps ? &query->next->scene : NULL;
+    if (file && keeps)
+        return row_list(&of_row, 0, a, problem);
+    design_row(a, plan, d, study,
+               isinf(d->row) ? "no domino after the first needs energy to fall over, so no safety is known"
+                             : NULL);
     if (answer_for_people(a))
         design_say(query, a, wish, d, plan);
+    answer_detail(a, "%s", "");
+    if (list.out && keeps && !row_list(&of_row, 0, &list, problem))
+        return false;
     if (keeps)
         answer_say(a, "The session now has this row%s: 'row' lists it, 'fall' runs it, 'undo' takes it back.",
                    replaced);

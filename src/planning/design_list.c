@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes and lists the dominoes of a design, and writes its numbers as a row of the answer. */
+/* Makes the dominoes of a design, and writes its numbers as a row of the answer. */
 #include "language/quad.h"
 #include "planning/designs.h"
 #include "planning/planning.h"
@@ -67,53 +67,6 @@ static domq_real plan_material(const struct designed_row *p, const struct domq_d
 {
     return p->walls_unknown ? 2 * (d->height * d->width + d->height * d->thickness + d->width * d->thickness)
                             : d->height * d->width * d->thickness * scene_filled(p->scene, d);
-}
-
-void designed_list(struct answer *a, const struct designed_row *p, bool file)
-{
-    static const struct column columns[] = {
-        {"domino", "", "", 6},     {"height", "m", "", 9},   {"thickness", "m", "", 9}, {"gap", "m", "", 9},
-        {"at", "m", "", 9},        {"mass", "kg", "", 9},    {"relative", "", "", 9},   {"width", "m", "", 9},
-        {"surface", "m^2", "", 9}, {"volume", "m^3", "", 9}, {NULL, NULL, NULL, 0},
-    };
-    const struct domq_domino *last = &p->domino[p->count - 1];
-    domq_real at = 0;
-    a->columns = columns;
-    a->rows = true;
-    a->csv.units = file;
-    a->style.errors = false;
-    answer_leave_out(a, p->has_masses ? "relative" : "mass");
-    if (last->width == last->height / 2) /* as in the answer of 'row' */
-        answer_leave_out(a, "width");
-    if (file)
-        answer_leave_out(a, "at");
-    if (file || p->walls_unknown)
-        answer_leave_out(a, "volume");
-    if (file || !p->walls_unknown)
-        answer_leave_out(a, "surface");
-    answer_announce(a, "height", last->height);
-    answer_announce(a, "thickness", last->thickness);
-    answer_announce(a, "gap", last->gap);
-    answer_announce(a, "at", last->height);
-    answer_announce(a, "width", last->width);
-    answer_announce(a, "mass", last->mass);
-    for (size_t k = 0; k < p->count && !answer_lost(a); k++) {
-        const struct domq_domino *d = &p->domino[k];
-        struct cell cells[] = {cell_count((domq_real)k + 1),
-                               cell_real(d->height),
-                               cell_real(d->thickness),
-                               cell_real(d->gap),
-                               cell_real(at += d->gap),
-                               cell_real(d->mass),
-                               cell_real(d->mass / p->domino[0].mass),
-                               cell_real(d->width),
-                               cell_real(plan_material(p, d)),
-                               cell_real(plan_material(p, d))};
-        for (int i = 1; i < 10; i++)
-            cells[i].digits = 4;
-        answer_row(a, cells, NULL);
-        at += d->thickness;
-    }
 }
 
 domq_real designed_mass(const struct designed_row *p)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parts of the command 'design': lists of dominoes, and designs that fall with a given probability. */
+/* Parts of the command 'design': the dominoes, and designs that fall with a given probability. */
 #ifndef SHELL_DESIGNS_H
 #define SHELL_DESIGNS_H
 
@@ -23,10 +23,6 @@ bool designed_make(const struct query *query, struct problem *problem, const str
 
 /* Returns the total mass in kg or, if masses are not known, relative to the first domino. */
 domq_real designed_mass(const struct designed_row *plan);
-
-/* Lists the dominoes. If `file` is true, the list has only the columns that 'set row FILE' reads. If
- * `file` is false, the list also has the positions, and the surface or the volume of each domino. */
-void designed_list(struct answer *a, const struct designed_row *plan, bool file);
 
 /* Leaves out the columns about random rows unless `is_random` is true. */
 void design_columns_choose(struct answer *a, bool is_random);

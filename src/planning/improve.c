@@ -89,43 +89,6 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
     return true;
 }
 
-/* ---- The new row ---- */
-
-/* Lists all dominoes in the details, with their sizes and gaps before and after the changes. */
-static void changes_list(struct answer *a, const struct improvement *i)
-{
-    static const struct column columns[] = {
-        {"domino", "", "", 6},      {"height", "m", "", 9},    {"to_height", "m", "", 10},
-        {"thickness", "m", "", 10}, {"to_thick", "m", "", 10}, {"gap", "m", "", 9},
-        {"to_gap", "m", "", 9},     {NULL, NULL, NULL, 0},
-    };
-    struct answer list = {.out = answer_rest(a), .style = a->style, .columns = columns, .rows = true};
-    if (!list.out)
-        return;
-    if (!i->limits.sizes)
-        for (int c = 1; c < 5; c++)
-            answer_leave_out(&list, columns[c].key);
-    list.style.errors = false;
-    for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
-        for (size_t k = 0; k < i->before.row.row.count && !answer_lost(&list); k++) {
-            const struct dom_domino *from = &i->before.row.domino[k], *to = &i->domino[k];
-            struct cell cells[] = {cell_count((domq_real)k + 1),
-                                   cell_real(from->height),
-                                   cell_real(to->height),
-                                   cell_real(from->thickness),
-                                   cell_real(to->thickness),
-                                   cell_real(from->gap),
-                                   cell_real(to->gap)};
-            for (int c = 1; c < 7; c++) {
-                cells[c].digits = 4;
-                if (!writes)
-                    answer_announce(&list, columns[c].key, cells[c].number);
-            }
-            if (writes)
-                answer_row(&list, cells, NULL);
-        }
-}
-
 /* ---- The answer ---- */
 
 /* A phrase such as "1795 of 2000 rows fall (88.3 % to 91 %)". */
@@ -171,7 +134,6 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     if (i->study[1].fall < i->study[0].fall)
         answer_say(a, "The old row was outside these limits.");
     answer_detail(a, "The search itself used other random rows.\n");
-    changes_list(a, i);
     answer_say(a, "Including the fallen last domino, the row is %s long; before, it was %s.%s",
                measured(i->to, "m", 4).text, measured(i->from, "m", 4).text,
                query->next ? " 'row' lists the row, and 'undo' reverts the changes." : "");
@@ -252,6 +214,12 @@ bool run_improve(const struct query *query, struct answer *a, struct problem *pr
     bool good = improve_row(query, w, a, &i, problem);
     if (!good && !i.interrupted)
         return false;
+    struct answer list = {.out = answer_rest(a), .style = a->style};
+    struct query after = *query;
+    if (list.out && query->next && i.changed > 0) { /* the details list the new row */
+        after.scene = &query->next->scene;
+        good = row_list(&after, 0, &list, problem) && good;
+    }
     const struct dom_study *s = i.study;
 #define SHARE(value) cell_computed((domq_real)(value))
     answer_row(a,

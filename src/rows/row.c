@@ -25,27 +25,18 @@ static const struct column row_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The answer has the dominoes with the indices from `from` up to, but not including, `to`. */
-static bool dominoes_asked(const struct query *query, size_t count, size_t *from, size_t *to,
-                           struct problem *problem)
-{
-    const size_t one = query->given->count > 0 ? (size_t)query->given->number[0] : 0;
-    *from = one > 0 ? one - 1 : 0;
-    *to = one > 0 ? one : count;
-    return *to <= count || problem_error(problem, "the row has %zu domino%s", count, count == 1 ? "" : "es");
-}
-
-static bool run_row(const struct query *query, struct answer *a, struct problem *problem)
+bool row_list(const struct query *query, size_t only, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
     bool has_radii = false, has_leans = false, has_widths = false;
     char *others = NULL;
     if (!scene_row_list(query->scene, &scene, problem))
         return false;
-    size_t from, to;
-    const bool good = dominoes_asked(query, scene.row.count, &from, &to, problem) &&
-                      (!a->path || rowfile_others(&query->scene->listed, &others) ||
-                       query_status(query, problem, DOM_NO_MEMORY));
+    const size_t count = scene.row.count, from = only > 0 ? only - 1 : 0, to = only > 0 ? only : count;
+    const bool good =
+        (to <= count || problem_error(problem, "the row has %zu domino%s", count, count == 1 ? "" : "es")) &&
+        (!a->path || rowfile_others(&query->scene->listed, &others) ||
+         query_status(query, problem, DOM_NO_MEMORY));
     if (!good) {
         free(scene.domino);
         free(others);
@@ -59,6 +50,8 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
         has_leans = has_leans || scene.domino[k].lean != 0;
         has_widths = has_widths || scene.domino[k].width != scene.domino[k].height / 2;
     }
+    a->columns = row_columns;
+    a->rows = true;
     answer_leave_out(a, scene_has_masses(query->scene) ? "relative" : "mass");
     if (!has_radii)
         answer_leave_out(a, "radius");
@@ -92,9 +85,14 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     if (!scene_walls_fit(query->scene, &scene, &no_room) && answer_for_people(a))
         answer_say(a, "This row has no answer yet: %s.", no_room.text);
     free(scene.domino);
-    if (query->next && a->path && to - from == scene.row.count)
+    if (query->next && a->path && only == 0)
         query->next->scene.listed.saved = true;
     return true;
+}
+
+static bool run_row(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return row_list(query, query->given->count > 0 ? (size_t)query->given->number[0] : 0, a, problem);
 }
 
 /* ---- rowmax ---- */

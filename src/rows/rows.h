@@ -28,6 +28,9 @@ bool run_change(const struct query *query, struct answer *a, struct problem *pro
 bool run_remove(const struct query *query, struct answer *a, struct problem *problem);
 bool run_insert(const struct query *query, struct answer *a, struct problem *problem);
 
+/* Lists the dominoes of the row as 'row' does: all, or only one, counted from 1, if `only` is not 0. */
+bool row_list(const struct query *query, size_t only, struct answer *a, struct problem *problem);
+
 /* The friction that a foot needs so that it does not slip, either while the domino `head` falls or at the
  * instant when this domino is hit. Dominoes are counted from 1. */
 struct slip {
