@@ -197,6 +197,9 @@ END
     same 'rows' 14 "$(grep -Ec '^ +[0-9]+ ' "$BATS_TEST_TMPDIR/paged")"
     ask 'help all'
     see 'with -FRX  -P' # a text has no head
+    terminal resize-window -x 200 -y 20
+    ask 'set r 1; set push 3; set row 9; sheet'
+    grep -q '^How fast do dominoes fall' "$BATS_TEST_TMPDIR/paged"
 }
 gone() { ! terminal has-session 2>/dev/null; }
 

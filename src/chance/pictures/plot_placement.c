@@ -105,9 +105,6 @@ static bool plot_placement(const struct query *query, struct answer *a, struct c
     return status == DOM_OK || row_status(query, problem, status);
 }
 
-/* The warning about missing initializers is off, because the entries leave out members. */
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
 static const struct column placement_points[] = {
     {"sigma", "m", "standard deviation of the errors in the gaps; for uniform errors, the largest error", 0},
     {"probability", "", "probability that the whole row falls", 0},

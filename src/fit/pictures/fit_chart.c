@@ -100,9 +100,6 @@ static bool plot_fit(const struct query *query, struct answer *a, struct chart *
     return done;
 }
 
-/* The warning about missing initializers is off, because the entries leave out members. */
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
 static const struct column fit_plot_columns[] = {{NULL, NULL, NULL, 0}};
 static const struct argument fit_argument = {
     .name = "NAME FILE", .kind = ARGUMENT_COMMAND, .parse = plot_fit_parse};

@@ -62,9 +62,6 @@ static bool plot_cost(const struct query *query, struct answer *a, struct chart 
     return true;
 }
 
-/* The warning about missing initializers is off, because the entries leave out members. */
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
 static const struct column cost_columns[] = {{NULL, NULL, NULL, 0}};
 static const struct argument answer_argument = {
     .name = "NAME", .kind = ARGUMENT_CHOICE, .noun = "command with a tolerance", .choices = cost_names};

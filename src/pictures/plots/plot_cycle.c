@@ -249,29 +249,11 @@ static bool plot_chain(const struct query *query, struct answer *a, struct chart
     return done;
 }
 
-/* The warning about missing initializers is off, because the entries leave out members. */
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
-#define THETA                                                                                                \
-    {                                                                                                        \
-        "theta", "rad", "tilt of the head", 0                                                                \
-    }
-#define DH                                                                                                   \
-    {                                                                                                        \
-        "dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (19; c1)", 0                          \
-    }
-#define KINETIC                                                                                              \
-    {                                                                                                        \
-        "kinetic", "mgh/2", "J tau^2 omega^2 (21; c3)", 0                                                    \
-    }
-#define INERTIA                                                                                              \
-    {                                                                                                        \
-        "J", "", "inertia of the train (20; c2)", 0                                                          \
-    }
-#define EVENT                                                                                                \
-    {                                                                                                        \
-        "event", "", "the event at this tilt (launch, top, fall, stop or hit), if any", 6                    \
-    }
+#define THETA   COLUMN("theta", "rad", "tilt of the head", 0)
+#define DH      COLUMN("dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (19; c1)", 0)
+#define KINETIC COLUMN("kinetic", "mgh/2", "J tau^2 omega^2 (21; c3)", 0)
+#define INERTIA COLUMN("J", "", "inertia of the train (20; c2)", 0)
+#define EVENT   COLUMN("event", "", "the event at this tilt (launch, top, fall, stop or hit), if any", 6)
 static const struct column energy_columns[] = {THETA, DH, KINETIC, INERTIA, EVENT, {NULL, NULL, NULL, 0}};
 static const struct column climb_columns[] = {THETA, DH, KINETIC, EVENT, {NULL, NULL, NULL, 0}};
 static const struct column inertia_columns[] = {THETA, INERTIA, EVENT, {NULL, NULL, NULL, 0}};

@@ -108,18 +108,10 @@ static bool plot_marginal(const struct query *query, struct answer *a, struct ch
     return limits_plot(query, a, chart, problem, marginal_limits, LIMITS);
 }
 
-/* The warning about missing initializers is off, because the entries leave out members. */
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
-#define SEPARATION                                                                                           \
-    {                                                                                                        \
-        "s", "h", "separation", 0                                                                            \
-    }
+#define SEPARATION COLUMN("s", "h", "separation", 0)
 #define REACH                                                                                                \
-    {                                                                                                        \
-        "reach", "",                                                                                         \
-            "largest growth at which a domino reaches the next one (1/s, or less with rounded edges)", 0     \
-    }
+    COLUMN("reach", "",                                                                                      \
+           "largest growth at which a domino reaches the next one (1/s, or less with rounded edges)", 0)
 static const struct column growth_columns[] = {
     SEPARATION,
     {"solid", "", "r_max of solid dominoes, q = 4", 0},

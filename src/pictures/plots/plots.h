@@ -71,6 +71,15 @@ struct plot {
     const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
 };
 
+/* The entries of plots leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+/* A column that several plots have. */
+#define COLUMN(key, unit, meaning, width)                                                                    \
+    {                                                                                                        \
+        key, unit, meaning, width                                                                            \
+    }
+
 /* Writes the rows of a plot as csv or json, or draws them with the look that the user chose. */
 bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
                 struct answer *a, struct problem *problem);

@@ -257,13 +257,7 @@ static bool plot_gaps(const struct query *query, struct answer *a, struct chart 
     return done;
 }
 
-/* The warning about missing initializers is off, because the entries leave out members. */
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
-#define DOMINO                                                                                               \
-    {                                                                                                        \
-        "domino", "", "number of the domino, from 1", 6                                                      \
-    }
+#define DOMINO COLUMN("domino", "", "number of the domino, from 1", 6)
 static const struct column fall_columns[] = {
     DOMINO,
     {"kinetic", "mgh/2", "kinetic energy of all moving dominoes just after the hit", 0},

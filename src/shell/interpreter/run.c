@@ -206,7 +206,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     int error = session->output->error;
-    bool is_paged = session->output == &session->standard && pager_begin(!has_pages);
+    bool is_paged = session->output == &session->standard && pager_begin(!has_pages && !is_picture(c));
     bool done = run_command(session, c, query, problem);
     if (is_paged && !pager_end()) {
         /* When the user closes the pager before the end of the answer, the rest cannot be written. This is

@@ -213,9 +213,6 @@ static bool plot_sweep_rows(const struct query *query, struct answer *a, struct 
     return run_sweep(query, a, problem);
 }
 
-/* The warning about missing initializers is off, because the entries leave out members. */
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
 static const struct column sweep_columns[] = {{NULL, NULL, NULL, 0}};
 
 static bool whole_parse(struct reader *r, struct question *q)
