@@ -88,7 +88,7 @@ END
     wrong 'z(a) = 3' "'let z\(...\) = VALUE' defines a function"
     wrong 'foo+1' "'foo' has no value"
     wrong '1/0' 'division by zero'
-    wrong 's 0.3' "'s' is a parameter; 's = VALUE'"
+    wrong 's 0.3' "'s' is a parameter; enter 'set s VALUE'"
     wrong 'q 3' "'q' is a parameter"
 }
 

@@ -209,8 +209,10 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
     else if (valued)
         problem_error(r->problem, "'%s' is a value of %s; enter 'set %s %s'", shown, valued->name,
                       valued->name, shown);
-    else if (named && named->effect)
-        problem_error(r->problem, "'%s' is an effect; enter 'set %s'", name, effect_usage(named->which));
+    else if (named)
+        problem_error(r->problem, "'%s' is %s; enter 'set %s%s'", name,
+                      named->effect ? "an effect" : "a parameter",
+                      named->effect ? effect_usage(named->which) : name, named->effect ? "" : " VALUE");
     else if (p && p->effect)
         problem_error(r->problem, "unknown command '%s'; did you mean 'set %s'?", shown,
                       effect_usage(p->which));
@@ -258,13 +260,8 @@ static const struct command *name_read(struct reader *r, names_list *offered)
         if (k == NAMES_SEVERAL)
             k = reserved_command(name);
         command = k < 0 ? NULL : command_find(command_names(NULL, k));
-        const struct parameter *p = parameter_find(name);
-        if (p && !p->effect && (!command || !command->argument[0].kind)) {
+        if (command && !command->argument[0].kind && parameter_find(name))
             command = NULL;
-            k = NAMES_CLOSE;
-            snprintf(message, sizeof message, "'%s' is a parameter; '%s = VALUE' sets it, '%s' shows it",
-                     name, name, name);
-        }
         if (!command)
             command_unknown(r, name, k, message);
     }

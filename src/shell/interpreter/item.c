@@ -22,12 +22,10 @@ static bool may_follow(struct reader *r, const char *at)
     const char *close = names_closest(expression_units, NULL, word);
     reader_place(r, at);
     const char *shown = names_shown(word);
-    if (strcmp(word, "in") == 0)
-        return problem_error(r->problem,
-                             "the unit 'in' must follow a number; 'to' converts, as in '4.8 cm to mm'");
     if (close && strcmp(close, word) == 0)
-        return problem_error(r->problem, "the unit '%s' must follow a number or a ')', as in '4.8 cm'",
-                             shown);
+        return problem_error(
+            r->problem, "the unit '%s' must follow a number or a ')'; 'to' converts, as in '4.8 cm to mm'",
+            shown);
     return close ? problem_error(r->problem, "'%s' is not a unit; did you mean '%s'?", shown, close)
                  : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
@@ -224,15 +222,6 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
     return item_parse(r, a, item);
 }
 
-enum { NAMES_ALL = 384 };
-static void names_all(names_list *list, char all[NAMES_ALL])
-{
-    const char *name;
-    all[0] = '\0';
-    for (int n = 0; (name = list(NULL, n)) != NULL; n++)
-        text_add(all, NAMES_ALL, "%s%s", n ? ", " : "", name);
-}
-
 /* Returns true if the word is a command with an answer that one of the choices shows. A build may lack this
  * choice. */
 static bool is_shown(const struct argument *a, const char *word)
@@ -261,8 +250,8 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
     if (is_shown(a, word))
         return problem_error(r->problem, "unknown %s '%s'; '%s %s %s' shows this answer", a->noun, word,
                              r->problem->command, a->for_answers, word);
-    names_all(a->choices, all);
-    return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->noun, names_shown(word), all);
+    return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->noun, names_shown(word),
+                         names_join(a->choices, NULL, "", all));
 }
 
 bool item_parse_place(struct reader *r, const struct argument *a, struct item *item)

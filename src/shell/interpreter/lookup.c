@@ -146,11 +146,9 @@ static __attribute__((noinline)) struct column_cells *column_compute(struct eval
         expression_report(e->error, t->at, true, "%s.%s is not in the table here; enter '%s' to see why",
                           t->name, column->key, t->name);
     else if (column->next && column->count != rows->count)
-        expression_report(e->error, t->at, true,
-                          "%.*s.%s has %zu rows and %.*s.%s has %zu; take columns of the same length",
-                          (int)call_length(t), t->at, column->key, column->count,
-                          (int)call_length(column->next->node), column->next->node->at, column->next->key,
-                          rows->count);
+        expression_report(
+            e->error, t->at, true, "%s.%s has %zu rows and %s.%s has %zu; take columns of the same length",
+            t->name, column->key, column->count, column->next->node->name, column->next->key, rows->count);
     else {
         rows->count = column->count;
         return column;
@@ -177,14 +175,10 @@ static bool column_quantity(struct evaluation *e, const struct tree *t, struct q
     if (cell.kind == CELL_WORD)
         return expression_wrong(e->error, t->at, "%s.%s consists of words, which only 'count' takes", t->name,
                                 column->key);
-    char unit[UNIT_TEXT];
-    unit_write(column->unit, "*", unit);
     if (cell.kind == CELL_NONE)
         return expression_no_value(
-            e->error, t->at,
-            "%s.%s has no value in row %zu of %zu; 'if' can choose another value there, "
-            "as in 'if(CONDITION, %s.%s, 0%s%s)'",
-            t->name, column->key, rows->row + 1, column->count, t->name, column->key, *unit ? " " : "", unit);
+            e->error, t->at, "%s.%s has no value in row %zu of %zu; 'if' can choose another value there",
+            t->name, column->key, rows->row + 1, column->count);
     result->value *= cell.number;
     return true;
 }

@@ -78,11 +78,10 @@ bool question_needs_number(const struct question *q, struct problem *problem)
     const struct command *c = q->command;
     if (q->key >= 0 || q->command->is_print)
         return true;
-    char keys[256] = "";
-    const char *key;
-    for (int k = 0; (key = command_keys(c, k)) != NULL; k++)
-        text_add(keys, sizeof keys, "%s%s.%s", k ? ", " : "", c->name, key);
-    return problem_error(problem, "'%s' gives several numbers; use one of %s", c->name, keys);
+    char keys[NAMES_ALL], before[40];
+    snprintf(before, sizeof before, "%s.", c->name);
+    return problem_error(problem, "'%s' gives several numbers; use one of %s", c->name,
+                         names_join(command_keys, c, before, keys));
 }
 
 bool question_value(const struct question *q, const struct query *query, struct quantity *value,

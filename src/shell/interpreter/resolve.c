@@ -69,12 +69,12 @@ static struct routine *routine_parse(struct resolver *r, const struct tree *t, c
     *routine = (struct routine){.function = f, .body = body, .is_open = true, .next = r->routines};
     r->routines = routine;
     const int deepest = r->deepest;
-    const char *aggregate = r->aggregate;
+    const bool in_aggregate = r->in_aggregate;
     r->scope = f;
-    r->aggregate = NULL;
+    r->in_aggregate = false;
     r->deepest = r->depth;
     const bool good = resolve(r, body);
-    r->aggregate = aggregate;
+    r->in_aggregate = in_aggregate;
     routine->height = r->deepest - r->depth;
     r->deepest = deepest > r->deepest ? deepest : r->deepest;
     r->scope = outer;
@@ -107,23 +107,6 @@ static bool routine_resolve(struct resolver *r, struct tree *t, const struct var
 
 /* ---- Commands and their keys ---- */
 
-/* Reports a name that is no key, and lists the keys, as far as there is room. */
-static bool key_wrong(struct resolver *r, const struct tree *t, names_list *list, const struct command *c,
-                      const char *message)
-{
-    enum { ROOM = 150 };
-    char keys[ROOM] = "";
-    const char *key;
-    for (int k = 0; (key = list(c, k)) != NULL; k++) {
-        if (strlen(keys) + strlen(key) + strlen(", ...") >= ROOM - 1) {
-            text_add(keys, sizeof keys, ", ...");
-            break;
-        }
-        text_add(keys, sizeof keys, "%s%s", k ? ", " : "", key);
-    }
-    return fail(r, t, "%s; its keys are %s", message, keys);
-}
-
 /* Returns the index of the column that a name such as "ans.margin" or "rmax.r" stands for. A name without a
  * key, such as "rmax", stands for the principal column. Stores the unit of the column in the tree. Returns -1
  * after an error. */
@@ -141,59 +124,23 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
     names_list *const list = is_ans ? answer_keys : command_keys;
     int index = t->key ? names_find(list, c, what, t->key, message) : command_principal(c);
     if (index == NAMES_UNKNOWN)
-        return key_wrong(r, t, list, c, message) - 1;
+        return fail(r, t, "%s; its keys are %s", message, names_join(list, c, "", (char[NAMES_ALL]){""})) - 1;
     if (index < 0)
         return fail(r, t, "%s", message) - 1;
     t->value = expression_unit(c->columns[index].unit);
     return index;
 }
 
-size_t call_length(const struct tree *t)
-{
-    const char *end = t->at + name_length(t->at);
-    for (int open = 0; *end && (open > 0 || *end == '('); end++) {
-        open += (*end == '(') - (*end == ')');
-        if (open == 0) {
-            end++;
-            break;
-        }
-    }
-    return (size_t)(end - t->at);
-}
-
-/* Returns the key of a column of numbers, for examples. The first column often just counts the rows, and
- * columns of words have a width. */
-static const char *example_key(const struct command *c)
-{
-    int k = 1;
-    while (c->columns[k].key && c->columns[k].width > 0)
-        k++;
-    return c->columns[k].key ? c->columns[k].key : c->columns->key;
-}
-
-/* Reports that a command whose answer is a table has no value, and shows how to make a number of a column. */
-static bool table_wrong(struct resolver *r, const struct tree *t, const struct command *c)
-{
-    char call[64];
-    int fewest;
-    command_values(c, &fewest);
-    if (t->called || fewest == 0)
-        snprintf(call, sizeof call, "%.*s", (int)call_length(t), t->at);
-    else
-        snprintf(call, sizeof call, "%s(%s)", c->name, c->argument[0].name);
-    return fail(r, t,
-                "'%s' has no value: its answer is a table; 'sum', 'min', 'max' and 'count' make a number of "
-                "a column, as in "
-                "'%s(%s.%s)'",
-                c->name, r->aggregate ? r->aggregate : "sum", call, t->key ? t->key : example_key(c));
-}
-
 static bool command_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
     int fewest, most = command_values(c, &fewest);
     const bool has_rows = command_is_table(c);
-    if (has_rows && (!r->aggregate || !t->key))
-        return table_wrong(r, t, c);
+    if (has_rows && (!r->in_aggregate || !t->key))
+        return fail(
+            r, t,
+            "'%s' has no value: its answer is a table; 'sum', 'min', 'max' and 'count' make a number of a "
+            "column, as in 'sum(chain(0).weight)'",
+            c->name);
     if (!c->principal && !has_rows)
         return fail(r, t,
                     t->count > 0 ? "'%s' has no value; enter the command without parentheses"
@@ -216,10 +163,10 @@ static bool command_resolve(struct resolver *r, struct tree *t, const struct com
     if (index < 0)
         return false;
     symbol(t, has_rows ? SYMBOL_COLUMN : SYMBOL_COMMAND, c, index);
-    const char *aggregate = r->aggregate;
-    r->aggregate = has_rows ? NULL : aggregate; /* the arguments of a table are the same for all its rows */
+    const bool outer = r->in_aggregate;
+    r->in_aggregate = outer && !has_rows; /* the arguments of a table are the same for all its rows */
     const bool good = children_resolve(r, t);
-    r->aggregate = aggregate;
+    r->in_aggregate = outer;
     return good;
 }
 
@@ -260,15 +207,15 @@ static bool has_column(const struct tree *t)
 
 static bool aggregate_resolve(struct resolver *r, struct tree *t, enum aggregate kind)
 {
-    const char *outer = r->aggregate;
+    const bool outer = r->in_aggregate;
     if (kind == AGGREGATE_COUNT && t->child->kind != TREE_NAME)
         return fail(
             r, t,
             "'count' counts the rows of a table and takes one of its columns; 'sum(CONDITION)' counts "
             "the rows for which a condition is true");
-    r->aggregate = aggregates[kind];
+    r->in_aggregate = true;
     const bool good = children_resolve(r, t);
-    r->aggregate = outer;
+    r->in_aggregate = outer;
     return good && symbol(t, SYMBOL_AGGREGATE, NULL, (int)kind);
 }
 
@@ -334,11 +281,11 @@ static bool name_resolve(struct resolver *r, struct tree *t)
 static bool with_resolve(struct resolver *r, struct tree *t)
 {
     bool good = descend(r, t, NESTING_WITH) && children_resolve(r, t);
-    const char *aggregate = r->aggregate;
-    r->aggregate = NULL; /* the assignments are the same for all rows of a table */
+    const bool outer = r->in_aggregate;
+    r->in_aggregate = false; /* the assignments are the same for all rows of a table */
     for (const struct assignment *a = t->refers; a && good; a = a->next)
         good = !a->item.value || resolve(r, (struct tree *)a->item.value);
-    r->aggregate = aggregate;
+    r->in_aggregate = outer;
     r->depth -= NESTING_WITH;
     return good;
 }

@@ -64,18 +64,15 @@ struct resolver {
     void *context;                /* for `with` */
     const struct variable *scope; /* the function whose body is being resolved, or NULL */
     struct routine *routines;
-    /* The aggregate whose child is being resolved, such as "sum", or NULL. Only there, and not in the body of
-     * a function, a name may stand for a column. */
-    const char *aggregate;
+    /* The child of an aggregate is being resolved. Only there, and not in the body of a function, a name may
+     * stand for a column. */
+    bool in_aggregate;
     int depth;   /* the level of the node that is being resolved, counted up to NESTING_MOST */
     int deepest; /* the largest level so far */
 };
 
 /* Resolves all names of a tree. On failure, sets *resolver->error and returns false. */
 bool resolve(struct resolver *resolver, struct tree *tree);
-
-/* Returns the length of the call at the beginning of a name, such as "chain(0)" in "chain(0).weight". */
-size_t call_length(const struct tree *name);
 
 /* Adds the name of a 'let' function to the message of an error that has occurred in its body. `at` is the
  * place where the function is called. */

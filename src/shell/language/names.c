@@ -26,6 +26,19 @@ int names_index(const char *list, char separator, const char *name)
     return -1;
 }
 
+const char *names_join(names_list *list, const void *context, const char *before, char text[NAMES_ALL])
+{
+    const char *name;
+    text[0] = '\0';
+    for (int k = 0; (name = list(context, k)) != NULL; k++) {
+        const bool fits = strlen(text) + strlen(before) + strlen(name) + strlen(", , ...") < NAMES_ALL;
+        text_add(text, NAMES_ALL, "%s%s%s", k ? ", " : "", fits ? before : "", fits ? name : "...");
+        if (!fits)
+            break;
+    }
+    return text;
+}
+
 /* Returns the edit distance between two words: the number of letters to insert, delete or replace. A swap of
  * neighbouring letters counts as one edit. If one of the words has more than 32 letters, returns 32. */
 static size_t distance(const char *a, const char *b)

@@ -19,6 +19,11 @@ int names_exact(names_list *list, const void *context, const char *text);
  * may be NULL. */
 int names_index(const char *list, char separator, const char *name);
 
+/* Writes the names of a list, separated by commas, with the text `before` in front of each. Names for which
+ * there is no room become "...". Returns `text`. */
+enum { NAMES_ALL = 384 };
+const char *names_join(names_list *list, const void *context, const char *before, char text[NAMES_ALL]);
+
 enum { NAMES_MESSAGE = 256 };
 
 /* The results of names_find if there is no match. All of them are negative. */
