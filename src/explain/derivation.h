@@ -46,8 +46,7 @@ struct derived {
     const char *equation; /* NULL if there is no equation in closed form; the derivation then ends here */
     /*
      * How to find the number:
-     * - '$' and the name of a parameter or effect,
-     * - '#' and a name that fall_value accepts, or
+     * - '$' and the name of a parameter or effect, or
      * - an expression for the library, where '@' is the value that the user typed.
      * NULL for a quantity whose number the equation gives, or that is different in each term of a sum.
      */
@@ -112,9 +111,6 @@ struct derivation {
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
     domq_real theta, height;
-    /* in a row: the hit on the domino that is explained; NULL for the train */
-    const struct domq_fall *fall;
-    const char *energy_unit; /* the unit of the energies in `fall` */
     struct step step[STEPS_MOST];
     int count;
     /* The tilts and slopes of all dominoes, at launch and at the tilt of the current sum. */
@@ -126,12 +122,11 @@ struct derivation {
     size_t i; /* index of the domino whose term is being computed */
 };
 
-/* Makes the steps of a derivation: one for each quantity that the answer to the question depends on. `fall`
- * is the hit on a domino if the question is about a row, and NULL otherwise. The caller must call
- * derivation_end, even after a failure. */
+/* Makes the steps of a derivation: one for each quantity that the answer to the question depends on. The
+ * caller must call derivation_end, even after a failure. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
-                     const struct explained *explained, domq_real value, const struct domq_fall *fall,
-                     struct state *state, struct problem *problem);
+                     const struct explained *explained, domq_real value, struct state *state,
+                     struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
 /* Evaluates an expression of the calculator, such as "launch.J0", in the state of a query. Sets *value to NaN
@@ -155,11 +150,11 @@ struct explain_arguments {
     bool deep;
 };
 
-/* Writes a derivation as text or, in a .tex file, as a document. `verdict` is the first sentence
- * of the derivation, or "". Returns false on an error, for example if pdflatex fails. */
+/* Writes a derivation as text or, in a .tex file, as a document. Returns false on an error, for example if
+ * pdflatex fails. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_arguments *bound,
-                   const char *verdict, struct problem *problem);
+                   struct problem *problem);
 
 /* ---- Comparisons with the paper ---- */
 

@@ -20,16 +20,6 @@ static void fill_in(const struct derivation *d, const char *text, char *filled, 
         text_add(filled, size, *text == '@' ? "(%s)" : "%.1s", *text == '@' ? digits : text);
 }
 
-/* Returns a quantity of a hit by its name, such as "margin". */
-static domq_real fall_value(const struct domq_fall *fall, const char *name)
-{
-    return strcmp(name, "margin") == 0    ? fall->margin
-           : strcmp(name, "kinetic") == 0 ? fall->kinetic
-           : strcmp(name, "barrier") == 0 ? fall->barrier
-           : strcmp(name, "lost") == 0    ? fall->lost
-                                          : fall->kinetic + fall->lost;
-}
-
 bool expression_value(const struct query *query, const char *expression, domq_real *value,
                       struct problem *problem)
 {
@@ -57,10 +47,6 @@ bool expression_value(const struct query *query, const char *expression, domq_re
 static bool library_value(struct derivation *d, const char *library, domq_real *value)
 {
     char text[512];
-    if (*library == '#') {
-        *value = fall_value(d->fall, library + 1);
-        return true;
-    }
     if (*library == '$') {
         *value = parameter_get(d->state, parameter_find(library + 1));
         *value = *value == EFFECT_OFF ? 0 : *value;
@@ -220,8 +206,6 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     s->depth = depth;
     s->reference = q->ends & d->has ? "" : q->reference;
     s->words = words_of(d, q);
-    if (d->fall && strcmp(s->unit, "mgh/2") == 0)
-        s->unit = d->energy_unit;
     if (s->words)
         return s;
     problem_status(d->problem, &d->state->scene, DOM_NO_MEMORY);
@@ -310,8 +294,6 @@ static bool conditions_find(struct derivation *d, bool reach)
 {
     struct domq_angles angles;
     const struct scene *scene = &d->state->scene;
-    if (d->fall)
-        return true; /* the equations for a row have no conditions */
     enum dom_status status = any_angles_find(&scene->train, &scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(d->problem, scene, status);
@@ -321,16 +303,14 @@ static bool conditions_find(struct derivation *d, bool reach)
 }
 
 bool derivation_make(struct derivation *d, const struct query *query, const struct explained *e,
-                     domq_real value, const struct domq_fall *fall, struct state *state,
-                     struct problem *problem)
+                     domq_real value, struct state *state, struct problem *problem)
 {
     bool reach = false, of_height = e->value && strcmp(e->value, "H") == 0;
-    *d = (struct derivation){.state = state, .problem = problem, .fall = fall};
+    *d = (struct derivation){.state = state, .problem = problem};
     if (!query_with(query, NULL, 0, state, &d->query, problem))
         return false;
     state->variables = (struct variables){.list = NULL}; /* a variable must not hide a quantity */
     state->settings.style.angle = ANGLE_RAD;
-    d->energy_unit = scene_has_masses(&state->scene) ? "J" : "mgh/2";
     d->theta = e->value && strcmp(e->value, "theta") == 0 ? value : DOMQ_NAN;
     d->height = of_height ? value : DOMQ_NAN;
     if (!train_set(d, e, value, &reach) || !conditions_find(d, reach))

@@ -169,53 +169,12 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
 
 /* ---- The command ---- */
 
-enum { VERDICT_TEXT = 160 };
-
-static const struct explained of_row = {"verdict", NULL, "margin_k"};
-
-/* Runs the row and finds the domino whose energy decides the verdict. If the row stops, this is the domino at
- * which it stops. If all dominoes fall, it is the domino with the least energy to spare. Writes a sentence
- * about the domino to `verdict`. Fails if no energy decides the verdict, for example because a domino is out
- * of reach, or if the rigid-body engine runs the row. */
-static bool deciding_find(const struct query *query, struct answer *a, struct domq_fall *fall,
-                          char verdict[VERDICT_TEXT], struct problem *problem)
-{
-    struct row_run run;
-    if (scene_has_engine(query->scene))
-        return problem_no_answer(problem,
-                                 "the rigid-body engine runs this row, because %s; the engine has no "
-                                 "equations to show, but 'fall' shows how the row falls",
-                                 scene_engine_why(query->scene));
-    if (!row_run(query, problem, false, &run))
-        return false;
-    const struct domq_verdict v = run.verdict;
-    const bool stops = v.end == DOM_ROW_STOPS || v.end == DOM_ROW_BACK;
-    const size_t count = run.scene.row.count, k = stops ? v.domino : v.weakest;
-    bool by_energy = (stops || v.end == DOM_ROW_FALLS) && k > 0;
-    if (by_energy)
-        *fall = run.fall[k - 1];
-    row_run_free(&run);
-    if (!by_energy)
-        return problem_no_answer(problem,
-                                 v.end == DOM_ROW_FALLS
-                                     ? "all dominoes fall, and none of them has a barrier to climb"
-                                     : "the fall ends at domino %zu for a reason other than its energy: %s",
-                                 v.domino, dom_row_end_text(v.end));
-    a->note = NULL; /* the note about the train does not apply to a row */
-    snprintf(verdict, VERDICT_TEXT,
-             v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
-                                    : "The row has %zu dominoes and stops at domino k = %zu.",
-             count, k);
-    return true;
-}
-
 /* Writes the derivation as text or as a lesson, or as rows of csv or json. */
 static bool explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
-                           const struct explain_arguments *bound, const char *verdict,
-                           struct problem *problem)
+                           const struct explain_arguments *bound, struct problem *problem)
 {
     if (answer_for_people(a))
-        return explain_write(a, d, e, bound, verdict, problem);
+        return explain_write(a, d, e, bound, problem);
     for (int k = 0; k < d->count; k++)
         if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1))
             step_row(a, d, &d->step[k]);
@@ -259,9 +218,6 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     const struct explained *e = explained_at(query->given->number[0]);
     const struct explain_arguments *bound = query->given->bound;
     struct explain_arguments none = {.value = DOMQ_NAN};
-    const bool row = strcmp(e->name, of_row.name) == 0 && query->scene->effect[DOM_EFFECT_row].on;
-    struct domq_fall fall;
-    char verdict[VERDICT_TEXT] = "";
     /* An equation is about the tilt in the middle of the cycle if no tilt is given. */
     struct domq_angles angles;
     if (query->given->number[0] >= LABELS && e->value && !bound &&
@@ -276,15 +232,12 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
         !label_holds(query, &explained_labels[(int)query->given->number[0] - LABELS],
                      bound ? bound->value : DOMQ_NAN, problem))
         return false;
-    if (row && !deciding_find(query, a, &fall, verdict, problem))
-        return false;
-    e = row ? &of_row : e;
     bound = bound ? bound : &none;
     struct derivation *d = calloc(1, sizeof *d);
     struct state *state = malloc(sizeof *state);
-    bool done = d && state ? derivation_make(d, query, e, bound->value, row ? &fall : NULL, state, problem)
+    bool done = d && state ? derivation_make(d, query, e, bound->value, state, problem)
                            : problem_status(problem, query->scene, DOM_NO_MEMORY);
-    done = done && d && explain_answer(a, d, e, bound, verdict, problem);
+    done = done && d && explain_answer(a, d, e, bound, problem);
     if (d)
         derivation_end(d);
     free(state);
@@ -315,8 +268,8 @@ const struct command explain_commands[] = {
          "equation. With 'deep' at the end, these quantities are explained as well, down to the "
          "parameters. The values are the ones that the commands themselves print. With theta1, energy "
          "and omega, the first word of MORE is a tilt; with rmax, a separation; with count, a height. "
-         "With a row, 'explain verdict' is about the domino that decides the verdict. With friction or "
-         "rounded edges, a quantity may have no equation in closed form. A maximum that the program "
+         "With friction or rounded edges, a quantity may have no equation in closed form. A maximum that the "
+         "program "
          "finds by a search has none either. The derivation then says so and ends. 'explain ... > "
          "lesson.tex' writes a document with formulas. json gives the tree: 'needs' names the quantities in "
          "each equation.",

@@ -274,19 +274,6 @@ const struct derived derived_list[] = {
              "right side of (55; e4) for i = 1"),
     EQUATION("T", "J(0) - 1", "{J(0) - 1}", "J_0 - 1", "", "58; e7",
              "inertia of all dominoes but the head when the head is hit, in units of that of the head"),
-    /* Quantities of a row. */
-    Q("margin_k", "margin_k", "\\mathrm{margin}_k", 0, 0, SUM_NONE, "K_k - B_k", "#margin", "mgh/2", "26; c8",
-      "energy that is left at the top of the barrier: the row goes on from domino k if this is at least 0"),
-    Q("K_k", "K_k", "K_k", 0, 0, SUM_NONE, "E_k - D_k", "#kinetic", "mgh/2", "22; c4",
-      "kinetic energy of all moving dominoes just after domino k is hit"),
-    Q("E_k", "E_k", "E_k", 0, 0, SUM_NONE, NULL, "#before", "mgh/2", "21; c3",
-      "kinetic energy of the moving dominoes just before domino k is hit; it follows from the motion of "
-      "dominoes 1 to k - 1, which 'fall' lists"),
-    Q("D_k", "D_k", "D_k", 0, 0, SUM_NONE, NULL, "#lost", "mgh/2", "22; c4",
-      "kinetic energy lost in the hit: the dominoes stay together, so the collision is fully inelastic"),
-    Q("B_k", "B_k", "B_k", 0, 0, SUM_NONE, NULL, "#barrier", "mgh/2", "26; c8",
-      "barrier: the energy that the row needs to go on from domino k, found by a search over all tilts of "
-      "domino k"),
     {.names = {{NULL}}},
 };
 
@@ -300,7 +287,6 @@ const struct explained explained_list[] = {
     {"barrier", NULL, "B theta_m"},
     {"duration", NULL, "seconds speed"},
     {"why", NULL, "margin"},
-    {"verdict", NULL, "margin"},
     {"rmax", "s", "r_max margin"},
     {"count", "H", "n H_n"},
     {NULL, NULL, NULL},

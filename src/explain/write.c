@@ -239,15 +239,13 @@ static void effects_write(const struct writer *w)
 }
 
 /* Writes a lesson in TeX. */
-static void document_write(const struct writer *w, const struct explained *e, bool deep, const char *verdict)
+static void document_write(const struct writer *w, const struct explained *e, bool deep)
 {
     FILE *out = w->out;
     fprintf(out,
             "\\documentclass{article}\n\\usepackage{amsmath}\n\\setlength{\\parindent}{0pt}\n"
             "\\begin{document}\n\\section*{Where %s comes from}\n\n",
             e->name);
-    if (*verdict)
-        fprintf(out, "%s\n\n", verdict);
     equations_write(w, deep);
     if (!deep) {
         fputs("\nwith\n\n", out);
@@ -296,7 +294,7 @@ static bool text_write(struct writer *w, const struct explained *e, bool deep, s
 }
 
 bool explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
-                   const struct explain_arguments *bound, const char *verdict, struct problem *problem)
+                   const struct explain_arguments *bound, struct problem *problem)
 {
     const bool is_document = a->path && extension_of(a->path)->is_document;
     struct writer w = {.derivation = d, .digits = (int)a->style.digits, .value = bound->value};
@@ -304,10 +302,8 @@ bool explain_write(struct answer *a, const struct derivation *d, const struct ex
     w.out = a->out;
     w.style = is_document ? FORMULA_TEX : a->layout.letters ? FORMULA_LETTERS : FORMULA_PLAIN;
     if (is_document) {
-        document_write(&w, e, bound->deep, verdict);
+        document_write(&w, e, bound->deep);
         return true;
     }
-    if (*verdict)
-        answer_say(a, "%s\n", verdict);
     return text_write(&w, e, bound->deep, a, problem);
 }

@@ -20,7 +20,7 @@ def rounded(function):
 NAMES = {name: getattr(math, name) for name in ("sin", "cos", "atan", "sqrt", "ceil")} | {
     "ln": math.log, "asin": rounded(math.asin), "acos": rounded(math.acos)}  # fmt: skip
 QUESTIONS = ("thetac", "theta1 0.6*thetac", "energy 0.7*thetac", "fuel", "launch", "omega 0.3*thetac", "barrier",
-             "duration", "why", "verdict", "rmax", "count 112 m",
+             "duration", "why", "rmax", "count 112 m",
              *(f"{n} {tilt}*thetac" if (n in (3, 12, 13, 14, 16, 19, 20, 21, *range(27, 32), *range(33, 38), 39, *range(46, 50),
                                               43, 44, 51)) and n not in (45, 50) else n
                for tilt in (0.1, 0.5) for n in range(1, 60)))  # fmt: skip
