@@ -317,35 +317,30 @@ void answer_keep(struct answer *a, const struct cell *cells)
 
 bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
-    struct cell compared[ANSWER_COLUMNS], left[ANSWER_COLUMNS], in_double[ANSWER_COLUMNS];
-    for (int i = 0; a->in_double && i < cells_count(a); i++) {
-        in_double[i] = cells[i];
-        in_double[i].in_double = true;
-    }
-    cells = a->in_double ? in_double : cells;
-    answer_keep(a, cells);
+    struct cell row[ANSWER_COLUMNS];
+    const int count = cells_count(a);
+    memcpy(row, cells, (size_t)count * sizeof *row);
+    for (int i = 0; i < count && a->in_double; i++)
+        row[i].in_double = true;
+    answer_keep(a, row);
     if (a->errors.recorder)
-        reference_add(a->errors.recorder, a->errors.row, cells, (size_t)cells_count(a));
-    if (a->errors.reference) {
-        memcpy(compared, cells, (size_t)cells_count(a) * sizeof *cells);
-        reference_compare(a->errors.reference, a->errors.row, &a->style, compared, (size_t)cells_count(a));
-        cells = compared;
-    }
+        reference_add(a->errors.recorder, a->errors.row, row, (size_t)count);
+    if (a->errors.reference)
+        reference_compare(a->errors.reference, a->errors.row, &a->style, row, (size_t)count);
     a->errors.row++;
     const bool is_brief = a->details.brief && *a->details.brief != '*' && answer_for_people(a);
     if (is_brief && !a->details.has_rows)
         rest_begin_rows(a);
     if (is_brief && rest_answer(a))
-        answer_row(a->details.rest->answer, cells, NULL);
-    for (int i = 0, n = 0; a->left_out && a->columns[n].key; i++)
+        answer_row(a->details.rest->answer, row, NULL);
+    for (int i = 0, n = 0; a->left_out && i < count; i++)
         if (!(a->left_out >> i & 1))
-            left[n++] = cells[i];
-    cells = a->left_out ? left : cells;
+            row[n++] = row[i];
     if (a->sink.take) {
-        a->sink.take(a, cells, reason);
+        a->sink.take(a, row, reason);
     } else if (a->out) {
         if (a->columns->key)
-            row_write(a, cells, reason);
+            row_write(a, row, reason);
         if (reason)
             answer_say(a, "%s", reason);
         if (!progress_is_muted()) /* the rows of a worker are still in memory */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/wrap.h"
+#include "io/terminal.h"
 #include <ctype.h>
 #include <stdbool.h>
 #include <string.h>
@@ -27,22 +28,14 @@ static size_t piece_length(const char *text)
     return n;
 }
 
-static int columns_of(const char *text, size_t length)
-{
-    int columns = 0;
-    for (size_t i = 0; i < length; i++)
-        columns += ((unsigned char)text[i] & 0xc0) != 0x80;
-    return columns;
-}
-
 size_t line_break(const char *text, int columns)
 {
     size_t n = piece_length(text);
-    while (n > 1 && (columns_of(text, n) > columns || ((unsigned char)text[n] & 0xc0) == 0x80))
+    while (n > 1 && (utf8_width(text, n) > columns || ((unsigned char)text[n] & 0xc0) == 0x80))
         n--;
     while (text[n] == ' ') {
         size_t next = n + 1 + piece_length(text + n + 1);
-        if (columns_of(text, next) > columns)
+        if (utf8_width(text, next) > columns)
             break;
         n = next;
     }
@@ -54,7 +47,7 @@ static int longest_piece(const char *text)
     int longest = 0;
     for (size_t n; *text; text += n + (text[n] != '\0')) {
         n = piece_length(text);
-        int columns = columns_of(text, n);
+        int columns = utf8_width(text, n);
         longest = columns > longest ? columns : longest;
     }
     return longest;

@@ -70,12 +70,17 @@ bool terminal_utf8(void)
     return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
 
-int utf8_columns(const char *text)
+int utf8_width(const char *text, size_t length)
 {
     int columns = 0;
-    for (; *text; text++)
-        columns += ((unsigned char)*text & 0xc0) != 0x80;
+    for (size_t i = 0; i < length; i++)
+        columns += ((unsigned char)text[i] & 0xc0) != 0x80;
     return columns;
+}
+
+int utf8_columns(const char *text)
+{
+    return utf8_width(text, strlen(text));
 }
 
 double terminal_clock(void)

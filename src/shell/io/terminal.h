@@ -29,6 +29,9 @@ bool terminal_utf8(void);
 /* Returns the number of terminal columns of a UTF-8 text. Wide characters count as one column. */
 int utf8_columns(const char *text);
 
+/* The same of its first `length` bytes. */
+int utf8_width(const char *text, size_t length);
+
 /* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);
 

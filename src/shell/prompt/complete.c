@@ -77,12 +77,14 @@ static void emit_values(const struct completion *c)
             command_values(command, &fewest);
             emit_name(c, name, fewest ? "(" : "", false);
         }
+        /* Completion must not insert 'best' after 'set s ', before the user has begun the word. */
+        const bool is_unasked = c->offer.parameter && !*c->word;
         if (command_arity(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
             continue;
         const struct column *column = &command->columns[command_principal(command)];
         /* The parser checks a candidate by computing its value. For a command about the row, this can take a
          * long time. Therefore such a command is offered only where candidates need no check. */
-        if (is_any || (!fewest && command->train && fits(a, column->key, column->unit)))
+        if (is_any || (!fewest && !is_unasked && command->train && fits(a, column->key, column->unit)))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
     emit_name(c, "ans", "", !is_any);
@@ -100,29 +102,6 @@ static void emit_values(const struct completion *c)
          (is_any || (*c->name && a->kind != ARGUMENT_COUNT)) && (name = expression_names(NULL, i)) != NULL;
          i++)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
-}
-
-/* is_unasked passes this callback to emit_values, to find out whether the only candidate is a command.
- * *context begins as NULL. The first candidate sets *context to its name if it is a command, and to "" if it
- * is not. Every further candidate sets *context to "". */
-static void keep_only(const char *candidate, void *context)
-{
-    const char **only = context;
-    const struct command *command = command_find(candidate);
-    *only = !*only && command ? command->name : "";
-}
-
-/* Returns true if the user has not begun the word, and the only candidate is a command, such as 'best' after
- * 'set s '. Completion must not insert this command, because the user has not asked for it. */
-static bool is_unasked(const struct completion *c)
-{
-    const char *only = NULL;
-    struct completion dry = *c;
-    dry.emit = keep_only;
-    dry.context = &only;
-    if (!*c->word)
-        emit_values(&dry);
-    return only && *only;
 }
 
 /* Emits the units that may follow a number. If a name may also follow, a unit that is spelled like such a
@@ -234,8 +213,7 @@ void complete_line(struct session *session, const char *line, bool files, void (
         emit_units(&c);
     } else if (o->value.kind != ARGUMENT_NONE &&
                (o->is_inside || o->lists == 0 || o->value.kind == ARGUMENT_PLACE ||
-                (o->command && o->command->typed.variant)) &&
-               !is_unasked(&c))
+                (o->command && o->command->typed.variant)))
         emit_values(&c);
     if (o->kinds & OFFER_UNIT && !unit)
         emit_units(&c);
