@@ -53,7 +53,9 @@ static long rows_of(const char *text, const char *end)
         is_escape = *text == '\033' || (is_escape && text[-1] != 'm');
         columns += !is_escape && ((unsigned char)*text & 0xc0) != 0x80;
         if (*text == '\n') {
-            rows += columns - 1 > pager.width ? (columns - 1 + pager.width - 1) / pager.width : 1;
+            rows += pager.width > 0 && columns - 1 > pager.width
+                        ? (columns - 1 + pager.width - 1) / pager.width
+                        : 1;
             columns = 0;
         }
     }
