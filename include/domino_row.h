@@ -279,7 +279,6 @@ struct dom_window {
     double now;    /* the current value */
     double low;    /* the smallest value, rounded to seven digits; NaN if no window was found */
     double high;   /* the largest value of the window */
-    bool others;   /* true if the row also falls at some value outside the window */
     /* How the fall ends just below and just above the window. DOM_ROW_FALLS means that this is unknown,
      * because no value there was tried, or because the row does not fall at the current value. */
     enum dom_row_end below, above;

@@ -86,27 +86,21 @@ bool row_selected(const struct row_range *range, int ranges, size_t k)
     return is_in;
 }
 
-/* Checks that all dominoes in the ranges exist. */
-static bool dominoes_check(const struct row_range *range, int ranges, size_t count, struct problem *problem)
+/* Checks that all dominoes in the ranges exist and, if `gaps` is true, that there is a gap before them. */
+static bool dominoes_check(const struct row_range *range, int ranges, size_t count, bool gaps,
+                           struct problem *problem)
 {
-    for (int i = 0; i < ranges; i++) {
-        const size_t wrong = range[i].first < 1 ? range[i].first : range[i].last;
-        if (wrong < 1 || wrong > count)
-            return problem_error(problem, "there is no domino %zu; this row has %zu", wrong, count);
-    }
-    return true;
-}
-
-/* Checks that there is a gap before all dominoes in the ranges. */
-static bool gaps_check(const struct row_range *range, int ranges, size_t count, struct problem *problem)
-{
-    if (count < 2)
+    const size_t least = gaps ? 2 : 1;
+    if (count < least)
         return problem_error(problem, "a row of one domino has no gap; enter 'set row N' with a larger N");
     for (int i = 0; i < ranges; i++) {
-        const size_t wrong = range[i].first < 2 ? range[i].first : range[i].last;
-        if (wrong < 2 || wrong > count)
-            return problem_error(problem, "there is no gap before domino %zu; choose a domino from 2 to %zu",
-                                 wrong, count);
+        const size_t wrong = range[i].first < least ? range[i].first : range[i].last;
+        if (wrong >= least && wrong <= count)
+            continue;
+        return gaps ? problem_error(problem,
+                                    "there is no gap before domino %zu; choose a domino from 2 to %zu", wrong,
+                                    count)
+                    : problem_error(problem, "there is no domino %zu; this row has %zu", wrong, count);
     }
     return true;
 }
@@ -174,8 +168,7 @@ bool scene_row_change(struct scene *scene, const struct row_change *change, cons
     struct scene_row row = {.domino = NULL};
     if (!scene_row_list(scene, &row, problem))
         return false;
-    bool good = change->measure == MEASURE_GAP ? gaps_check(range, ranges, row.row.count, problem)
-                                               : dominoes_check(range, ranges, row.row.count, problem);
+    bool good = dominoes_check(range, ranges, row.row.count, change->measure == MEASURE_GAP, problem);
     if (good && change->measure == MEASURE_MASS && change->how != CHANGE_TIMES && !scene_has_masses(scene))
         good = problem_error(problem, "the masses of this row are not known; enter the mass of its first "
                                       "domino with 'set mass', or a relative change such as '+10 %%'");
@@ -237,7 +230,7 @@ bool scene_row_remove(struct scene *scene, const struct row_range *range, int ra
     size_t kept = 0;
     if (count == 0)
         return problem_no_row(problem);
-    if (!dominoes_check(range, ranges, count, problem) || !edit_begin(scene, &next, problem))
+    if (!dominoes_check(range, ranges, count, false, problem) || !edit_begin(scene, &next, problem))
         return false;
     for (size_t k = 0; k < count; k++)
         if (!row_selected(range, ranges, k + 1))

@@ -191,54 +191,30 @@ struct band {
     bool found;
     double from, to;
     enum dom_row_end beyond; /* how the fall ends beyond `to`, if a value there was tried */
-    bool others;             /* true if the row also falls at some value farther on */
 };
 
-/*
- * Walks from the value `from` towards `end`. If all dominoes fall at `from` (`falls` is true), the band
- * begins there, and the walk goes on to `end` to see whether the row falls again beyond the band. Otherwise
- * the walk looks for the first band on its way.
- */
+/* Walks from the value `from` towards `end`. If all dominoes fall at `from` (`falls` is true), the band
+ * begins there. Otherwise the walk looks for the first band on its way. */
 static struct band walk(struct trial *t, double from, double end, bool falls, enum dom_row_end beyond)
 {
     struct band band = {.found = falls, .from = from, .to = end, .beyond = beyond};
-    bool open = falls, over = from == end;
     double last = from;
     const int steps = t->row.engine ? STEPS_OF_ENGINE : STEPS;
-    for (int i = 1; i <= steps && !over && t->status == DOM_OK; i++) {
+    for (int i = 1; i <= steps && last != end && t->status == DOM_OK; i++) {
         const double x = value_step(t, from, end, i, steps);
-        const bool good = x == last ? open : falls_with(t, x);
+        const bool good = x == last ? band.found : falls_with(t, x);
         if (good && !band.found) {
             band.from = value_edge(t, x, last);
-            band.found = open = true;
-        } else if (open && !good) {
+            band.found = true;
+        } else if (!good && band.found) {
             band.to = value_edge(t, last, x);
-            /* t->ends comes from the closest trial at which the row did not fall. */
-            band.beyond = t->ends;
-            open = false;
-            over = !falls;
-        } else if (good && !open)
-            over = band.others = true;
+            band.beyond = t->ends; /* from the closest trial at which the row did not fall */
+            break;
+        }
         last = x;
     }
     band.found = band.found && t->status == DOM_OK;
     return band;
-}
-
-/* For a row that does not fall, finds the band nearest to the current value, if there is one. If the value is
- * above the range, for example a gap that is out of reach, the highest value of the range is tried first. */
-static struct band nearest(struct trial *t)
-{
-    const struct range range = range_of(t);
-    const double now = value_now(t);
-    if (now > range.highest && falls_with(t, range.highest))
-        return walk(t, range.highest, range.lowest, true, DOM_ROW_FALLS);
-    struct band in = walk(t, now, range.lowest, false, DOM_ROW_FALLS),
-                out = walk(t, now, range.highest, false, DOM_ROW_FALLS), *near = &in;
-    if (!in.found || (out.found && fabs(out.from - now) < fabs(now - in.from)))
-        near = &out;
-    near->others = in.found && out.found;
-    return *near;
 }
 
 /* ---- Windows ---- */
@@ -254,7 +230,6 @@ static void window_around(struct trial *t, struct dom_window *w)
     w->high = fmax(above.to, w->now);
     w->below = below.beyond;
     w->above = above.beyond;
-    w->others = below.others || above.others;
 }
 
 /* Returns true if domino k and its two neighbours equal domino k - 1 and its two neighbours. Then the window
@@ -300,19 +275,29 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
     const struct range range = range_of(t);
     const double by = w->now - last->now;
     w->above = range.above;
-    w->others = last->others;
     w->low = fmin(edge_near(t, last->low + by, range.lowest, &w->below), w->now);
     w->high = fmax(edge_near(t, last->high + by, range.highest, &w->above), w->now);
 }
 
+/* For a row that does not fall, finds the window nearest to the current value, if there is one. If the value
+ * is above the range, for example a gap that is out of reach, the highest value of the range is tried
+ * first. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
-    const struct band band = nearest(t);
-    if (!band.found)
+    const struct range range = range_of(t);
+    struct band near;
+    if (w->now > range.highest && falls_with(t, range.highest))
+        near = walk(t, range.highest, range.lowest, true, DOM_ROW_FALLS);
+    else {
+        const struct band out = walk(t, w->now, range.highest, false, DOM_ROW_FALLS);
+        near = walk(t, w->now, range.lowest, false, DOM_ROW_FALLS);
+        if (!near.found || (out.found && fabs(out.from - w->now) < fabs(w->now - near.from)))
+            near = out;
+    }
+    if (!near.found)
         return;
-    w->low = fmin(band.from, band.to);
-    w->high = fmax(band.from, band.to);
-    w->others = band.others;
+    w->low = fmin(near.from, near.to);
+    w->high = fmax(near.from, near.to);
 }
 
 /* If a row does not fall, only this many dominoes before the one that is not hit have windows. Dominoes that

@@ -250,7 +250,7 @@ static bool plot_gaps(const struct query *query, struct answer *a, struct chart 
         gaps_chart(w, count, chart);
     for (size_t i = 0; i < count && done; i++)
         answer_cells(a, cell_count((domq_real)w[i].domino), cell_real(w[i].now), cell_real(w[i].low),
-                     cell_real(w[i].high), cell_flag(w[i].others));
+                     cell_real(w[i].high));
     free(made.domino);
     free(scene.domino);
     free(w);
@@ -278,7 +278,6 @@ static const struct column gaps_columns[] = {
     {"gap", "m", "gap before the domino, as planned", 0},
     {"low", "m", "lower end of the range of gaps at which all dominoes fall", 0},
     {"high", "m", "upper end of the range of gaps at which all dominoes fall", 0},
-    {"others", "", "yes if all dominoes also fall at some gap outside low .. high", 6},
     {NULL, NULL, NULL, 0},
 };
 
