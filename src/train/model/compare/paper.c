@@ -5,7 +5,7 @@
  * the growth r is raised in steps until the train stops. r_max is then interpolated between the last two
  * steps. Steps of sqrt(tol) / 2 give errors of about tol.
  *
- * Two mistakes in the paper are corrected: here a follower detaches when its leader reaches theta_leave, and
+ * Two mistakes of the recipe are corrected: here a follower detaches when its leader reaches theta_leave, and
  * the barrier is compared with J(0) tau^2 omega(0)^2; (26; c8) leaves out the factor J(0).
  */
 #include "entry/method.h"

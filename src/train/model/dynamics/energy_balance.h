@@ -33,7 +33,7 @@ KERNEL bool energy_paper_holds(const struct geometry *geometry)
 
 KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c);
 
-/* Finds the fuel, and its error bounds unless error is NULL. */
+/* Finds the fuel (25; c7). */
 KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel);
 
 /* Returns the launch (24; c6) of a train with the fuel and the inertia ratio in *f. */

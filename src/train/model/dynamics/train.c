@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Defaults, and rows with the proportions of a train, always in dom_real. */
+/* What the public structures begin with: defaults, the properties of dom_real, rows with the proportions of a
+ * train, and how far a domino may lean. */
 #include "geometry/reach.h"
 #include "numerics/real.h"
 

@@ -102,8 +102,8 @@ struct geometry {
     struct tilt c;   /* theta_c (2; a2) */
     struct tilt inf; /* theta_inf (40; A16) */
     struct tilt f;   /* theta_f (42; A18) if followers detach, else theta_inf */
-    /* theta_leave. In a train, it is set only if followers detach. In a row, it is pi (so y = -1) if the
-     * follower does not detach. */
+    /* theta_leave, the tilt of a leader at which its follower detaches. In a train, it is set only if
+     * followers detach. In a row, it is pi (so y = -1) if the follower does not detach. */
     struct tilt leave;
     bool detaches;  /* (41; A17) */
     struct far far; /* only after far_make */

@@ -15,8 +15,9 @@ struct contact {
     real slope; /* d theta_1 / d theta (34; A10); 1 for an upright leader, even at Y = 0 */
 };
 
-/* The follower's upper edge touches the leader's back face: sin(theta_1 - theta) = r (L cos theta - d)
- * (12; b8). */
+/* The follower's upper edge touches the leader's back face: X = sin(theta_1 - theta) = r (L cos theta - d)
+ * (12; b8), and Y = cos(theta_1 - theta) = sqrt((1 - X) (1 + X)). With cos theta = 1 - v, no digits cancel.
+ */
 KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, struct tilt leader)
 {
     const real rLv = geometry->rL * leader.v, rLx = geometry->rL * leader.x;

@@ -477,9 +477,9 @@ KERNEL enum dom_status chain_change_by(const struct geometry *geometry, struct t
 /* ---- The fuel ---- */
 
 /*
- * Finds J at theta_c, and H(theta_c) - H(0), which is minus the fuel (25; c7). During the cycle, each domino
- * turns to the initial tilt of its follower. So one chain is enough: the chain at theta_c, shifted by one
- * domino, is the chain at 0.
+ * Finds J at theta_c (20; c2), and H(theta_c) - H(0) (19; c1), which is minus the fuel (25; c7). During the
+ * cycle, each domino turns to the initial tilt of its follower. So one chain is enough: the chain at theta_c,
+ * shifted by one domino, is the chain at 0.
  */
 KERNEL_LOOP enum dom_status fuel_by(const struct geometry *geometry, const bool rolls, struct sums *sums)
 {

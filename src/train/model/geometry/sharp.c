@@ -24,7 +24,7 @@ static enum dom_status sharp_set(struct geometry *geometry)
     if (geometry->detaches) {
         geometry->leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
         /* Equation (42; A18) gives sin theta_f. The cosine follows from
-         * 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L). */
+         * 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L), where 1/r - L = short_of / r - d. */
         real one_minus_x = (2 * r * d - geometry->short_of) * geometry->short_of / (2 * r * L);
         real x_f =
             2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The number of dominoes of a growth r between two heights: the smallest n with first r^n >= height. */
 #include "numerics/real.h"
 
 /* The type of powers: float is too coarse to compare them. */

@@ -3,10 +3,11 @@
  * Finds the first growth at which the margin changes sign. An ordinary root finder could step over the first
  * root, because the margin of thin dominoes can dip below 0 and rise again.
  *
- * The search samples the margin at a few growths. An interval between two samples is clear if the margin is
- * not curved enough to change sign there. Other intervals are halved. Where the slope of the margin changes
- * from minus to plus, the root of the slope gives the minimum itself. So the depth of a dip decides, and not
- * its width: only a minimum whose sign is hidden by rounding errors remains open.
+ * A root that is easy to find comes first (root_any). Then only smaller growths are searched for an earlier
+ * one. The search samples the margin at a few growths. An interval between two samples is clear if the margin
+ * is not curved enough to change sign there. Other intervals are halved. Where the slope of the margin
+ * changes from minus to plus, the root of the slope gives the minimum itself. So the depth of a dip decides,
+ * and not its width: only a minimum whose sign is hidden by rounding errors remains open.
  */
 #include "growth/limit.h"
 

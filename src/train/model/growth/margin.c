@@ -46,7 +46,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     return status;
 }
 
-/* Equation (26; c8), corrected. */
+/* Equation (26; c8), corrected: the kinetic energy has the factor J(0). */
 static enum dom_status train_margin(const struct geometry *geometry, struct margin_context *c,
                                     struct margin *m)
 {

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A cycle without its times: its launch, its barrier and its verdict, the speed at a tilt, and the tilt at
+ * which the train stops. motion.c and clock.c add the times. */
 #include "motion/motion.h"
 
 KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle)

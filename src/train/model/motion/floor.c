@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finds the friction that the floor needs so that no foot slips, from the forces on the hinges (forces.c). */
 #include "motion/forces.h"
 
 enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
