@@ -20,7 +20,7 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > 0 && a < b) }'; }
     less "$(json "$airy; set drag 2; rmax" | values r_max)" "$(json "$airy; rmax" | values r_max)"
     same 'saved' "$(json "$airy; set drag 2; rmax; verdict with row 5" | sed 1d)" \
         "$(json "$airy; set drag 2; save airy.dom" >/dev/null; json 'source airy.dom; set output json; rmax; verdict with row 5' | sed 1d)"
-    grep -qx 'set air 1.2' airy.dom
+    grep -q '^set air 1.2 ' airy.dom
     same 'undo' off "$(json "$airy; undo; show air" | values value)"
     same 'reset' off "$(json "$airy; reset; show air" | values value)"
     same 'sweep' 3 "$(json 'set density 650; sweep air 0, 1, 2 : rmax' | values r_max | sort -r | uniq | wc -l)"
