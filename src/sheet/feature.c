@@ -167,15 +167,12 @@ static const struct command sheet_commands[] = {
     {.name = "sheet",
      .synonyms = "class school pupil teacher worksheet print measure experiment page pdf",
      .summary = "a page for a class that times the row, and a page with the answers",
-     .help =
-         "The first page has the row to scale, what to set up, blanks for measurements, and questions. The "
-         "second page has the answers, with the times to expect. If all dominoes and gaps are equal, the "
-         "class "
-         "also times rows with other gaps and with twice as many dominoes, and 'fit' reads the table. 'sheet "
-         "> class.pdf' makes two "
-         "pages for the printer (with gnuplot). The name of the file can also end in .gp, for a script, or "
-         "in "
-         ".txt. In the terminal the sheet is text. csv and json have the rows and the times.",
+     .help = "The first page has the row to scale, what to set up, blanks for measurements, and questions. "
+             "The second page has the answers, with the times to expect. If all dominoes and gaps are equal, "
+             "the class also times rows with other gaps and with twice as many dominoes, and 'fit' reads the "
+             "table. 'sheet > class.pdf' makes two pages for the printer (with gnuplot). The name of the "
+             "file can also end in .gp, for a script, or in .txt. In the terminal the sheet is text. csv and "
+             "json have the rows and the times.",
      .example = NULL,
      .see = "fit draw fall row",
      .sweep.refusal = "it draws",

@@ -97,10 +97,9 @@ static void dominoes_list(const struct class_row *class, FILE *out)
     if (!class->query->scene->listed.domino && class->query->scene->train.r != 1)
         fprintf(out, "Each domino is %.4g times as large as the one before it ('set r 1' makes all equal).\n",
                 (double)class->query->scene->train.r);
-    fputs(
-        "Lay a tape measure along the row. Its 0 is at the back of domino 1. The front of a domino looks in "
-        "the direction in which the row falls.\n",
-        out);
+    fputs("Lay a tape measure along the row. Its 0 is at the back of domino 1. The front of a domino looks "
+          "in the direction in which the row falls.\n",
+          out);
     fprintf(out, "|domino|height|thickness|gap before it|its front is at%s\n",
             leans ? "|its top leans by" : "");
     for (size_t k = 0; k < class->trial[0].dominoes && k < LISTED; k++) {
@@ -134,11 +133,10 @@ static void start_write(const struct class_row *class, FILE *out)
             "Tilt domino 1 slowly, until it tips over by itself. Start the clock when it hits domino 2, %s\n",
             clock);
     else if (speed > 0)
-        fprintf(
-            out,
-            "%sPush the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. Start the clock "
-            "with the push, %s\n",
-            hold, speed, clock);
+        fprintf(out,
+                "%sPush the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. Start the "
+                "clock with the push, %s\n",
+                hold, speed, clock);
     else
         fprintf(out, "%sStart the clock when you let it go, %s\n", hold, clock);
 }
@@ -149,14 +147,12 @@ static void setup_write(const struct class_row *class, FILE *out)
     const struct effect_state *slope = &class->query->scene->effect[DOM_EFFECT_slope];
     fputs("# Set up\n", out);
     if (class->is_equal)
-        fprintf(
-            out,
-            "%zu dominoes, each %s tall and %s thick, with gaps of %s. From the front of one domino to the "
-            "front of the next "
-            "it is %s.\n",
-            class->trial[0].dominoes, length_of(class, (double)first->height).text,
-            length_of(class, (double)first->thickness).text, length_of(class, class->trial[0].gap).text,
-            length_of(class, class->trial[0].gap + (double)first->thickness).text);
+        fprintf(out,
+                "%zu dominoes, each %s tall and %s thick, with gaps of %s. From the front of one domino to "
+                "the front of the next it is %s.\n",
+                class->trial[0].dominoes, length_of(class, (double)first->height).text,
+                length_of(class, (double)first->thickness).text, length_of(class, class->trial[0].gap).text,
+                length_of(class, class->trial[0].gap + (double)first->thickness).text);
     else
         dominoes_list(class, out);
     if (class->is_equal && has_leans(class))
@@ -216,19 +212,15 @@ void sheet_questions(const struct class_row *class, FILE *out)
     questions_write(class, out);
     fputs("# With the program\n", out);
     if (class->is_equal)
-        fprintf(
-            out,
-            "Type the table into a file class.csv, with commas and without the means. Its first line is: gap "
-            "(%s), dominoes, "
-            "trial 1 (s), trial 2 (s), trial 3 (s). In the session of this row, 'fit friction class.csv' "
-            "finds the friction "
-            "between your dominoes.\n",
-            class->unit);
+        fprintf(out,
+                "Type the table into a file class.csv, with commas and without the means. Its first line is: "
+                "gap (%s), dominoes, trial 1 (s), trial 2 (s), trial 3 (s). In the session of this row, 'fit "
+                "friction class.csv' finds the friction between your dominoes.\n",
+                class->unit);
     else
         fputs("Record the sound, and type the times of the clicks into a file class.csv, each on a line. Its "
-              "first line is: time "
-              "(s). In the session of this row, 'fit friction class.csv' finds the friction between your "
-              "dominoes.\n",
+              "first line is: time (s). In the session of this row, 'fit friction class.csv' finds the "
+              "friction between your dominoes.\n",
               out);
 }
 
@@ -278,11 +270,10 @@ static void times_write(const struct class_row *class, FILE *out)
         fprintf(out, "%d. %s.%s\n", n++, length_of(class, class->trial[fastest].gap).text,
                 is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
         if (last->dominoes > first->dominoes)
-            fprintf(
-                out,
-                "%d. It takes %.2f times as long. The start is slow, and there is only one start; later the "
-                "front has a constant speed.\n",
-                n++, time_shown(last->seconds) / time_shown(first->seconds));
+            fprintf(out,
+                    "%d. It takes %.2f times as long. The start is slow, and there is only one start; later "
+                    "the front has a constant speed.\n",
+                    n++, time_shown(last->seconds) / time_shown(first->seconds));
     }
     if (!class->is_equal && class->row.run.verdict.weakest > 0)
         fprintf(out, "%d. Domino %zu: it has the least energy to spare.\n", n++,

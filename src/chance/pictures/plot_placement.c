@@ -119,8 +119,7 @@ static const struct argument rows_argument = {.name = "ROWS", .kind = ARGUMENT_C
 const struct plot placement_plots[] = {
     {"placement", plot_placement,
      "how likely the whole row is to fall, for each size of the errors; 'plot placement 1000' tries 1000 "
-     "random "
-     "rows for each size, instead of 400",
+     "random rows for each size, instead of 400",
      placement_points, .title = "", .x = {"sigma", "standard deviation (or limit) of the gap errors"},
      .y = {NULL, "rows that fall,", .percent = true}, .curve = {{"probability", "", CHART_BOTH, INK_BLUE}},
      .argument = &rows_argument},

@@ -107,8 +107,7 @@ static const struct argument fit_argument = {
 const struct plot fit_plots[] = {
     {"fit", plot_fit,
      "measurements against the values that the model gives with the fitted parameter, as in 'plot fit "
-     "friction "
-     "FILE'; the columns are those of 'fit'",
+     "friction FILE'; the columns are those of 'fit'",
      fit_plot_columns, .title = "", .argument = &fit_argument},
     {.name = NULL},
 };

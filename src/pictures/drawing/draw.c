@@ -5,7 +5,6 @@
 #include "pictures/drawing/falling_row.h"
 #include "pictures/drawing/film.h"
 #include "pictures/drawing/tower.h"
-#include "pictures/picture/show.h"
 #include "train/falling.h"
 #include "train/walk.h"
 #include <float.h>
@@ -292,18 +291,17 @@ const struct command draw_commands[] = {
                    .parse = draw_parse,
                    .bind = options_bind_argument}},
      .summary = "a picture of the row or the train, to scale",
-     .help =
-         "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the row. "
-         "'draw at 2.5 s', 'draw at domino 8' (when domino 8 is hit) and 'draw at end' show the row as it "
-         "falls. A domino that has detached keeps the tilt at which it detached. Without a row, or with "
-         "'draw train', the endless train is drawn. 'draw 0.3' shows the train when its head has this tilt. "
-         "Without a tilt, the train is shown at the tilt that 'step' has reached, or at the "
-         "launch. 'draw 0.3 forces' and 'draw forces' add the contact forces. 'draw tower' after 'count 112 "
-         "m' shows the row of that answer with a tower of 112 m at its end. Dominoes that are too small to "
-         "see are drawn a second time, enlarged. In the terminal the picture is made of characters. 'draw > "
-         "row.svg' makes a file. The name of the file can also end in .png or .pdf (with gnuplot), in .gp (a "
-         "script for gnuplot), or in .txt. csv and json have the corners of all dominoes (in m for a row). "
-         "For a train they also have the contacts and forces.",
+     .help = "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the "
+             "row. 'draw at 2.5 s', 'draw at domino 8' (when domino 8 is hit) and 'draw at end' show the row "
+             "as it falls. A domino that has detached keeps the tilt at which it detached. Without a row, or "
+             "with 'draw train', the endless train is drawn. 'draw 0.3' shows the train when its head has "
+             "this tilt. Without a tilt, the train is shown at the tilt that 'step' has reached, or at the "
+             "launch. 'draw 0.3 forces' and 'draw forces' add the contact forces. 'draw tower' after 'count "
+             "112 m' shows the row of that answer with a tower of 112 m at its end. Dominoes that are too "
+             "small to see are drawn a second time, enlarged. In the terminal the picture is made of "
+             "characters. 'draw > row.svg' makes a file. The name of the file can also end in .png or .pdf "
+             "(with gnuplot), in .gp (a script for gnuplot), or in .txt. csv and json have the corners of "
+             "all dominoes (in m for a row). For a train they also have the contacts and forces.",
      .equation = "(12; b8) (27; A2)",
      .example = "draw 0.3",
      .see = "chain animate plot row fall",
@@ -320,19 +318,18 @@ const struct command draw_commands[] = {
                    .parse = film_parse,
                    .bind = options_bind_argument}},
      .summary = "a film of the falling row or of the train, at the terminal or in a file",
-     .help =
-         "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The space "
-         "bar stops and continues it, the arrow keys show the frame before or after, and 'q' ends it. "
-         "'animate slow' is four times slower than the fall, and 'animate speed 0.5' twice. 'animate > "
-         "row.gif' makes a file with gnuplot, which 'ffmpeg -i row.gif row.mp4' turns into a video. A film "
-         "in a file is faster than the fall if the fall takes more than 9 s. 'rate 20' makes a film of 20 "
-         "frames per second. 'animate tower' after 'count 112 m' shows how the row of that answer topples a "
-         "tower of 112 m. If the largest domino or the tower is more than 30 times as tall as the smallest "
-         "domino, the view follows the front and grows with it, as it does for a train at the terminal. "
-         "Without a row, or with 'animate train', the film shows cycles of the endless train. 'animate train "
-         "4' shows four cycles. Each cycle is r times as large as the one before and lasts sqrt(r) times as "
-         "long. At r = 1.5 one film can show at most 9 cycles. csv and json have the times and tilts of the "
-         "frames instead.",
+     .help = "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The "
+             "space bar stops and continues it, the arrow keys show the frame before or after, and 'q' ends "
+             "it. 'animate slow' is four times slower than the fall, and 'animate speed 0.5' twice. 'animate "
+             "> row.gif' makes a file with gnuplot, which 'ffmpeg -i row.gif row.mp4' turns into a video. A "
+             "film in a file is faster than the fall if the fall takes more than 9 s. 'rate 20' makes a film "
+             "of 20 frames per second. 'animate tower' after 'count 112 m' shows how the row of that answer "
+             "topples a tower of 112 m. If the largest domino or the tower is more than 30 times as tall as "
+             "the smallest domino, the view follows the front and grows with it, as it does for a train at "
+             "the terminal. Without a row, or with 'animate train', the film shows cycles of the endless "
+             "train. 'animate train 4' shows four cycles. Each cycle is r times as large as the one before "
+             "and lasts sqrt(r) times as long. At r = 1.5 one film can show at most 9 cycles. csv and json "
+             "have the times and tilts of the frames instead.",
      .example = NULL,
      .see = "draw duration",
      .sweep.refusal = "it draws",

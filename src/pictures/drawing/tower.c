@@ -53,9 +53,8 @@ bool tower_make(const struct query *query, struct tower *tower, struct problem *
         return problem_error(problem,
                              "'tower' works only if the last answer was a count; first enter 'count 112 m'");
     if (ans->with)
-        return problem_error(problem,
-                             "the last count was made 'with' settings that the session does not have; "
-                             "first set them, and count again");
+        return problem_error(problem, "the last count was made 'with' settings that the session does not "
+                                      "have; first set them, and count again");
     const domq_real dominoes = ans->cells[COUNT_DOMINOES].number,
                     most = domq_effect(DOM_EFFECT_row)->argument[0].highest;
     if (!isfinite(dominoes) || dominoes < 1 || dominoes >= most)

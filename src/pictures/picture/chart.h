@@ -157,6 +157,10 @@ int event_rows(const struct chart *chart, double letter);
 /* Draws a chart with `width` columns and `height` rows of characters. Returns false if memory runs out. */
 bool chart_text(const struct chart *chart, struct display display, int width, int height, FILE *out);
 
+/* Draws a chart to the destination of the answer and frees the chart. A terminal shows it in characters. */
+bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
+                struct problem *problem);
+
 /* Writes a gnuplot script that draws a chart. */
 void chart_script(const struct chart *chart, FILE *script);
 

@@ -3,7 +3,8 @@
 #ifndef SHELL_PAPER_H
 #define SHELL_PAPER_H
 
-#include "pictures/picture/show.h"
+#include "answer/extension.h"
+#include "pictures/picture/stage.h"
 
 /* A document in a simple markup. The caller writes it to `out`, in lines:
  * - "# HEADING" begins a part, which is not torn if it fits on a page.

@@ -13,6 +13,9 @@ struct picture {
     const volatile sig_atomic_t *interrupt;
 };
 
+/* Returns true if a picture can be drawn to the destination of the answer. */
+bool picture_ready(const struct answer *a, struct problem *problem);
+
 /* Returns true if gnuplot is installed. */
 bool gnuplot_ready(struct problem *problem);
 

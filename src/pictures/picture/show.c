@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "pictures/picture/show.h"
+/* Draws pictures to the destination of an answer. In a file, the extension determines the format. */
+#include "answer/extension.h"
 #include "io/terminal.h"
 #include "language/names.h"
+#include "pictures/picture/chart.h"
+#include "pictures/picture/stage.h"
 #include <string.h>
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23 };

@@ -128,6 +128,13 @@ void stage_free(struct stage *stage);
  * a row, it is a metric unit that suits `across`, the width of the visible part of the stage. */
 struct axis_unit stage_unit(const struct stage *stage, double across);
 
+/* Draws a stage to the destination of the answer. A terminal shows it in characters. */
+bool stage_show(const struct stage *stage, const struct answer *a, const volatile sig_atomic_t *interrupt,
+                struct problem *problem);
+
+/* Returns the words that explain a picture's marks. Text and gnuplot pictures have different marks. */
+struct marks picture_marks(const struct answer *a);
+
 /* ---- In characters ---- */
 
 struct marks text_marks(struct display display);

@@ -79,10 +79,10 @@ void sheet_terminal(const struct sheet *v, const char *name, bool is_paper, char
                  "pngcairo size %.0f,%.0f font 'sans,%d' fontscale %.3g linewidth 2 enhanced", 2 * v->width,
                  2 * v->height, FONT, 2 * 0.72 * scale);
     else
-        snprintf(terminal, TERMINAL_TEXT,
-                 "svg size %.0f,%.0f dynamic font 'sans-serif,%d' fontscale %.3g background rgb 'white' "
-                 "enhanced",
-                 v->width, v->height, FONT, scale);
+        snprintf(
+            terminal, TERMINAL_TEXT,
+            "svg size %.0f,%.0f dynamic font 'sans-serif,%d' fontscale %.3g background rgb 'white' enhanced",
+            v->width, v->height, FONT, scale);
 }
 
 /* ---- The ruler and the caption ---- */
@@ -106,9 +106,9 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
     struct axis_unit unit = stage_unit(stage, v->right - v->left);
     char ruler[160];
     fprintf(script,
-            "set lmargin at screen %.8g\nset rmargin at screen %.8g\nset bmargin at screen %.8g\n"
-            "set tmargin at screen %.8g\nset xrange [%.10g:%.10g]\nset yrange [%.10g:%.10g]\n"
-            "unset grid\nunset key\nset border 1 lc rgb '#404040'\nset tics out nomirror\n",
+            "set lmargin at screen %.8g\nset rmargin at screen %.8g\nset bmargin at screen %.8g\nset tmargin "
+            "at screen %.8g\nset xrange [%.10g:%.10g]\nset yrange [%.10g:%.10g]\nunset grid\nunset key\nset "
+            "border 1 lc rgb '#404040'\nset tics out nomirror\n",
             MARGIN_LEFT / v->width, 1 - MARGIN_RIGHT / v->width, v->below / v->height,
             1 - v->above / v->height, v->left, v->right, v->low, v->high);
     /* For a row, the ruler begins at domino 1. */
@@ -345,11 +345,10 @@ void sheet_palette(const struct sheet *v, int shift, FILE *script)
     colour[PARTS] = "#fefefe";
     colour[PARTS + 1] = shift ? "#fefefe" : "#ffffff";
     for (int k = 0; k < PARTS + 2; k++)
-        fprintf(
-            script,
-            "set object %d rectangle from screen 0,0 to screen %.6g,%.6g behind fs solid 1 noborder fc rgb "
-            "'%s'\n",
-            k + 1, 1.5 / v->width, 1.5 / v->height, colour[k]);
+        fprintf(script,
+                "set object %d rectangle from screen 0,0 to screen %.6g,%.6g behind fs solid 1 noborder fc "
+                "rgb '%s'\n",
+                k + 1, 1.5 / v->width, 1.5 / v->height, colour[k]);
 }
 
 /* Writes the outlines of the visible dominoes in one state as closed curves. Returns their number. */
@@ -400,11 +399,10 @@ void stage_script(const struct stage *stage, const struct sheet *v, FILE *script
     for (int part = 0; part < PARTS; part++) {
         if (count[part] == 0)
             continue;
-        fprintf(
-            script,
-            "%s$part%d with filledcurves closed fs solid 1 noborder fc rgb '%s', $part%d with lines lc rgb "
-            "'#202020' lw 0.8 dt solid",
-            comma, part, fill[part], part);
+        fprintf(script,
+                "%s$part%d with filledcurves closed fs solid 1 noborder fc rgb '%s', $part%d with lines lc "
+                "rgb '#202020' lw 0.8 dt solid",
+                comma, part, fill[part], part);
         comma = ", ";
     }
     if (contacts)

@@ -93,11 +93,10 @@ bool look_make(const struct options *w, struct chart_look *look, struct problem 
     }
     /* In a gnuplot command, a quote or a comma would end the name of the font. */
     if (look->family &&
-        look->family[strspn(look->family, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789 -")])
-        return problem_error(problem,
-                             "the name of a font family may contain only letters, digits, blanks and "
-                             "'-', as in \"DejaVu Serif\"");
+        look->family[strspn(look->family,
+                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -")])
+        return problem_error(problem, "the name of a font family may contain only letters, digits, blanks "
+                                      "and '-', as in \"DejaVu Serif\"");
     return look->legend != CHART_LEGEND_RIGHT || !(look->width > 0 && look->width < LEGEND_LEAST) ||
            problem_error(problem,
                          "a picture of %.6g cm has no room for a legend on the right, which needs %g cm; use "

@@ -9,7 +9,7 @@
 #define SHELL_PLOTS_H
 
 #include "pictures/options.h"
-#include "pictures/picture/show.h"
+#include "pictures/picture/chart.h"
 
 /* Computes the rows of a plot and writes them to the answer `a`. For csv and json, nothing else is needed,
  * and `chart` is NULL. Otherwise the function also adds notes and marks to the chart. Unless plot.x.key is

@@ -166,11 +166,10 @@ static bool plot_sweep_draw(const struct query *query, const struct plot_rows *r
                              "the values of '%s' are words, but a curve needs numbers along its axis",
                              axis[0].parameter->name);
     if (over < 0 && !(is_even(&p, 0) && is_even(&p, 1)))
-        return problem_error(
-            problem,
-            "a map needs evenly spaced numbers on both axes; to get curves instead, enter at "
-            "most %d values for one of the parameters",
-            FAMILY);
+        return problem_error(problem,
+                             "a map needs evenly spaced numbers on both axes; to get curves instead, enter "
+                             "at most %d values for one of the parameters",
+                             FAMILY);
     if (missing == rows->count * p.shape.answers)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
                                  rows->count);
@@ -192,9 +191,8 @@ static bool plot_sweep_rows(const struct query *query, struct answer *a, struct 
                             struct problem *problem)
 {
     if (query->given->count < 2 || !query->given->bound)
-        return problem_error(problem,
-                             "'plot sweep' needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : "
-                             "rmax'");
+        return problem_error(
+            problem, "'plot sweep' needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'");
     const struct sweep_shape shape = sweep_shape(query->given);
     if (chart && shape.grid->axes > AXES)
         return problem_error(problem, "a picture can show one or two parameters, but this grid has %d",
@@ -226,8 +224,7 @@ static const struct argument grid_argument = {
 const struct plot sweep_plots[] = {
     {"sweep", plot_sweep_rows,
      "any sweep over one or two parameters, as in 'plot sweep s 0.1 0.9 33 : rmax'; 'plot sweep s 0.1 0.9 33 "
-     ": "
-     "rmax, pair' shows the curves of several answers; the columns are those of the sweep",
+     ": rmax, pair' shows the curves of several answers; the columns are those of the sweep",
      sweep_columns, .title = "", .draw = plot_sweep_draw, .argument = &grid_argument},
     {.name = NULL},
 };

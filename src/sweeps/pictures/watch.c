@@ -121,9 +121,8 @@ static bool watch_possible(const struct session *session, struct problem *proble
     const char *term = getenv("TERM");
     bool terminal = isatty(STDIN_FILENO) && terminal_size(session->output->out, &width, &height);
     return (session->source.prompt_width && terminal && term && strcmp(term, "dumb") != 0) ||
-           problem_error(problem,
-                         "'watch' works only at the prompt of a terminal that can move its cursor; elsewhere "
-                         "'sweep s 0.1 0.9 9 : rmax' lists the answers");
+           problem_error(problem, "'watch' works only at the prompt of a terminal that can move its cursor; "
+                                  "elsewhere 'sweep s 0.1 0.9 9 : rmax' lists the answers");
 }
 
 static bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
