@@ -77,6 +77,20 @@ static void check_window(const struct run *run, enum dom_window_of of, const str
     ends[1] += ends_above;
 }
 
+/* Checks a gap of a row that does not fall: no gap between the present one and the window mends the row, and
+ * if there is no window, none does. */
+static void check_nearer(const struct run *run, const struct dom_window *w)
+{
+    enum { FINE = 40 };
+    const double tall = (double)run->domino[w->domino - 2].height, from = isnan(w->low) ? 0 : w->now,
+                 to = isnan(w->low)     ? tall
+                      : w->now < w->low ? w->low
+                                        : w->high;
+    for (int j = 0; j < FINE; j++)
+        if (falls_changed(run, DOM_WINDOW_GAP, w, from + (to - from) * 0.9999 * j / (FINE - 1)))
+            fail_msg("domino %zu falls with a gap nearer to %g than %g", w->domino, w->now, to);
+}
+
 TEST(the_verdict_changes_at_the_ends)
 {
     static struct run run;
@@ -97,6 +111,8 @@ TEST(the_verdict_changes_at_the_ends)
                 const struct dom_window *w = &windows[k - first];
                 assert_int_equal(w->domino, of == DOM_WINDOW_FRICTION ? 0 : k + 1);
                 none += isnan((double)w->low);
+                if (of == DOM_WINDOW_GAP && !falls)
+                    check_nearer(&run, w);
                 if (isnan((double)w->low)) {
                     assert_false(falls);
                     continue;
@@ -229,6 +245,22 @@ TEST(equal_dominoes)
                 assert_true(one[k].now == other[k].now);
             }
         }
+}
+
+/* Checks a long row that stops, in which only the gap after the last domino that is hit and the 30 gaps
+ * before it are tried. */
+TEST(a_long_row_that_stops)
+{
+    static struct run run;
+    make_row(&run, 60, 0.3, 1, 0);
+    run.domino[49].height *= 3;
+    run.domino[49].thickness *= 3;
+    run.domino[49].mass *= 200;
+    assert_int_equal(row_end(&run), DOM_ROW_STOPS);
+    assert_int_equal(run.verdict.domino, 50);
+    find(&run);
+    for (size_t k = 0; k < 59; k++)
+        assert_true(isnan(windows[k].low) || (windows[k].domino >= 21 && windows[k].domino <= 51));
 }
 
 static void progress_seen(size_t done, size_t of, void *context)
