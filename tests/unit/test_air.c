@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: proof */
-/* Air: single plates against closed forms, trains against long rows; test_row compares rows with Newton's
- * equations. Without air nothing changes. Giants feel it, small dominoes do not. */
+/* Air: single plates against closed forms, trains; test_row compares rows with Newton's equations, and long
+ * rows with trains. Without air nothing changes. Giants feel it, small dominoes do not. */
 #include "domino_proof.h"
 #include "run.h"
 #include "support.h"
@@ -191,52 +191,6 @@ TEST(lost_energy_is_the_work_of_the_drag)
 }
 
 /* ---- Trains ---- */
-
-/* A long row of solid dominoes moves like the endless train in air whose density is a part of theirs. */
-TEST(rows_become_the_train)
-{
-    enum { MOST = 60 };
-    static const double some[][4] = {/* s, r, air in kg/m^3, rho */
-                                     {0.4, 1.5, 5, 0},
-                                     {0.3, 1.3, 40, 0},
-                                     {0.6, 1.5, 40, 0},
-                                     {0.4, 1.4, 40, 0.02}};
-    for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
-        static struct run run;
-        struct setup train = setup_default();
-        struct domq_scale scale = domq_scale_default();
-        struct domq_launch launch;
-        struct domq_barrier barrier;
-        domq_real duration;
-        train.s = some[i][0];
-        train.r = some[i][1];
-        make_row(&run, MOST, some[i][0], some[i][1], 0);
-        const struct domq_domino *first = run.domino;
-        train.air = some[i][2] * first->height * first->thickness * first->width / first->mass;
-        train.rho = some[i][3];
-        run.row.air = some[i][2];
-        run.row.rho = some[i][3];
-        assert_status(ask_launch_find(&train, &launch), DOM_OK);
-        assert_status(ask_barrier_find(&train, &barrier), DOM_OK);
-        assert_status(ask_cycle_duration(&train, &duration), DOM_OK);
-        run.row.push = 5 * push_over(run.domino);
-        assert_status(run_whole(&run), DOM_OK);
-        assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_FALLS));
-        for (size_t k = MOST - 4; k + 1 < MOST; k++) {
-            const struct domq_fall *f = &run.fall[k];
-            const double unit = (double)(run.domino[k].mass * run.domino[k].height) * 9.81 / 2;
-            const struct domq_train t = setup_train(&train);
-            scale.h = run.domino[k].height;
-            const double tau = (double)domq_scale_tau(&scale, &t), h = (double)scale.h;
-            assert_near("tau", tau * tau, inertia_of(&run.domino[k], some[i][2]) / (2 * unit), 1e-13);
-            assert_near("omega", (double)f->omega * tau, sqrt((double)launch.omegasq), 1e-9);
-            assert_near("kinetic", (double)f->kinetic / unit, (double)launch.kinetic, 1e-9);
-            assert_near("margin", (double)f->margin / unit, (double)barrier.margin, 1e-8);
-            assert_near("duration", (double)f->duration / tau, (double)duration, 1e-8);
-            (void)h;
-        }
-    }
-}
 
 /* A pair of which the first tips over: it falls below the largest growth of the pair, and stops above it. */
 TEST(pair_is_a_row_of_two)

@@ -92,70 +92,6 @@ TRAIN(domq)
         same(#find, wide, own);                                                                              \
     } while (0);
 
-/* ---- Walks: what the visitors of the library see, and those of the shell ---- */
-
-enum { KEPT = 64 };
-
-struct seen {
-    domq_real number[KEPT];
-    int count;
-};
-
-static bool keep(struct seen *seen, domq_real number)
-{
-    seen->number[seen->count++] = number;
-    return seen->count < KEPT - 3;
-}
-
-#define VISITORS(P)                                                                                          \
-    static bool P##_link_seen(const struct P##_link *link, void *seen)                                       \
-    {                                                                                                        \
-        return keep(seen, link->theta) && keep(seen, link->arm_a) && keep(seen, (domq_real)link->i);         \
-    }                                                                                                        \
-    static bool P##_state_seen(const struct P##_state *state, const struct P##_event *event, void *seen)     \
-    {                                                                                                        \
-        return keep(seen, state->time) && keep(seen, state->omegasq) &&                                      \
-               keep(seen, event ? (domq_real)event->kind : -1);                                              \
-    }                                                                                                        \
-    static bool P##_force_seen(const struct P##_force *force, void *seen)                                    \
-    {                                                                                                        \
-        return keep(seen, force->force) && keep(seen, force->impulse) && keep(seen, (domq_real)force->i);    \
-    }                                                                                                        \
-    static void P##_walks(const double p[5], enum precision precision)                                       \
-    {                                                                                                        \
-        const struct P##_train t = P##_train_of(p);                                                          \
-        const struct P##_compute c = P##_compute_of(precision);                                              \
-        const struct domq_train train = wide_train(p);                                                       \
-        const struct any_compute compute = wide_compute(precision);                                          \
-        WALK(P, chain_walk, link, 0)                                                                         \
-        WALK(P, cycle_walk, state, 6, DOM_BY_TILT)                                                           \
-        WALK(P, cycle_forces, force, 0)                                                                      \
-        struct P##_event events[DOM_EVENTS_MAX];                                                             \
-        struct domq_event wide_events[DOM_EVENTS_MAX];                                                       \
-        int count = 0, wide_count = 0;                                                                       \
-        const enum dom_status status = P##_cycle_events(&t, &c, events, &count);                             \
-        assert_status(any_cycle_events(&train, &compute, wide_events, &wide_count), status);                 \
-        assert_int_equal(count, wide_count);                                                                 \
-        for (int k = 0; k < count; k++) {                                                                    \
-            const struct P##_event own = events[k];                                                          \
-            const struct domq_event wide = wide_events[k];                                                   \
-            DOM_MEMBERS_event(NUMBER, NONE, NONE, OTHER)                                                     \
-        }                                                                                                    \
-        assert_status(P##_train_check(&t, &c), any_train_check(&train, &compute));                           \
-    }
-#define WALK(P, walk, visitor, ...)                                                                          \
-    {                                                                                                        \
-        struct seen own = {.count = 0}, wide = {.count = 0};                                                 \
-        const enum dom_status status = P##_##walk(&t, &c, __VA_ARGS__, P##_##visitor##_seen, &own);          \
-        assert_status(any_##walk(&train, &compute, __VA_ARGS__, domq_##visitor##_seen, &wide), status);      \
-        assert_int_equal(own.count, wide.count);                                                             \
-        for (int k = 0; k < own.count; k++)                                                                  \
-            same(#walk, wide.number[k], own.number[k]);                                                      \
-    }
-VISITORS(domq)
-VISITORS(dom)
-VISITORS(domf)
-
 /* ---- Questions ---- */
 
 #define QUESTIONS(P)                                                                                         \
@@ -192,12 +128,9 @@ TEST(any_precision_asks_the_library)
 {
     for (int i = 0; i < TRAINS; i++) {
         domf_questions(trains[i], IN_FLOAT);
-        domf_walks(trains[i], IN_FLOAT);
         dom_questions(trains[i], IN_DOUBLE);
-        dom_walks(trains[i], IN_DOUBLE);
         if (any_arithmetic(IN_QUAD).bits > 0) {
             domq_questions(trains[i], IN_QUAD);
-            domq_walks(trains[i], IN_QUAD);
         }
     }
 }
@@ -274,8 +207,4 @@ TEST(null_is_the_default)
     DOM_FINDS_AT(DEFAULT_AT)
     DOM_NUMBERS(DEFAULT_NUMBER)
     DOM_NUMBERS_AT(DEFAULT_NUMBER_AT)
-    struct seen seen = {.count = 0}, of_null = {.count = 0};
-    assert_status(dom_chain_walk(&train, NULL, 0.1, dom_link_seen, &of_null), DOM_OK);
-    assert_status(dom_chain_walk(&train, &compute, 0.1, dom_link_seen, &seen), DOM_OK);
-    assert_true(seen.count > 0 && of_null.count == seen.count);
 }

@@ -365,48 +365,6 @@ TEST(newtons_law)
     }
 }
 
-/* ---- Rows ---- */
-
-static bool last_seen(const struct domq_fall *fall, void *context)
-{
-    struct domq_fall *last = context;
-    *last = *fall;
-    return true;
-}
-
-/* Checks that a row of a train moves like the endless train, whether the radius is given for the row or for
- * each domino. */
-TEST(rows_are_trains)
-{
-    enum { COUNT = 24 };
-    for (int k = 0; k < 4; k++) {
-        struct setup train = train_of(0.4, 0.02, k < 2 ? 0 : 0.15);
-        struct domq_domino domino[COUNT];
-        struct domq_scale scale = domq_scale_default();
-        struct domq_fall last;
-        struct domq_launch launch;
-        struct domq_verdict verdict;
-        domq_real duration;
-        const struct domq_train train_tau = setup_train(&train);
-        train.r = 1.15;
-        ask_row_of_train(&train, &scale, 1, domino, COUNT);
-        struct row_setup row = row_setup_default(domino, COUNT, 30);
-        row.mu = train.mu;
-        row.rho = train.rho;
-        for (size_t i = 0; k % 2 && i < COUNT; i++) {
-            domino[i].radius = train.rho * domino[i].height;
-            row.rho = 0.001;
-        }
-        assert_status(ask_row_run(&row, true, last_seen, &last, &verdict), DOM_OK);
-        assert_int_equal(verdict.end, DOM_ROW_FALLS);
-        assert_status(ask_launch_find(&train, &launch), DOM_OK);
-        assert_status(ask_cycle_duration(&train, &duration), DOM_OK);
-        scale.h = domino[COUNT - 1].height;
-        double tau = (double)domq_scale_tau(&scale, &train_tau);
-        assert_near("omega", (double)last.omega * tau, sqrt((double)launch.omegasq), 1e-9);
-    }
-}
-
 /* ---- Values that do not fit ---- */
 
 TEST(radii_that_do_not_fit)

@@ -1,268 +1,337 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Compares the model with a rigid-body engine: the largest growth at which the same rows fall, and how long a
- * cycle lasts.
+ * Compares rows in a rigid-body engine with the same rows in the model and with endless trains: the largest
+ * growth at which all dominoes fall, and how long a cycle lasts. With so many dominoes and so strong a push,
+ * the last dominoes do not depend on the push.
+ *
+ * Steps of the engine are halved until a halving changes the value by a fraction of less than STILL, or until
+ * FINEST is reached. The remaining first-order error is as large as the last change. A difference of up to
+ * ALLOWED times this change counts as agreement, because a verdict also depends on where in a step a hit
+ * happens.
  */
 #include "../hard/workers.h"
-#include "scene.h"
-
+#include "../unit/ask.h"
+#include "engine/engine.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
-/* A value is wrong if the last halving still changed it by a fraction of more than this many times
- * scene_still. */
-static const double unsettled = 5;
+enum { MOST = 64, CYCLES = 4 };
 
-static const double masses[] = {3, 4}, frictions[] = {0, 0.2};
+#define STILL     1e-4
+#define COARSEST  100.0 /* steps per sqrt(height / g) */
+#define FINEST    3200.0
+#define ALLOWED   3
+#define UNSETTLED 5          /* a last change of more than this many times STILL is an error */
+#define BRACKET   4e-5       /* relative width to which growths are bisected */
+#define MARCH     0.05       /* r is raised by this step until a row stops */
+#define IMPULSES  1e-7       /* tolerance of the impulses in a step */
+#define STATURE   (7.0 / 48) /* thickness over height */
+#define BEVEL     0.02
 
-/* With so many dominoes and so strong a push, the last dominoes do not depend on the push, so that the row
- * and the train agree. */
-static const struct {
-    double s, push;
-    size_t count;
-} growths[] = {{0.1, 32, 14}, {0.2, 16, 10}, {0.3, 8, 9}, {0.4, 8, 9}, {0.5, 8, 9}, {0.6, 8, 9}};
-static const struct {
-    const char *blocks;
-    double r, q;
-    size_t count;
-} cycles[] = {{"equal", 1, 3, 40}, {"hollow", 1.2, 3, 14}, {"massive", 1.2, 4, 14}};
-static const double cycle_separations[] = {0.3, 0.4, 0.6}, cycle_push = 1;
-static const double bevel = 0.02;
+static const struct scene {
+    double s, q, mu, r; /* r is 0 in a search for the largest growth */
+    size_t count;       /* number of dominoes; the first has the height 1, and g is 1 */
+    double push, bevel;
+} scenes[] = {
+#define GROWTHS(q, mu)                                                                                       \
+    {0.1, q, mu, 0, 14, 32, 0}, {0.2, q, mu, 0, 10, 16, 0}, {0.3, q, mu, 0, 9, 8, 0},                        \
+        {0.4, q, mu, 0, 9, 8, 0}, {0.5, q, mu, 0, 9, 8, 0},                                                  \
+    {                                                                                                        \
+        0.6, q, mu, 0, 9, 8, 0                                                                               \
+    }
+#define DURATIONS(q, mu, r, count)                                                                           \
+    {0.3, q, mu, r, count, 1, 0}, {0.4, q, mu, r, count, 1, 0},                                              \
+    {                                                                                                        \
+        0.6, q, mu, r, count, 1, 0                                                                           \
+    }
+    GROWTHS(3, 0),
+    GROWTHS(4, 0),
+    GROWTHS(3, 0.2),
+    GROWTHS(4, 0.2),
+    DURATIONS(3, 0, 1, 40),
+    DURATIONS(3, 0, 1.2, 14),
+    DURATIONS(4, 0, 1.2, 14),
+    DURATIONS(3, 0.2, 1, 40),
+    DURATIONS(3, 0.2, 1.2, 14),
+    DURATIONS(4, 0.2, 1.2, 14),
+};
+enum { SCENES = sizeof scenes / sizeof *scenes };
 
-enum {
-    SEPARATIONS = sizeof growths / sizeof *growths,
-    CYCLES = sizeof cycles / sizeof *cycles,
-    CYCLE_SEPARATIONS = sizeof cycle_separations / sizeof *cycle_separations,
-    GROWTHS = SEPARATIONS * 4,
-    DURATIONS = CYCLES * CYCLE_SEPARATIONS * 2,
-    JOBS = GROWTHS + DURATIONS
+/* A value of the engine, and its uncertainty. */
+struct found {
+    double value;
+    /* the change of the value when the steps were last halved, or half of the change before if that is larger
+     */
+    double change, steps;
+    bool same;          /* true if neither two more dominoes nor more exact impulses change the value */
+    bool other_contact; /* true if a run had a contact that the model does not have */
 };
 
-struct answer {
-    struct scene scene;
-    struct found found;       /* the value of the engine */
-    double row, exact, paper; /* the values of the model; `paper` is NaN if the paper's fuel gives no value */
-    bool again;               /* true if the scene is run again with bevelled edges */
-    struct found bevelled;
-};
+/* ---- The engine ---- */
 
-static struct scene scene_of(int job)
+static struct engine_hit hits[MOST]; /* hits of the last run; each scene runs in a separate process */
+
+/* Runs the boxes with found->steps. Divides the tolerance of the impulses by `times`. */
+static struct engine_fall run(const struct scene *scene, int times, struct found *found)
 {
-    int i = job % SEPARATIONS, j = (job - GROWTHS) / CYCLE_SEPARATIONS;
-
-    if (job < GROWTHS)
-        return (struct scene){.s = growths[i].s,
-                              .q = masses[job / SEPARATIONS % 2],
-                              .mu = frictions[job / SEPARATIONS / 2],
-                              .count = growths[i].count,
-                              .push = growths[i].push};
-    return (struct scene){.s = cycle_separations[(job - GROWTHS) % CYCLE_SEPARATIONS],
-                          .q = cycles[j % CYCLES].q,
-                          .mu = frictions[j / CYCLES],
-                          .r = cycles[j % CYCLES].r,
-                          .count = cycles[j % CYCLES].count,
-                          .push = cycle_push};
+    struct engine_box box[MOST];
+    struct engine_row row = ENGINE_ROW(box, scene->count);
+    const struct engine_grain grain = {found->steps, IMPULSES / times};
+    struct engine_fall fall;
+    row.push = scene->push;
+    row.mu = scene->mu;
+    row.bevel = scene->bevel;
+    for (size_t k = 0; k < scene->count; k++) {
+        const double h = pow(scene->r, (double)k);
+        box[k] = (struct engine_box){
+            .height = h, .thickness = STATURE * h, .gap = scene->s * h, .mass = pow(h, scene->q - 1)};
+    }
+    if (engine_run(&row, &grain, NULL, hits, NULL, NULL, &fall) != ENGINE_OK) {
+        fprintf(stderr, "s %g, q %g, mu %g, r %.9g: the row does not come to rest in the engine\n", scene->s,
+                scene->q, scene->mu, scene->r);
+        exit(2);
+    }
+    found->other_contact |= fall.other_contact;
+    return fall;
 }
+
+static bool boxes_fall(const struct scene *scene, double r, void *found)
+{
+    struct scene at = *scene;
+    at.r = r;
+    return run(&at, 1, found).all;
+}
+
+/* ---- The model ---- */
+
+static struct setup train_of(const struct scene *scene)
+{
+    struct setup train = setup_default();
+    train.s = scene->s;
+    train.d = STATURE;
+    train.q = scene->q;
+    train.mu = scene->mu;
+    train.r = scene->r;
+    return train;
+}
+
+static bool hit(const struct domq_fall *fall, void *context)
+{
+    double **next = context;
+    *(*next)++ = (double)fall->time;
+    return true;
+}
+
+/* Returns true if the dominoes fall. `next` is NULL, or points to a pointer to an array that receives the
+ * times of the hits. */
+static bool dominoes_fall(const struct scene *scene, double r, void *next)
+{
+    struct domq_domino domino[MOST];
+    const struct domq_scale unit = {.h = 1, .g = 1};
+    struct domq_verdict verdict;
+    struct setup train = train_of(scene);
+    struct row_setup row = row_setup_default(domino, scene->count, scene->push);
+    train.r = r;
+    row.g = 1;
+    row.mu = scene->mu;
+    ask_row_of_train(&train, &unit, 1, domino, scene->count);
+    const enum dom_status status = ask_row_run(&row, next, next ? hit : NULL, next, &verdict);
+    if (status != DOM_OK || verdict.end == DOM_ROW_PARTS || verdict.end == DOM_ROW_PASSES) {
+        fprintf(stderr, "s %g, q %g, mu %g, r %.9g: %s\n", scene->s, scene->q, scene->mu, r,
+                status == DOM_OK ? dom_row_end_text(verdict.end) : dom_status_text(status));
+        exit(2);
+    }
+    return verdict.end == DOM_ROW_FALLS;
+}
+
+/* ---- The growth, in the engine or in the model ---- */
+
+typedef bool falls(const struct scene *scene, double r, void *context);
+
+/*
+ * Bisects to a relative width from a growth at which the row falls to one at which it stops. r is raised from
+ * `lo` until the row stops, in steps that become small near r s = 1, beyond which the next box is out of
+ * reach. Larger growths at which the row falls again do not count. If the row stops at `lo`, r is lowered
+ * first.
+ */
+static double largest(const struct scene *scene, falls *fall, void *context, double lo, double step,
+                      double width)
+{
+    for (; lo > 1 && !fall(scene, lo, context); step *= 2)
+        lo = fmax(1, lo - step);
+    double hi = lo + step;
+    while (fall(scene, hi, context)) {
+        lo = hi;
+        hi += fmin(step, step / 50 + fmax(0, 1 / scene->s - lo) / 10);
+    }
+    while (hi - lo > width) {
+        const double middle = (lo + hi) / 2;
+        *(fall(scene, middle, context) ? &lo : &hi) = middle;
+    }
+    return (lo + hi) / 2;
+}
+
+/* Finds the engine's value with found->steps. On entry, found->value is the value with coarser steps, or 0 if
+ * there is none, and found->change is its last change. */
+static double growth(const struct scene *scene, struct found *found)
+{
+    if (found->value == 0)
+        return largest(scene, boxes_fall, found, 1, MARCH, MARCH / 100);
+    const double reach = 1 / scene->s - found->value,
+                 off = fmax(2 * BRACKET, fmin(2 * found->change, fmin(MARCH / 10, reach / 3)));
+    return largest(scene, boxes_fall, found, fmax(1, found->value - off), off, BRACKET);
+}
+
+/* ---- The mean duration of the last cycles, from hit to hit, each in tau of its head ---- */
+
+/* Returns the sum of tau (1; a1) of the boxes before the last one that was hit, for solid blocks. */
+static double taus(const struct scene *scene)
+{
+    double sum = 0;
+    for (size_t k = 2; k < 2 + CYCLES; k++) {
+        const struct domq_scale scale = {.h = pow(scene->r, (double)(scene->count - k)), .g = 1};
+        sum += (double)domq_scale_tau(&scale, &(struct domq_train){.d = STATURE});
+    }
+    return sum;
+}
+
+static double duration_of(const struct scene *scene, int times, struct found *found)
+{
+    const struct engine_fall fall = run(scene, times, found);
+    const size_t last = scene->count - 1;
+    return fall.hits < scene->count ? (double)NAN
+                                    : (hits[last].time - hits[last - CYCLES].time) / taus(scene);
+}
+
+static double duration(const struct scene *scene, struct found *found)
+{
+    return duration_of(scene, 1, found);
+}
+
+static double duration_of_row(const struct scene *scene)
+{
+    double time[MOST], *next = time;
+    const size_t last = scene->count - 1;
+    return dominoes_fall(scene, scene->r, &next) ? (time[last] - time[last - CYCLES]) / taus(scene)
+                                                 : (double)NAN;
+}
+
+/* ---- The engine, refined ---- */
+
+static double uncertain(const struct found *found)
+{
+    return ALLOWED * fmax(STILL, found->change / found->value);
+}
+
+/* Halves the length of the steps until the value has settled. Each halving leaves half of a first-order
+ * error, so durations are extrapolated to steps of length 0. A single small change does not count, since it
+ * may be due to chance. */
+static void refine(const struct scene *scene, struct found *found)
+{
+    const bool grows = scene->r == 0;
+    double earlier = (double)INFINITY, value;
+    *found = (struct found){.steps = COARSEST};
+    found->value = value = (grows ? growth : duration)(scene, found);
+    do {
+        const double before = found->value, coarse = value;
+        *found = (struct found){.value = value, .change = earlier, .steps = 2 * found->steps};
+        value = (grows ? growth : duration)(scene, found);
+        found->value = grows ? value : 2 * value - coarse;
+        const double change = fabs(found->value - before);
+        found->change = fmax(change, earlier / 2);
+        earlier = change;
+    } while (!(found->change <= STILL * found->value) && found->steps < FINEST);
+
+    struct scene more = *scene;
+    more.count += 2;
+    if (!grows) {
+        found->same = fabs(duration_of(&more, 100, found) / duration(scene, found) - 1) <= uncertain(found);
+        return;
+    }
+    found->same = true;
+    for (int side = -1; side <= 1; side += 2) {
+        more.r = found->value * (1 + side * uncertain(found));
+        found->same &= run(&more, 100, found).all == (side < 0);
+    }
+}
+
+/* ---- Each scene ---- */
+
+/* A value of the engine beside those of the model, for the same row and for the endless train. */
+struct answer {
+    struct found found;
+    double row, train;
+    bool bevelled;
+};
 
 static double off(double engine, double model)
 {
     return engine / model - 1;
 }
 
-static bool settled(const struct found *found)
+static bool agrees(const struct answer *a)
 {
-    return found->change <= unsettled * scene_still * found->value;
+    return a->found.same && a->found.change <= UNSETTLED * STILL * a->found.value &&
+           fabs(off(a->found.value, a->row)) <= uncertain(&a->found) &&
+           fabs(off(a->found.value, a->train)) <= uncertain(&a->found);
 }
 
-static bool agrees(const struct found *found, double model)
-{
-    return fabs(off(found->value, model)) <= scene_uncertain(found);
-}
-
+/*
+ * A domino that slides off the domino that it leaned on may meet the lower edge of that domino, and continue
+ * to push. The model does not have this contact. If the upper back edges are bevelled, with the same mass and
+ * inertia, it does not occur.
+ */
 static long solve(int job, void *context)
 {
     struct answer *a = (struct answer *)context + job;
-    const struct scene *scene = &a->scene;
-    struct scene cut;
+    struct scene scene = scenes[job];
+    const struct setup train = train_of(&scene);
     struct domq_limit limit;
-    domq_real duration;
-
-    a->scene = scene_of(job);
-    fprintf(stderr, "verify: scene %d of %d\n", job + 1, JOBS);
-    struct setup train = scene_train(scene);
-    a->paper = (double)NAN;
-    if (job >= GROWTHS) {
-        scene_duration(scene, &a->found);
-        a->row = scene_duration_of_row(scene);
-        a->exact = ask_cycle_duration(&train, &duration) == DOM_OK ? (double)duration : (double)NAN;
-        return 0;
-    }
-    scene_growth(scene, &a->found);
-    a->row = scene_growth_of_row(scene);
-    a->exact = ask_limit_rmax(&train, &limit) == DOM_OK ? (double)limit.r_max : (double)NAN;
-    train.fuel = DOM_FUEL_PAPER;
-    if (ask_limit_rmax(&train, &limit) == DOM_OK)
-        a->paper = (double)limit.r_max;
-    a->again = a->found.other_contact && fabs(off(a->found.value, a->row)) > scene_still;
-    if (a->again) {
-        cut = *scene;
-        cut.bevel = bevel;
-        scene_growth(&cut, &a->bevelled);
+    domq_real lasts;
+    fprintf(stderr, "verify: scene %d of %d\n", job + 1, SCENES);
+    a->train = (double)NAN;
+    if (scene.r > 0 && ask_cycle_duration(&train, &lasts) == DOM_OK)
+        a->train = (double)lasts;
+    if (scene.r == 0 && ask_limit_rmax(&train, &limit) == DOM_OK)
+        a->train = (double)limit.r_max;
+    a->row = scene.r > 0 ? duration_of_row(&scene) : largest(&scene, dominoes_fall, NULL, 1, MARCH, 1e-10);
+    refine(&scene, &a->found);
+    a->bevelled = scene.r == 0 && a->found.other_contact && fabs(off(a->found.value, a->row)) > STILL;
+    if (a->bevelled) {
+        scene.bevel = BEVEL;
+        refine(&scene, &a->found);
     }
     return 0;
 }
 
-/* ---- What is printed ---- */
-
-static const char *blocks(const struct scene *scene)
-{
-    return scene->r == 1 ? "equal" : scene->q == masses[0] ? "hollow" : "massive";
-}
-
-/* Returns the name of the fuel formula whose value is within the allowed difference. */
-static const char *supports(const struct found *found, const struct answer *a)
-{
-    bool exact = agrees(found, a->exact), paper = agrees(found, a->paper);
-
-    return exact && paper ? "both" : exact ? "exact" : paper ? "paper" : "neither";
-}
-
-static void print_scene(const struct answer *a, const struct found *found)
-{
-    printf("%.1f  %-7s  %3.1f", a->scene.s, blocks(&a->scene), a->scene.mu);
-    if (a->scene.r > 0)
-        printf("  %3.1f", a->scene.r);
-    printf("  %8.6f  %6.4f  %5g", found->value, 100 * found->change / found->value, found->steps);
-}
-
-static void print_model(const struct found *found, double model)
-{
-    if (isfinite(model))
-        printf("  %8.6f %+7.3f", model, 100 * off(found->value, model));
-    else
-        printf("  %8s %7s", "-", "");
-}
-
-static void print_growth(const struct answer *a, const struct found *found, const char *note)
-{
-    print_scene(a, found);
-    print_model(found, a->row);
-    print_model(found, a->exact);
-    print_model(found, a->paper);
-    printf("  %s%s\n", supports(found, a), note);
-}
-
-static void print_growths(const struct answer *answers)
-{
-    printf("The largest growth r at which a row falls: in Chipmunk %s (engine), in the model for the\n"
-           "same row (row), and for the endless train with the fuel from the energy balance (exact)\n"
-           "and with the paper's closed form (paper; without friction).  off: engine / model - 1, in %%.\n\n"
-           "s    blocks    mu    engine  last %%  steps       row     off     exact     off"
-           "     paper     off  supports\n",
-           engine_version());
-    for (int k = 0; k < GROWTHS; k++) {
-        print_growth(&answers[k], &answers[k].found, answers[k].again ? "*" : "");
-        if (answers[k].again)
-            print_growth(&answers[k], &answers[k].bevelled, ", bevelled");
-    }
-}
-
-static void print_durations(const struct answer *answers)
-{
-    printf("\nHow long a cycle takes deep in a row, from hit to hit, in tau of its head: the mean of %d.\n\n"
-           "s    blocks    mu    r    engine  last %%  steps       row     off     exact     off\n",
-           SCENE_CYCLES);
-    for (int k = 0; k < DURATIONS; k++) {
-        print_scene(&answers[k], &answers[k].found);
-        print_model(&answers[k].found, answers[k].row);
-        print_model(&answers[k].found, answers[k].exact);
-        printf("\n");
-    }
-}
-
-/* ---- The verdict ---- */
-
-struct tally {
-    int wrong, again;
-    /* number of scenes in which the two fuels differ, and how many of these agree with the paper's fuel */
-    int differ, paper;
-    double most;       /* the largest deviation of values that must agree */
-    double again_most; /* the largest deviation where fallen dominoes continue to push */
-    double depth, drift;
-};
-
-static double deviation(const struct found *found, const struct answer *a)
-{
-    return fmax(fabs(off(found->value, a->row)), fabs(off(found->value, a->exact)));
-}
-
-static void judge(struct tally *tally, const struct answer *a)
-{
-    const struct found *found = a->again ? &a->bevelled : &a->found;
-
-    if (a->again) {
-        tally->again++;
-        tally->again_most = fmax(tally->again_most, deviation(&a->found, a));
-    }
-    tally->most = fmax(tally->most, deviation(found, a));
-    tally->depth = fmax(tally->depth, found->depth);
-    tally->drift = fmax(tally->drift, found->drift);
-    if (fabs(off(a->paper, a->exact)) > scene_allowed * scene_still) {
-        tally->differ++;
-        tally->paper += agrees(found, a->paper) || agrees(&a->found, a->paper);
-    }
-    if (settled(found) && found->same && agrees(found, a->row) && agrees(found, a->exact))
-        return;
-    tally->wrong++;
-    printf("wrong: s %g, %s, mu %g: %s\n", a->scene.s, blocks(&a->scene), a->scene.mu,
-           !settled(found) ? "shorter steps still change the value"
-           : !found->same  ? "two more dominoes, or more exact impulses, change the value"
-                           : "the difference is larger than is allowed");
-}
-
-static void print_tally(const struct tally *tally)
-{
-    if (tally->again > 0)
-        printf(
-            "* A domino slides off the domino that it leaned on. Its upper end then meets the lower edge of\n"
-            "  that domino, and continues to push. The model does not have this contact. If the upper\n"
-            "  back edges are bevelled by %g %% of the height, with the same mass and inertia, it does not\n"
-            "  occur.\n\n",
-            100 * bevel);
-    printf(
-        "Steps per sqrt(h / g) are doubled until the value changes by less than %g %% (last %%), or up to\n"
-        "%g; deviations of up to %g times this change are allowed. Growths are bisected to %g;\n"
-        "durations are extrapolated to steps of 0. The foremost dominoes penetrate each other by up to\n"
-        "%.0e of the height, and stray up to %.0e from their hinges. With two more dominoes and\n"
-        "more exact impulses, the values change by no more than is allowed.\n",
-        100 * scene_still, scene_finest, scene_allowed, scene_bracket, tally->depth, tally->drift);
-    printf("In %d scenes the fuels differ by more than is allowed; %d of these support the paper's fuel.\n\n",
-           tally->differ, tally->paper);
-    printf("verify: %d scenes, %d wrong, largest deviation %.3f %%", JOBS, tally->wrong, 100 * tally->most);
-    if (tally->again > 0)
-        printf("; %.3f %% in %d (*)", 100 * tally->again_most, tally->again);
-    printf("\n");
-}
-
 int main(void)
 {
-    struct answer *answers = workers_share(JOBS * sizeof *answers);
-    struct tally tally = {0};
-
+    struct answer *answers = workers_share(SCENES * sizeof *answers);
+    int wrong = 0;
     if (!engine_version()) {
         fprintf(stderr, "verify: Chipmunk 7 is not installed; 'make deps verify' installs it\n");
         return 2;
     }
-    if (workers_run(JOBS, solve, answers) != 0) {
+    if (workers_run(SCENES, solve, answers) != 0) {
         fprintf(stderr, "verify: a scene failed\n");
         return 2;
     }
-    print_growths(answers);
-    print_durations(answers + GROWTHS);
-    printf("\n");
-    for (int k = 0; k < JOBS; k++)
-        judge(&tally, &answers[k]);
-    print_tally(&tally);
-    workers_unshare(answers, JOBS * sizeof *answers);
-    return tally.wrong > 0;
+    printf(
+        "The largest growth r, or the duration of a cycle of a given r, in Chipmunk %s and in the model.\n"
+        "change: by the last halving of the steps; off: engine / model - 1; *: upper edges are bevelled\n\n"
+        "s    q  mu   r      engine  change %%  steps       row   off %%     train   off %%\n",
+        engine_version());
+    for (int k = 0; k < SCENES; k++) {
+        const struct scene *s = &scenes[k];
+        const struct answer *a = &answers[k];
+        printf("%.1f  %.0f  %3.1f  %3.1f  %9.6f  %7.4f  %6g  %8.6f  %+6.3f  %8.6f  %+6.3f%s%s\n", s->s, s->q,
+               s->mu, s->r, a->found.value, 100 * a->found.change / a->found.value, a->found.steps, a->row,
+               100 * off(a->found.value, a->row), a->train, 100 * off(a->found.value, a->train),
+               a->bevelled ? " *" : "", agrees(a) ? "" : " WRONG");
+        wrong += !agrees(a);
+    }
+    printf("\nverify: %d scenes, %d wrong\n", SCENES, wrong);
+    workers_unshare(answers, SCENES * sizeof *answers);
+    return wrong > 0;
 }
