@@ -58,7 +58,7 @@ static void one_shortest(double value)
 
 TEST(random_numbers)
 {
-    for (int k = 0; k < 100000; k++) {
+    for (int k = 0; k < 25000; k++) {
         double value = random_double(k);
         one_text(value);
         one_shortest(value);
@@ -112,7 +112,7 @@ static void print_quad(char *text, size_t size, int digits, domq_real value)
 TEST(quad_numbers)
 {
     char text[WIDE_TEXT], printed[64];
-    for (int k = 0; k < 100000; k++) {
+    for (int k = 0; k < 25000; k++) {
         domq_real value = (domq_real)random_double(k);
         if (k % 3 == 0)
             value += value * (domq_real)random_double(k + 1) * (domq_real)1e-17;
@@ -131,7 +131,7 @@ TEST(quad_numbers)
 TEST(cells_return)
 {
     char text[CELL_TEXT];
-    for (int k = 0; k < 100000; k++) {
+    for (int k = 0; k < 25000; k++) {
         double value = random_double(k);
         assert_true(strtod(cell_plain(&in_double, cell_real((dom_real)value), text), NULL) == value);
     }

@@ -152,7 +152,7 @@ TEST(a_search_with_dips)
     const size_t all = checks_of(best, SIZE_MAX, &status);
     if (status != DOM_OK)
         fail_msg("%s", dom_status_text(status));
-    for (size_t at = 1; at + 1 < all; at += 1 + all / 150) {
+    for (size_t at = 1; at + 1 < all; at += 1 + all / 60) {
         checks_of(best, at, &status);
         if (status != DOM_INTERRUPTED)
             fail_msg("check %zu of %zu: %s", at, all, dom_status_text(status));
