@@ -88,8 +88,9 @@ static bool best_kind(const struct query *query, const struct domq_train *train,
         struct domq_train other = *train;
         struct growth growth;
         other.q = w->value;
-        /* Trains in air may not be self-similar. */
-        if (w->value == train->q || any_train_check(&other, query_compute(query)) == DOM_NO_AIR)
+        /* Several words can have the same value, and trains in air may not be self-similar. */
+        if (w->value == train->q || (w[1].name && w[1].value == w->value) ||
+            any_train_check(&other, query_compute(query)) == DOM_NO_AIR)
             continue;
         if (!growth_find(query, &other, &growth, problem))
             return false;
