@@ -92,11 +92,13 @@ static void missing_say(const struct query *query, struct answer *a, const struc
 {
     const struct scene *scene = &query->next->scene;
     const bool has_row = scene->effect[DOM_EFFECT_row].on;
-    struct problem missing = {.kind = PROBLEM_NONE};
+    struct problem missing;
     struct domq_angles angles;
-    struct scene_row row = {.domino = NULL};
+    struct scene_row row;
     if (query->run_context->script || query->run_context->sourced || !answer_for_people(a))
         return;
+    row.domino = NULL;
+    problem_begin(&missing, NULL);
     if (lengths_check(query->next, &missing) && !has_row)
         problem_status(&missing, scene, any_angles_find(&scene->train, &scene->compute, &angles));
     else if (has_row && missing.kind == PROBLEM_NONE && scene_row_list(scene, &row, &missing))
@@ -118,8 +120,10 @@ static void row_say(const struct query *query, struct answer *a, const struct pa
     const struct listed_row *listed = &scene->listed;
     const bool is_width = p->share == SHARE_width;
     const size_t kept = p->share == SHARE_s ? gaps_changed(listed) : 0;
-    struct problem none = {.kind = PROBLEM_NONE};
-    struct scene_row row = {.domino = NULL};
+    struct problem none;
+    struct scene_row row;
+    row.domino = NULL;
+    problem_begin(&none, NULL);
     if (listed->domino && (p->of_row || (is_width && listed->domino->width > 0)))
         change_say(query, a, "%s does not change the row, whose %s come from %s%s.", p->name,
                    is_width ? "widths" : "dominoes", effect_setting(query->scene, DOM_EFFECT_row),

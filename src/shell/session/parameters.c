@@ -120,6 +120,8 @@ domq_real parameter_value(const struct state *state, const struct parameter *p, 
 
 bool parameter_equal(const struct state *a, const struct state *b, const struct parameter *p)
 {
+    if (p->effect && !a->scene.effect[p->which].on && !b->scene.effect[p->which].on)
+        return true;
     const size_t size = p->words_only ? sizeof(unsigned)
                         : p->effect   ? sizeof a->scene.effect->value
                                       : sizeof(domq_real);
