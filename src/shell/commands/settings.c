@@ -320,17 +320,20 @@ static bool run_quit(struct session *session, const struct arguments *given, str
 #define A_PARAMETER                                                                                          \
     .name = "NAME", .kind = ARGUMENT_PARAMETER, .noun = "parameter", .choices = parameter_names
 
+#define A_VALUE .kind = ARGUMENT_VALUE
+/* The arguments of 'set' and 'effect'. */
 #define A_SETTING                                                                                            \
-    {A_PARAMETER}, {.name = "VALUE", .kind = ARGUMENT_VALUE},                                                \
-        {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true},                                             \
     {                                                                                                        \
-        .name = "Z", .kind = ARGUMENT_VALUE, .optional = true                                                \
+        {A_PARAMETER}, {.name = "VALUE", A_VALUE}, {.name = "Y", A_VALUE, .optional = true},                 \
+        {                                                                                                    \
+            .name = "Z", A_VALUE, .optional = true                                                           \
+        }                                                                                                    \
     }
 
 const struct command session_commands[] = {
     {.name = "set",
      .synonyms = "change assign parameter",
-     .argument = {A_SETTING},
+     .argument = A_SETTING,
      .summary = "give a parameter or an effect a value",
      .help = "VALUE is one of the words of the parameter, such as hollow or json, or an expression: 7/48, "
              "4.8 cm, 0.9*s, rmax. 'set s = 0.3', 'set s to 0.3' and 's = 0.3' mean the same. Only the range "
@@ -344,7 +347,7 @@ const struct command session_commands[] = {
     {.name = "effect",
      .typed.is_hidden = true,
      .synonyms = "switch turn",
-     .argument = {A_SETTING},
+     .argument = A_SETTING,
      .summary = "the same as set",
      .help = "Effects add to the paper's model: 'set friction 0.2', 'set slope 1 deg', 'set walls 1 "
              "mm', 'set row 13', 'set row record.csv', 'set push 3', 'set placement 1 mm', "

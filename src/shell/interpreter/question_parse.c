@@ -150,17 +150,12 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
         offer_names(r, a->choices, NULL);
         item->word = read_word(r, true);
         break;
-    case ARGUMENT_GRID:
-    case ARGUMENT_COMMAND:
-    case ARGUMENT_WORDS:
-    case ARGUMENT_UNIT:
-        return a->parse(r, q);
     case ARGUMENT_REST:
         item->word = reader_copy(r, r->at, strlen(r->at));
         r->at += strlen(r->at);
         return item->word != NULL;
     default:
-        return item_parse(r, a, item);
+        return a->parse ? a->parse(r, q) : item_parse(r, a, item);
     }
     return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
