@@ -36,9 +36,10 @@ bool scene_errors(const struct scene *scene, struct dom_random_error error[DOM_E
 /* Returns true if the random errors can be combined with the other effects. Otherwise reports the problem. */
 bool errors_check(const struct scene *scene, struct problem *problem);
 
-/* Describes the DOM_ERROR_COUNT elements of `error`, as in "gap 0.003 m, friction 0.05 uniform". */
+/* Describes the DOM_ERROR_COUNT elements of `error`, for programs as in "gap 0.003 m, friction 0.05 uniform",
+ * and for people with three digits and other units, as in "gap 3 mm, lean 1 deg at most". */
 enum { ERRORS_TEXT = 1024 };
-const char *errors_text(const struct dom_random_error *error, char text[ERRORS_TEXT]);
+const char *errors_text(const struct dom_random_error *error, bool for_people, char text[ERRORS_TEXT]);
 
 /* ---- Studies ---- */
 

@@ -164,14 +164,28 @@ bool errors_check(const struct scene *scene, struct problem *problem)
                                   "'set edges off', or 'set error_lean off'");
 }
 
-const char *errors_text(const struct dom_random_error *error, char text[ERRORS_TEXT])
+const char *errors_text(const struct dom_random_error *error, bool for_people, char text[ERRORS_TEXT])
 {
     text[0] = '\0';
-    for (int k = 0, n = 0; k < DOM_ERROR_COUNT; k++)
-        if (error[k].size > 0)
-            n += snprintf(text + n, (size_t)(ERRORS_TEXT - n), "%s%s %s%s%s%s", n ? ", " : "",
-                          error_kinds[k].name, quad_text((domq_real)error[k].size, 10),
-                          *error_kinds[k].unit ? " " : "", error_kinds[k].unit,
-                          error[k].uniform ? " uniform" : "");
+    for (int k = 0, n = 0; k < DOM_ERROR_COUNT; k++) {
+        const char *unit = error_kinds[k].unit;
+        const bool is_added = k == DOM_ERROR_friction || k == DOM_ERROR_floor;
+        char size[CELL_TEXT];
+        if (!(error[k].size > 0))
+            continue;
+        if (!for_people)
+            snprintf(size, sizeof size, "%s%s%s", quad_text((domq_real)error[k].size, 10), *unit ? " " : "",
+                     unit);
+        else if (strcmp(unit, "rad") == 0)
+            snprintf(size, sizeof size, "%s", measured(error[k].size * (180 / QUAD_PI), "deg", 3).text);
+        else
+            snprintf(size, sizeof size, "%s",
+                     measured(error[k].size, *unit || is_added ? unit : "share", 3).text);
+        n += snprintf(text + n, (size_t)(ERRORS_TEXT - n), "%s%s %s%s", n ? ", " : "", error_kinds[k].name,
+                      size,
+                      !error[k].uniform ? ""
+                      : for_people      ? " at most"
+                                        : " uniform");
+    }
     return text;
 }

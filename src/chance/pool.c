@@ -123,7 +123,7 @@ static bool block_write(void *context, size_t block, FILE *out)
                      cell_count((domq_real)study.dominoes), cell_count((domq_real)all),
                      cell_count((domq_real)p.first + 1), cell_count((domq_real)p.rows),
                      cell_count((domq_real)study.result.fall), cell_count((domq_real)study.result.unknown),
-                     cell_word(stops), cell_word(errors_text(p.error, errors)), cell_word(without));
+                     cell_word(stops), cell_word(errors_text(p.error, false, errors)), cell_word(without));
     }
     free(study.stops);
     free(without);

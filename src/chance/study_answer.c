@@ -35,7 +35,7 @@ enum dom_status study_run_with_causes(const struct dom_row *row, const struct do
     *study = (struct study){.sigma = p->error[DOM_ERROR_gap].size,
                             .heights = p->error[DOM_ERROR_height].size,
                             .dominoes = row->count};
-    errors_text(p->error, study->errors);
+    errors_text(p->error, false, study->errors);
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
         study->is_on[k] = p->error[k].size > 0;
         on += study->is_on[k];

@@ -128,35 +128,17 @@ static void push_words(const struct scene_row *scene, char *text, size_t size)
                  measured(row->push * row->domino[0].height, "m/s", 3).text);
 }
 
-/* Writes the random errors of the scene with three digits, such as "gap 5 mm, thickness 1 %, lean 1 deg". */
-static void errors_words(const struct dom_random_error *error, char *text, size_t size)
-{
-    int at = 0;
-    text[0] = '\0';
-    for (int k = 0; k < DOM_ERROR_COUNT && at < (int)size; k++) {
-        const bool is_added = k == DOM_ERROR_friction || k == DOM_ERROR_floor;
-        const bool is_angle = strcmp(error_kinds[k].unit, "rad") == 0;
-        const char *unit = is_angle                           ? "deg"
-                           : *error_kinds[k].unit || is_added ? error_kinds[k].unit
-                                                              : "share";
-        if (error[k].size > 0)
-            at += snprintf(text + at, size - (size_t)at, "%s%s %s%s", at ? ", " : "", error_kinds[k].name,
-                           measured(error[k].size * (is_angle ? 180 / QUAD_PI : 1), unit, 3).text,
-                           error[k].uniform ? " at most" : "");
-    }
-}
-
 /* `mark` says how the tables mark a value. */
 static void caption_write(struct plan *p, const char *mark)
 {
-    char errors[SENTENCE], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
+    char errors[ERRORS_TEXT], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
     struct stage *stage = &p->row.stage;
     const struct dom_study *s = &p->study;
     const size_t *critical = p->windows.critical;
     falling_row_summary(&p->row, summary);
     falling_row_verdict(&p->row, verdict);
     falling_row_weakest(&p->row, weakest);
-    errors_words(p->error, errors, sizeof errors);
+    errors_text(p->error, true, errors);
     push_words(&p->row.run.scene, start, sizeof start);
     int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor; the person is 1.75 m tall. %s %s%s%s",
                       summary, measured((domq_real)stage->right, "m", 3).text, start, verdict,
