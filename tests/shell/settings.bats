@@ -134,7 +134,6 @@ END
             columns_in_line "show after '$scene'" 'name value range default meaning'
     done
     "$DOMINO" -e 'show density' | columns_in_line 'show density' 'name value unit range default meaning'
-    "$DOMINO" -e 'help set' | sed -e '1,/^The parameters now/d' -e '/^$/,$d' | columns_in_line 'help set' 'name value range default meaning'
 }
 
 # bats test_tags=rows,planning

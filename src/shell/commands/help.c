@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands help, apropos, complete and version. */
-#include "answer/format.h"
 #include "answer/wrap.h"
-#include "commands/tables.h"
 #include "commands/topics.h"
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"
@@ -169,21 +167,6 @@ static void help_example(struct session *session, const char *example)
     session_close(&fresh);
 }
 
-static void help_show(struct session *session)
-{
-    const struct arguments all = {.count = 1};
-    struct problem ignored = {.kind = PROBLEM_NONE};
-    struct query query = session_query(session);
-    struct answer answer = {.out = session->output->out,
-                            .style = session->state.settings.style,
-                            .columns = show_columns,
-                            .rows = true};
-    answer.style.format = &format_table;
-    query.given = &all;
-    fputs("\nThe parameters now:\n", session->output->out);
-    run_show(&query, &answer, &ignored);
-}
-
 static void columns_write(FILE *out, const struct column *columns)
 {
     int key = 12, unit = 6; /* minimum widths, so that most help pages look alike */
@@ -242,8 +225,6 @@ static void help_command(struct session *session, const struct topic *t)
         help_parts(out, c);
     if (command_arity(c, &fewest) >= 0)
         help_say(out, "In an expression, '%s' stands for the value %s.", c->name, c->principal);
-    if (c->argument[0].kind == ARGUMENT_PARAMETER && c->argument[1].kind == ARGUMENT_VALUE)
-        help_show(session);
     if (t->example)
         help_example(session, t->example);
     if (t->see) {
