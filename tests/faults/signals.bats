@@ -60,11 +60,8 @@ every_file_command() { # SIGNAL
 @test "SIGINT while files are written" { every_file_command INT; }
 @test "SIGTERM while files are written" { every_file_command TERM; }
 @test "SIGHUP while files are written" { every_file_command HUP; }
-@test "SIGQUIT while files are written" { ulimit -c 0 && every_file_command QUIT; }
 @test "SIGALRM while files are written" { every_file_command ALRM; }
-@test "SIGUSR1 while files are written" { every_file_command USR1; }
 @test "SIGXCPU while files are written" { ulimit -c 0 && every_file_command XCPU; }
-@test "SIGVTALRM while files are written" { every_file_command VTALRM; }
 
 @test "exceeding the limit of processor time leaves no temporary file" {
     enter

@@ -115,13 +115,3 @@ END
     [[ $row == 19,* ]] || same 'row 19' '19,...' "$row"
     exec 5<&-
 }
-
-# bats test_tags=rows,chance
-@test "the answer before a long computation is written before it" {
-    exec 5< <(exec "$DOMINO" -n -e 'print 1; print 41 + 1; effect row 13; effect placement 8 mm; placement 9000000' 3>&-)
-    local child=$! said=''
-    for _ in 1 2 3; do read -r -t 60 said <&5; done
-    kill -KILL $child
-    same 'the second answer' 42 "$said"
-    exec 5<&-
-}

@@ -43,18 +43,41 @@ struct column *answer_columns(struct answer *a, const struct column *columns)
     return a->copy;
 }
 
+/* Returns true if a list of keys, separated by blanks, has this key. */
+static bool key_listed(const char *keys, const char *key)
+{
+    const size_t length = strlen(key);
+    for (size_t n; *keys; keys += n + strspn(keys + n, " ")) {
+        n = strcspn(keys, " ");
+        if (n == length && strncmp(keys, key, n) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Leaves out the columns that a list has or, if `listed` is false, those that it does not have. */
+static void columns_leave_out(struct answer *a, const char *keys, bool listed)
+{
+    struct column *c = answer_columns(a, a->columns);
+    int from = 0, to = 0;
+    for (int cell = 0; c[from].key; cell++) {
+        if (a->left_out >> cell & 1)
+            continue;
+        if (key_listed(keys, c[from].key) == listed)
+            a->left_out |= 1u << cell;
+        else {
+            c[to] = c[from];
+            a->layout.largest[to] = a->layout.largest[from];
+            a->layout.measure[to++] = a->layout.measure[from];
+        }
+        from++;
+    }
+    c[to].key = NULL;
+}
+
 void answer_leave_out(struct answer *a, const char *keys)
 {
-    for (size_t n; *keys; keys += n + strspn(keys + n, " ")) {
-        struct column *c = answer_columns(a, a->columns);
-        int i = 0; /* the index of the cell that belongs to this column */
-        n = strcspn(keys, " ");
-        for (; a->left_out >> i & 1 || strncmp(c->key, keys, n) != 0 || c->key[n]; i++)
-            c += !(a->left_out >> i & 1);
-        a->left_out |= 1u << i;
-        for (; c->key; c++)
-            c[0] = c[1];
-    }
+    columns_leave_out(a, keys, true);
 }
 
 void answer_describe(struct answer *a, const char *key, const char *unit, const char *meaning)
@@ -268,18 +291,6 @@ char *rest_end(struct rest *rest)
     return text;
 }
 
-/* Returns true if a list of keys, separated by blanks, has this key. */
-static bool key_listed(const char *keys, const char *key)
-{
-    const size_t length = strlen(key);
-    for (size_t n; *keys; keys += n + strspn(keys + n, " ")) {
-        n = strcspn(keys, " ");
-        if (n == length && strncmp(keys, key, n) == 0)
-            return true;
-    }
-    return false;
-}
-
 /* Before the first row: prepares the rest for rows with all columns, and leaves those out of the answer that
  * answer->details.brief does not list. */
 static void rest_begin_rows(struct answer *a)
@@ -287,15 +298,7 @@ static void rest_begin_rows(struct answer *a)
     a->details.has_rows = true;
     if (rest_answer(a))
         rest_copy(a, a->details.rest);
-    for (int i = 0; a->columns[i].key;) {
-        if (key_listed(a->details.brief, a->columns[i].key)) {
-            i++;
-            continue;
-        }
-        for (int k = i; k + 1 < ANSWER_COLUMNS; k++)
-            a->layout.largest[k] = a->layout.largest[k + 1];
-        answer_leave_out(a, a->columns[i].key);
-    }
+    columns_leave_out(a, a->details.brief, false);
 }
 
 /* Returns the number of cells in a row, including those that are left out. */
@@ -309,12 +312,6 @@ static int cells_count(const struct answer *a)
     return count;
 }
 
-void answer_keep(struct answer *a, const struct cell *cells)
-{
-    if (a->kept)
-        memcpy(a->kept, cells, (size_t)cells_count(a) * sizeof *cells);
-}
-
 bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct cell row[ANSWER_COLUMNS];
@@ -322,7 +319,8 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
     memcpy(row, cells, (size_t)count * sizeof *row);
     for (int i = 0; i < count && a->in_double; i++)
         row[i].in_double = true;
-    answer_keep(a, row);
+    if (a->kept)
+        memcpy(a->kept, row, (size_t)count * sizeof *row);
     if (a->errors.recorder)
         reference_add(a->errors.recorder, a->errors.row, row, (size_t)count);
     if (a->errors.reference)

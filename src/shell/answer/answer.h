@@ -192,10 +192,6 @@ bool answer_row(struct answer *answer, const struct cell *cells, const char *rea
 /* Writes a row in which no value is missing. */
 #define answer_cells(answer, ...) answer_row(answer, (const struct cell[]){__VA_ARGS__}, NULL)
 
-/* Keeps the cells of a row without writing them, so that 'ans' can use them later. Commands that answer only
- * in sentences need this function. */
-void answer_keep(struct answer *answer, const struct cell *cells);
-
 /* Fixes the layout before the first row is known. The layout becomes what it would be if the first row were
  * `sample`. If `sample` is NULL, no column shows errors. */
 void answer_plan(struct answer *answer, const struct cell *sample);
