@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: rows chance */
-/* The public API of rows, counts, scales and effects, in both headers, and the simple functions. */
+/* The public API of rows, scales and effects, in both headers, and the simple functions. */
 #include "domino_float.h"
 #include "support.h"
 #include <float.h>
@@ -116,7 +116,7 @@ TEST(rows)
         }
 }
 
-/* ---- Searches and studies ---- */
+/* ---- Studies ---- */
 
 /* A row of a train, in double. */
 struct rows {
@@ -133,73 +133,6 @@ static void rows_make(struct rows *r, double growth, double push)
     dom_row_of_train(&train, &scale, 1, r->domino, ROW);
     r->row = (struct dom_row){.domino = r->domino, .count = ROW, .g = scale.g, .push = push, .floor = true};
     r->compute = dom_compute_default();
-}
-
-static void row_of_growth(double growth, struct dom_domino *domino, size_t count, void *context)
-{
-    const struct dom_scale scale = dom_scale_default();
-    struct dom_train train = dom_train_default();
-    (void)context;
-    train.r = growth;
-    dom_row_of_train(&train, &scale, 1, domino, count);
-}
-
-static void part_done(size_t done, size_t of, void *context)
-{
-    size_t *parts = context;
-    assert_true(done == *parts + 1 && done <= of);
-    *parts = done;
-}
-
-/* What the searches find for a row. */
-struct found {
-    struct dom_row_growth growth;
-    struct dom_window windows[DOM_WINDOW_LEAN + 1][ROW];
-    struct dom_window mends[ROW]; /* the windows of the gaps of a row that does not fall */
-    double push;
-};
-
-static void search_all(struct found *found)
-{
-    struct rows r;
-    size_t parts = 0;
-    memset(found, 0, sizeof *found);
-    rows_make(&r, 1.3, 6);
-    assert_status(dom_row_rmax(&r.row, &r.compute, 2.5, row_of_growth, NULL, &found->growth), DOM_OK);
-    for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_LEAN; of++)
-        assert_status(dom_row_windows(&r.row, &r.compute, of, NULL, NULL, found->windows[of]), DOM_OK);
-    r.domino[3].gap *= 2.2;
-    assert_status(dom_row_windows(&r.row, &r.compute, DOM_WINDOW_GAP, part_done, &parts, found->mends),
-                  DOM_OK);
-    assert_true(parts == ROW - 1 && found->mends[2].high < r.domino[3].gap);
-    rows_make(&r, 1.3, 0.2);
-    assert_status(dom_row_weakest_push(&r.row, &r.compute, 100, &found->push), DOM_OK);
-}
-
-TEST(growths_mends_and_pushes)
-{
-    static struct found found;
-    search_all(&found);
-    assert_true(found.growth.r_max > 1 && found.growth.r_max < 2.5 && found.push > 0.2);
-    for (size_t k = 0; k + 1 < ROW; k++)
-        assert_true(found.windows[DOM_WINDOW_GAP][k].low < found.windows[DOM_WINDOW_GAP][k].high);
-}
-
-/* Checks that what is found can be typed: the lower ends of windows have seven digits, and a push
- * has four. */
-TEST(ends_have_few_digits)
-{
-    static struct found found;
-    char digits[32];
-    search_all(&found);
-    for (int of = DOM_WINDOW_GAP; of <= DOM_WINDOW_HEIGHT; of++)
-        for (size_t k = 0; k + 1 < ROW; k++) {
-            const struct dom_window *w = &found.windows[of][k];
-            snprintf(digits, sizeof digits, "%.7g", w->low);
-            assert_true(w->below == DOM_ROW_FALLS || strtod(digits, NULL) == w->low);
-        }
-    snprintf(digits, sizeof digits, "%.4g", found.push);
-    assert_true(strtod(digits, NULL) == found.push);
 }
 
 /* Runs tasks from the last to the first and counts them. */
@@ -246,23 +179,7 @@ TEST(studies)
     assert_true(study.low == same.low);
 }
 
-/* ---- Counts, scales, arithmetic ---- */
-
-TEST(counts)
-{
-    struct dom_count own;
-    struct domf_count in_float;
-    struct domq_count wide;
-    struct any_compute compute = any_compute_default();
-    assert_status(dom_count_find(0.048, 112, 1.5, &own), DOM_OK);
-    assert_status(any_count_find((domq_real)0.048, 112, 1.5, &compute, &wide), DOM_OK);
-    DOM_MEMBERS_count(NUMBER, NONE, NONE, OTHER) assert_true(own.dominoes == 20);
-    assert_status(domf_count_find(0.048F, 112, 1.5F, &in_float), DOM_OK);
-    assert_true(in_float.dominoes == 20);
-    compute.precision = IN_QUAD;
-    assert_status(any_count_find((domq_real)48 / 1000, 112, 1.5, &compute, &wide), DOM_OK);
-    assert_true(wide.dominoes == 20);
-}
+/* ---- Scales, arithmetic ---- */
 
 TEST(scales_and_precisions)
 {

@@ -200,7 +200,8 @@ static void one_verdict(const struct setup *train, enum dom_status expected)
     status = ask_cycle_events(train, events, &n);
     if (status == DOM_NO_MARGIN)
         return;
-    if(status!=expected) fail_train(dom_status_text(status), train, (double)b.kinetic, (double)b.barrier);
+    if (status != expected)
+        fail_train(dom_status_text(status), train, (double)b.kinetic, (double)b.barrier);
     assert_status(ask_cycle_state(train, angles.theta_c, &s), expected);
     assert_int_equal(events[n - 1].kind, expected == DOM_OK ? DOM_EVENT_HIT : DOM_EVENT_STOP);
     if (expected == DOM_STOPS) { /* the train reaches its stop, but no larger tilt */

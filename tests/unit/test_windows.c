@@ -54,6 +54,14 @@ static bool falls_changed(const struct run *run, enum dom_window_of of, const st
     return row_end(&other) == DOM_ROW_FALLS;
 }
 
+/* Checks that a value can be typed with seven digits. */
+static void check_digits(double value)
+{
+    char digits[32];
+    snprintf(digits, sizeof digits, "%.7g", value);
+    assert_true(strtod(digits, NULL) == value);
+}
+
 /* Checks that all dominoes fall with the values of a window, but not with values just outside, unless the
  * window ends at the limit of the range. */
 static void check_window(const struct run *run, enum dom_window_of of, const struct dom_window *w,
@@ -69,6 +77,8 @@ static void check_window(const struct run *run, enum dom_window_of of, const str
     assert_true(low <= high);
     for (int part = 0; part <= 8; part++)
         assert_true(falls_changed(run, of, w, low + (high - low) * part / 8));
+    if (ends_below && of <= DOM_WINDOW_HEIGHT)
+        check_digits(low);
     if (ends_below)
         assert_false(falls_changed(run, of, w, low - outside));
     if (ends_above)
