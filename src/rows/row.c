@@ -25,10 +25,57 @@ static const struct column row_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* Writes domino k, counted from 0. If `writes` is false, only announces its numbers, so that the columns get
+ * their units. */
+static void domino_write(struct answer *a, const struct scene_row *scene, size_t k, bool writes)
+{
+    const struct domq_domino *d = &scene->domino[k];
+    const struct cell cells[] = {cell_count((domq_real)k + 1), cell_real(d->height),
+                                 cell_real(d->thickness),      cell_real(d->gap),
+                                 cell_real(d->mass),           cell_real(d->mass / scene->domino[0].mass),
+                                 cell_real(d->radius),         cell_real(lean_offset(d)),
+                                 cell_real(d->width)};
+    for (int i = 1; i < 9 && !writes; i++)
+        answer_announce(a, row_columns[i].key, cells[i].number);
+    if (writes)
+        answer_row(a, cells, NULL);
+}
+
+/* Writes the dominoes from index `from` to before `to`. */
+static void dominoes_write(const struct query *query, struct answer *a, const struct scene_row *scene,
+                           size_t from, size_t to)
+{
+    const bool has_masses = scene_has_masses(query->scene);
+    bool has_radii = false, has_leans = false, has_widths = false;
+    domq_real heaviest = 0, sum = 0;
+    for (size_t k = from; k < to; k++) {
+        const struct domq_domino *d = &scene->domino[k];
+        sum += d->mass;
+        heaviest = quad_larger(heaviest, d->mass);
+        has_radii = has_radii || d->radius > 0;
+        has_leans = has_leans || d->lean != 0;
+        has_widths = has_widths || d->width != d->height / 2;
+    }
+    a->columns = row_columns;
+    a->rows = true;
+    answer_leave_out(a, has_masses ? "relative" : "mass");
+    answer_leave_out(a, has_radii ? "" : "radius");
+    answer_leave_out(a, has_leans ? "" : "lean");
+    answer_leave_out(a, has_widths ? "" : "width");
+    answer_unit(a, "mass", scene_mass_measure(query->scene, heaviest));
+    a->csv.units = true;
+    a->style.errors = false; /* 'set row FILE' cannot read columns with errors */
+    for (int writes = 0; writes < 2; writes++)
+        for (size_t k = from; k < to && !answer_lost(a); k++)
+            domino_write(a, scene, k, writes);
+    if (has_masses && to - from > 1 && answer_for_people(a))
+        answer_say(a, "All %zu weigh %s.", to, measured(sum, "kg", 5).text);
+}
+
 bool row_list(const struct query *query, size_t only, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
-    bool has_radii = false, has_leans = false, has_widths = false;
+    struct problem no_room = {.kind = PROBLEM_NONE};
     char *others = NULL;
     if (!scene_row_list(query->scene, &scene, problem))
         return false;
@@ -37,57 +84,18 @@ bool row_list(const struct query *query, size_t only, struct answer *a, struct p
         (to <= count || problem_error(problem, "the row has %zu domino%s", count, count == 1 ? "" : "es")) &&
         (!a->path || rowfile_others(&query->scene->listed, &others) ||
          query_status(query, problem, DOM_NO_MEMORY));
-    if (!good) {
-        free(scene.domino);
-        free(others);
-        return false;
+    if (good) {
+        a->csv.extra = others;
+        dominoes_write(query, a, &scene, from, to);
+        a->csv.extra = NULL;
+        if (!scene_walls_fit(query->scene, &scene, &no_room) && answer_for_people(a))
+            answer_say(a, "This row has no answer yet: %s.", no_room.text);
+        if (query->next && a->path && only == 0)
+            query->next->scene.listed.saved = true;
     }
-    domq_real heaviest = 0, sum = 0;
-    for (size_t k = from; k < to; k++) {
-        sum += scene.domino[k].mass;
-        heaviest = quad_larger(heaviest, scene.domino[k].mass);
-        has_radii = has_radii || scene.domino[k].radius > 0;
-        has_leans = has_leans || scene.domino[k].lean != 0;
-        has_widths = has_widths || scene.domino[k].width != scene.domino[k].height / 2;
-    }
-    a->columns = row_columns;
-    a->rows = true;
-    answer_leave_out(a, scene_has_masses(query->scene) ? "relative" : "mass");
-    if (!has_radii)
-        answer_leave_out(a, "radius");
-    if (!has_leans)
-        answer_leave_out(a, "lean");
-    if (!has_widths)
-        answer_leave_out(a, "width");
-    answer_unit(a, "mass", scene_mass_measure(query->scene, heaviest));
-    a->csv.units = true;
-    a->style.errors = false; /* 'set row FILE' cannot read columns with errors */
-    a->csv.extra = others;
-    for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
-        for (size_t k = from; k < to && !answer_lost(a); k++) {
-            const struct domq_domino *d = &scene.domino[k];
-            const struct cell cells[] = {
-                cell_count((domq_real)k + 1), cell_real(d->height),
-                cell_real(d->thickness),      cell_real(d->gap),
-                cell_real(d->mass),           cell_real(d->mass / scene.domino[0].mass),
-                cell_real(d->radius),         cell_real(lean_offset(d)),
-                cell_real(d->width)};
-            for (int i = 1; i < 9 && !writes; i++)
-                answer_announce(a, row_columns[i].key, cells[i].number);
-            if (writes)
-                answer_row(a, cells, NULL);
-        }
-    a->csv.extra = NULL;
     free(others);
-    if (scene_has_masses(query->scene) && to - from > 1 && answer_for_people(a))
-        answer_say(a, "All %zu weigh %s.", to, measured(sum, "kg", 5).text);
-    struct problem no_room = {.kind = PROBLEM_NONE};
-    if (!scene_walls_fit(query->scene, &scene, &no_room) && answer_for_people(a))
-        answer_say(a, "This row has no answer yet: %s.", no_room.text);
     free(scene.domino);
-    if (query->next && a->path && only == 0)
-        query->next->scene.listed.saved = true;
-    return true;
+    return good;
 }
 
 static bool run_row(const struct query *query, struct answer *a, struct problem *problem)
