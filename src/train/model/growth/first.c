@@ -68,7 +68,9 @@ struct first {
     struct change change;
     struct zero root;
     real falls; /* scaled_value at the known root */
-    real step;  /* of the difference quotient in scaled_slope */
+    /* the step of the difference quotient in scaled_slope, and the tolerance of its two margins, where 0
+     * stands for all digits */
+    real step, tol;
 };
 
 /* An interval between two samples, with the samples before and after it if there are any, and the minimum
@@ -170,10 +172,23 @@ static real scaled_slope(real x, void *context)
 {
     struct first *s = context;
     const real step = s->step, lo = fmax(x - step, s->from), hi = fmin(x + step, 0);
-    struct margin_sample a, b;
-    if (sample_finely(s, r_of(s->c, lo), &a) != DOM_OK || sample_finely(s, r_of(s->c, hi), &b) != DOM_OK)
+    const struct margin_sample a = {.r = r_of(s->c, lo),
+                                    .margin = margin_within(s->c, r_of(s->c, lo), s->tol)};
+    if (s->c->status != DOM_OK)
         return REAL_NAN;
-    return (scaled(s, &b, 0) - scaled(s, &a, 0)) / (hi - lo);
+    const struct margin_sample b = {.r = r_of(s->c, hi),
+                                    .margin = margin_within(s->c, r_of(s->c, hi), s->tol)};
+    return s->c->status == DOM_OK ? (scaled(s, &b, 0) - scaled(s, &a, 0)) / (hi - lo) : REAL_NAN;
+}
+
+/* Returns a number with the sign of scaled_slope. Often, a few digits of the margins show this sign: those
+ * that would show a slope as steep as `mean`. */
+static real slope_sign(struct first *s, real x, real mean)
+{
+    s->tol = fmin(fabs(mean) * s->step / 64, SAMPLE_TOL);
+    const real slope = scaled_slope(x, s), error = 8 * s->tol / s->step;
+    s->tol = 0;
+    return s->c->status != DOM_OK || fabs(slope) > error ? slope : scaled_slope(x, s);
 }
 
 /* Returns true if the scaled margin changes by so much that the interval cannot contain a minimum: by more
@@ -201,7 +216,8 @@ static enum dom_status find_minimum(struct first *s, const struct stretch *in, s
     if (is_steep(s, in))
         return DOM_OK;
     s->step = fmin(cbrt(REAL_EPSILON) / 8, (hi - lo) / 256);
-    const real at_lo = scaled_slope(lo, s), at_hi = at_lo < 0 ? scaled_slope(hi, s) : 0;
+    const real mean = (scaled(s, in->hi, 0) - scaled(s, in->lo, 0)) / (hi - lo),
+               at_lo = slope_sign(s, lo, mean), at_hi = at_lo < 0 ? slope_sign(s, hi, mean) : 0;
     if (s->c->status != DOM_OK || !(at_lo < 0 && at_hi > 0))
         return s->c->status;
     /* near the minimum, the margin changes with the square of the distance */

@@ -166,16 +166,21 @@ KERNEL real margin_finest(const struct margin_context *c)
     return fmin(c->geometry.tol, 4 * REAL_EPSILON);
 }
 
-KERNEL struct margin margin_finely(struct margin_context *c, real r)
+KERNEL struct margin margin_within(struct margin_context *c, real r, real tol)
 {
     struct margin m = {.kinetic = REAL_NAN};
     c->how = MARGIN_SURE;
-    if (margin_to(c, r, margin_finest(c), &m) == DOM_NOT_CONVERGED)
+    if (margin_to(c, r, fmax(tol, margin_finest(c)), &m) == DOM_NOT_CONVERGED)
         margin_to(c, r, c->geometry.tol, &m);
     return m;
 }
 
 #define MARGIN_ROUGH ((real)1e-3)
+
+KERNEL struct margin margin_finely(struct margin_context *c, real r)
+{
+    return margin_within(c, r, 0);
+}
 
 KERNEL struct margin margin_sign(struct margin_context *c, real r, bool bound)
 {

@@ -61,7 +61,9 @@ KERNEL struct margin_context margin_of_pair(const struct request *train);
  * returns NaN. `context` must point to a struct margin_context, which receives the status. */
 KERNEL real margin_at(real r, void *context);
 
-/* Returns the margin with all digits that the arithmetic allows. The kinetic energy is NaN after an error. */
+/* Return the margin to the tolerance tol, and with all digits that the arithmetic allows. The kinetic energy
+ * is NaN after an error. */
+KERNEL struct margin margin_within(struct margin_context *c, real r, real tol);
 KERNEL struct margin margin_finely(struct margin_context *c, real r);
 
 /* If the kinetic energy exceeds MARGIN_HIGH barrier_most, margin_sign does not search for the barrier. */
