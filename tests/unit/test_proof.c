@@ -114,9 +114,9 @@ static int points_wrong(struct proof *proof)
             double slack = 4e-16 * (1 + J0);
             struct span D = climb_find(u, sigma, sigma, false).height;
             wrong += outside(u->fuel, P[k % 2], slack) + outside(u->inertia, J0 - 1, slack) +
-                     outside(u->kinetic, J0 * w[k % 2], slack) + outside(D, csv_number(csv, "dH"), slack);
+                     outside(u->kinetic.value, J0 * w[k % 2], slack) + outside(D, csv_number(csv, "dH"), slack);
             if (k < 2 && s >= 0.1)
-                wrong += !(u->kinetic.hi - u->kinetic.lo < 1e-11 && D.hi - D.lo < 1e-11);
+                wrong += !(u->kinetic.value.hi - u->kinetic.value.lo < 1e-11 && D.hi - D.lo < 1e-11);
         }
     }
     return wrong;
@@ -146,10 +146,10 @@ static int boxes_wrong(struct proof *proof, bool paper, bool pair)
         for (int i = 0; i < 2; i++) {
             if (!upright_find(&shape, r[i], r[i], 1e-15, &proof->point))
                 return wrong + 1;
-            K[i] = proof->point.kinetic;
+            K[i] = proof->point.kinetic.value;
             wrong += !pair && (outside(proof->box.inertia, proof->point.inertia.lo, 1e-14) ||
                                outside(proof->box.fuel, span_middle(proof->point.fuel), 1e-14));
-            wrong += outside(proof->box.kinetic, span_middle(K[i]), 1e-14);
+            wrong += outside(proof->box.kinetic.value, span_middle(K[i]), 1e-14);
             for (int j = 0; j < 2; j++) {
                 D[i][j] = climb_find(&proof->point, sigma[j], sigma[j], false).height;
                 wrong += outside(box.height, D[i][j].lo, 0) || outside(box.height, D[i][j].hi, 1e-14);
@@ -161,7 +161,7 @@ static int boxes_wrong(struct proof *proof, bool paper, bool pair)
         double width = r[1] - r[0], by_r = (span_middle(D[1][0]) - span_middle(D[0][0])) / width;
         if (width > 1e-6 && proof->box.by_r) {
             wrong += outside(box.by_r, by_r, slack / width);
-            wrong += outside(proof->box.kinetic_by_r, (span_middle(K[1]) - span_middle(K[0])) / width,
+            wrong += outside(proof->box.kinetic.by_r, (span_middle(K[1]) - span_middle(K[0])) / width,
                              slack / width);
         }
     }

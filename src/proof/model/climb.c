@@ -27,7 +27,7 @@ static void climb_rest(const struct upright *u, const struct domino *domino, str
 {
     const struct growth *g = &u->growth;
     const struct link *link = &u->link[u->n];
-    double fall = least_0(up(link->g.hi - u->g_last)), power = link->weight.hi;
+    double fall = least_0(up(link->g.value.hi - u->g_last)), power = link->weight.value.hi;
     struct rest rest = rest_find(g, domino, &contact, power, fall, u->n);
     climb->height.lo =
         PROOF_BOUND(REST_OF_HEIGHT, down(climb->height.lo - up(power * fall)), climb->height.lo);
@@ -44,28 +44,30 @@ struct climb climb_find(const struct upright *u, double low, double high, bool d
      * that dtheta/dsigma = 1/sqrt(1 - sigma^2/4). */
     struct domino domino = {.v = {least_0(down(low * low / 2)), most_1(up(high * high / 2))},
                             .slope = {1, 1}};
-    struct climb climb = {.height = {0, 0}};
+    struct dual height = {{0, 0}, {0, 0}};
+    struct span by_tilt = {0, 0};
     bool bounded = derivatives && u->by_r;
     struct contact contact = {.held = false};
     if (u->n == 0)
         return (struct climb){everything(), everything(), everything()};
     for (int i = 0; i < u->n; i++) {
         const struct link *link = &u->link[i];
-        struct span rise = span_sub(tilt_height(shape, domino.v), link->g);
-        climb.height = span_add(climb.height, span_scale(link->weight, rise));
-        if (derivatives) {
-            struct span h = tilt_rise(shape, domino.v);
-            struct span less = span_scale(span_scale(span_of(i), span_over(shape->q, g->r)), rise);
-            struct span slide = span_sub(span_mul(h, domino.shift), link->slide);
-            climb.by_tilt = span_add(climb.by_tilt, span_scale(link->weight, span_mul(h, domino.slope)));
-            climb.by_r = span_add(climb.by_r, span_scale(link->weight, span_sub(slide, less)));
-            contact = chain_contact(g, domino.v);
-            bounded = bounded && contact.Y.lo > 0 && isfinite(contact.shift.hi);
-            domino = chain_next(g, &domino, &contact);
-        } else {
+        struct dual h = dual_of(tilt_height(shape, domino.v));
+        if (!derivatives) {
+            height.value =
+                span_add(height.value, span_scale(link->weight.value, span_sub(h.value, link->g.value)));
             domino.v = chain_follow(g, domino.v);
+            continue;
         }
+        struct span rise = tilt_rise(shape, domino.v);
+        h.by_r = span_mul(rise, domino.shift);
+        height = dual_add(height, dual_scale(link->weight, dual_sub(h, link->g)));
+        by_tilt = span_add(by_tilt, span_scale(link->weight.value, span_mul(rise, domino.slope)));
+        contact = chain_contact(g, domino.v);
+        bounded = bounded && contact.Y.lo > 0 && isfinite(contact.shift.hi);
+        domino = chain_next(g, &domino, &contact);
     }
+    struct climb climb = {height.value, by_tilt, height.by_r};
     if (!u->exact_end)
         climb_rest(u, &domino, derivatives ? chain_contact(g, domino.v) : contact, &climb);
     struct span quarter = {down(low * low / 4), up(high * high / 4)};

@@ -144,7 +144,8 @@ enum outcome proof_strip(struct proof *proof, double r_low, double r_high)
         return OUTCOME_OPEN;
     if (proof->point.fuel.hi <= 0)
         return OUTCOME_REFUTED;
-    struct level level = {proof->box.kinetic, proof->point.kinetic, proof->box.kinetic_by_r, true};
+    struct level level = {proof->box.kinetic.value, proof->point.kinetic.value, proof->box.kinetic.by_r,
+                          true};
     return cover_all(proof, &level);
 }
 
@@ -189,7 +190,7 @@ bool proof_stops(struct proof *proof, double r_low, double r_high, double top)
         return true;
     double at = smaller(top, upright_hit_below(&proof->box));
     struct climb climb = climb_of(proof, &proof->box, at, at, false);
-    return up(proof->box.kinetic.hi - climb.height.lo) < 0;
+    return up(proof->box.kinetic.value.hi - climb.height.lo) < 0;
 }
 
 static double guess_height(struct proof *proof, double at)
@@ -203,7 +204,8 @@ double proof_guess(struct proof *proof, double r, double *top)
     *top = 0;
     if (proof_interrupted(proof) || !upright_find(&proof->shape, r, r, 1e-17, &proof->point))
         return NAN;
-    double hit = upright_hit_below(&proof->point), best = 0, kinetic = span_middle(proof->point.kinetic);
+    double hit = upright_hit_below(&proof->point), best = 0,
+           kinetic = span_middle(proof->point.kinetic.value);
     for (int k = 1; k <= SAMPLES && !proof_interrupted(proof); k++) {
         double height = guess_height(proof, hit * k / SAMPLES);
         if (height > best) {

@@ -5,15 +5,15 @@
 #define DOM_PROOF_ENERGY_H
 
 #include "proof/model/chain.h"
+#include "proof/model/dual.h"
 #include <stddef.h>
 
 enum { LINKS_MOST = 20000 };
 
 /* Domino i while the head of the train is upright; theta_i0 is the tilt of domino i. */
 struct link {
-    struct span g;      /* h(theta_i0) - 1 */
-    struct span slide;  /* dh(theta_i0)/dr */
-    struct span weight; /* r^(-q i) */
+    struct dual g;      /* h(theta_i0) - 1 */
+    struct dual weight; /* r^(-q i) */
 };
 
 /* The train at the beginning of a cycle, when its head is upright. All energies are differences from the
@@ -35,8 +35,8 @@ struct upright {
     /* P and T; for a pair, `fuel` is the energy that domino 1 releases, in m g h / 2 of domino 1, and
      * `inertia` is not set */
     struct span fuel, inertia;
-    struct span kinetic, kinetic_by_r; /* the kinetic energy K, and dK/dr, which may be infinite */
-    bool by_r;                         /* true if the derivatives with respect to r are finite */
+    struct dual kinetic; /* the kinetic energy K; its derivative may be infinite */
+    bool by_r;           /* true if the derivatives with respect to r are finite */
 };
 
 /*

@@ -153,7 +153,7 @@ static struct span barrier_prove(struct proof *proof, double low, double high, d
         double at = smaller(top, upright_hit_below(&proof->box));
         barrier.lo = least_0(climb_find(&proof->box, at, at, false).height.lo);
     }
-    double kinetic = larger(proof->box.kinetic.hi, 0);
+    double kinetic = larger(proof->box.kinetic.value.hi, 0);
     *outcome = OUTCOME_OPEN;
     for (double more = larger(tol * (barrier.lo + kinetic), 1e-16); more < 1 && *outcome == OUTCOME_OPEN;
          more *= 4) {
@@ -178,7 +178,8 @@ static void cycle_prove(struct proof *proof, double r, double tol, struct dom_pr
         result->verdict = DOM_PROVED_NO_FUEL;
         return;
     }
-    struct span kinetic = proof->box.kinetic, barrier = barrier_prove(proof, low, high, tol, top, &outcome),
+    struct span kinetic = proof->box.kinetic.value,
+                barrier = barrier_prove(proof, low, high, tol, top, &outcome),
                 margin = span_sub(kinetic, barrier);
     bool fuel = proof->box.fuel.lo > 0;
     result->kinetic = interval_of(kinetic);

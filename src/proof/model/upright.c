@@ -6,63 +6,51 @@
 /* Domino i of the chain, and the sums over all dominoes before domino i. */
 struct walk {
     struct domino domino;
-    struct span twist;        /* derivative of the slope with respect to r */
+    struct dual slope;        /* domino.slope */
     struct span share, power; /* r^(-(q+1) i), r^(-q i) */
-    struct span fuel, fuel_by_r, T, T_by_r;
+    struct dual fuel, T;
 };
 
-static struct span least_zero(struct span a)
+/* Returns r^(-a i) with its derivative, for an a > 0. */
+static struct dual power_of(const struct growth *g, struct span power, struct span a, int i)
 {
-    return (struct span){least_0(a.lo), a.hi};
+    return (struct dual){power, span_negate(span_scale(span_scale(span_of(i), span_over(a, g->r)), power))};
 }
 
-/* Returns the total derivative of dF/dtheta with respect to r, where dF/dtheta = 1 - r L x / Y. If r changes,
- * the tilt theta_i of the domino changes too, by dtheta_i/dr = `shift`. */
-static struct span step_bend(const struct growth *g, const struct contact *c, struct span v,
-                             struct span shift)
+/* Returns dF/dtheta = 1 - r L x / Y with its total derivative with respect to r: if r changes, the tilt of
+ * the domino changes too, by dtheta_i/dr = shift. */
+static struct dual step_of(const struct growth *g, const struct contact *c, const struct domino *domino)
 {
-    struct span y = least_zero((struct span){down(1 - v.hi), up(1 - v.lo)}),
-                rL = {g->low.rL.lo, g->high.rL.hi};
-    struct span off = least_zero(span_over(span_scale(rL, c->x), c->Y));
-    /* The partial derivatives of 1 - r L x / Y are
-     * - with respect to theta: (r L / Y) ((r L x / Y) (X x / Y) - y)
-     * - with respect to r: -L x / Y^3 */
-    struct span pull = span_sub(span_scale(off, span_over(span_scale(c->X, c->x), c->Y)), y);
-    struct span by_theta = span_over(span_mul(rL, pull), c->Y);
-    struct span by_r = span_over(span_over(span_scale(g->shape->L, c->x), span_square(c->Y)), c->Y);
-    return span_sub(span_scale(shift, by_theta), by_r);
+    const struct span y = {least_0(down(1 - domino->v.hi)), up(1 - domino->v.lo)}, shift = domino->shift;
+    const struct dual rL = {{g->low.rL.lo, g->high.rL.hi}, g->shape->L}, x = {c->x, span_scale(y, shift)},
+                      rLx = dual_scale(rL, x);
+    /* X = r (L y - d), so dX/dr = X/r - r L x shift; Y^2 = 1 - X^2 */
+    const struct span X_by_r = span_sub(span_over(c->X, g->r), span_scale(rLx.value, shift));
+    const struct dual Y = {c->Y, span_negate(span_over(span_scale(c->X, X_by_r), c->Y))};
+    return (struct dual){c->slope, span_negate(dual_over(rLx, Y).by_r)};
 }
 
-static struct span chain_twist(const struct growth *g, const struct walk *w, const struct contact *c)
+/* Returns the slope of the follower, dtheta_(i+1)/dtheta, given that of domino i. */
+static struct dual slope_next(const struct growth *g, const struct walk *w, const struct contact *c,
+                              struct span slope)
 {
     if (c->held)
-        return span_of(0);
-    struct span bend = step_bend(g, c, w->domino.v, w->domino.shift);
-    struct span twist = span_add(span_scale(c->slope, w->twist), span_scale(w->domino.slope, bend));
-    return c->may_hold ? span_hull(twist, span_of(0)) : twist;
+        return (struct dual){slope, span_of(0)};
+    const struct span by_r = dual_scale(step_of(g, c, &w->domino), w->slope).by_r;
+    return (struct dual){slope, c->may_hold ? span_hull(by_r, span_of(0)) : by_r};
 }
 
-/* Adds the term of domino i, r^(-(q+1) i) slope^2, to T. Adds the derivative of this term to dT/dr. */
+/* Adds the term of domino i, r^(-(q+1) i) slope^2, to T. */
 static void add_inertia(const struct growth *g, struct walk *w, int i)
 {
-    struct span square = span_square(w->domino.slope),
-                per_r = span_over(span_add(g->shape->q, span_of(1)), g->r);
-    struct span change = span_sub(span_scale(span_add(w->domino.slope, w->domino.slope), w->twist),
-                                  span_scale(span_scale(span_of(i), per_r), square));
-    w->T = span_add(w->T, span_scale(w->share, square));
-    w->T_by_r = span_add(w->T_by_r, span_scale(w->share, change));
+    const struct dual share = power_of(g, w->share, span_add(g->shape->q, span_of(1)), i);
+    w->T = dual_add(w->T, dual_scale(share, dual_scale(w->slope, w->slope)));
 }
 
-/* Adds the term of domino i, r^(-q i) (h(theta_i) - h(theta_(i+1))), to P. Adds the derivative of this term
- * to dP/dr. */
-static void add_fuel(const struct growth *g, struct walk *w, const struct link *link, int i)
+/* Adds the term of domino i, r^(-q i) (h(theta_i) - h(theta_(i+1))), to P. */
+static void add_fuel(struct walk *w, const struct link *link)
 {
-    struct span power = link[0].weight;
-    struct span drop = span_sub(link[0].g, link[1].g);
-    struct span per_r = span_scale(span_of(i), span_over(g->shape->q, g->r));
-    struct span change = span_sub(span_sub(link[0].slide, link[1].slide), span_scale(per_r, drop));
-    w->fuel = span_add(w->fuel, span_scale(power, drop));
-    w->fuel_by_r = span_add(w->fuel_by_r, span_scale(power, change));
+    w->fuel = dual_add(w->fuel, dual_scale(link[0].weight, dual_sub(link[0].g, link[1].g)));
 }
 
 /*
@@ -84,17 +72,17 @@ static void rest_of_inertia(const struct upright *u, struct walk *w, const struc
 {
     const struct growth *g = &u->growth;
     double m = g->inertia.hi, p = rest->p, e = up(up(p * p) * m), series = up(1 / least_0(down(1 - e)));
-    double slope = w->domino.slope.hi, square = up(up(slope * slope) * w->share.hi), n = u->n;
+    double slope = w->slope.value.hi, square = up(up(slope * slope) * w->share.hi), n = u->n;
     double rL = g->high.rL.hi, Y = c->Y.lo, cube = down(Y * down(Y * Y));
-    w->T.hi = PROOF_BOUND(REST_OF_T, up(w->T.hi + up(square * series)), w->T.hi);
+    w->T.value.hi = PROOF_BOUND(REST_OF_T, up(w->T.value.hi + up(square * series)), w->T.value.hi);
     double by_theta = up(up(rL / Y) + up(up(c->X.hi * up(rL * rL)) / cube));
     double Q = up(up(by_theta * rest->shift) + up(g->shape->L.hi / cube));
-    double twist = larger(w->twist.hi, -w->twist.lo);
+    double twist = larger(w->slope.by_r.hi, -w->slope.by_r.lo);
     double first = up(up(2 * up(slope * w->share.hi)) *
                       up(up(twist * series) + up(up(up(slope * Q) * up(p * m)) * up(series * series))));
     double second =
         up(up(up(up(g->shape->q.hi + 1) / g->r.lo) * square) * up(series * up(n + up(e * series))));
-    w->T_by_r = span_add(w->T_by_r, (struct span){-up(first + second), first});
+    w->T.by_r = span_add(w->T.by_r, (struct span){-up(first + second), first});
 }
 
 /*
@@ -106,24 +94,24 @@ static void rest_of_inertia(const struct upright *u, struct walk *w, const struc
  */
 static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, const struct rest *rest)
 {
-    w->fuel.hi = PROOF_BOUND(REST_OF_FUEL, up(w->fuel.hi + up(w->power.hi * fall)), w->fuel.hi);
+    struct span *P = &w->fuel.value;
+    P->hi = PROOF_BOUND(REST_OF_FUEL, up(P->hi + up(w->power.hi * fall)), P->hi);
     struct span change = {-up(rest->slides + rest->drops), up(rest->slides / u->growth.weight.lo)};
-    w->fuel_by_r = span_add(w->fuel_by_r, change);
+    w->fuel.by_r = span_add(w->fuel.by_r, change);
 }
 
 /* Finds the kinetic energy K from equation (24; c6). If P > 0, then K = P / E with E = r^q (1 + 1/T) - 1. */
 static void kinetic_of_train(struct upright *u, const struct walk *w)
 {
     const struct growth *g = &u->growth;
-    struct span one = span_of(1), T = w->T;
-    struct span E = span_sub(span_scale(g->rq, span_add(one, span_over(one, T))), one);
-    struct span rq_by_r = span_scale(g->rq, span_over(g->shape->q, g->r));
-    struct span E_by_r = span_sub(span_scale(rq_by_r, span_add(one, span_over(one, T))),
-                                  span_scale(span_over(g->rq, span_square(T)), w->T_by_r));
-    u->fuel = w->fuel;
-    u->inertia = T;
-    u->kinetic = E.lo > 0 ? span_over(u->fuel, E) : (struct span){-INFINITY, INFINITY};
-    u->kinetic_by_r = span_over(span_sub(w->fuel_by_r, span_mul(u->kinetic, E_by_r)), E);
+    const struct dual one = dual_of(span_of(1)),
+                      rq = {g->rq, span_scale(g->rq, span_over(g->shape->q, g->r))},
+                      E = dual_sub(dual_scale(rq, dual_add(one, dual_over(one, w->T))), one);
+    u->fuel = w->fuel.value;
+    u->inertia = w->T.value;
+    u->kinetic = dual_over(w->fuel, E);
+    if (!(E.value.lo > 0))
+        u->kinetic.value = (struct span){-INFINITY, INFINITY};
 }
 
 /*
@@ -132,27 +120,27 @@ static void kinetic_of_train(struct upright *u, const struct walk *w)
  * unit of this energy is m g h / 2 of domino 1. This energy times f is the kinetic energy of the pair after
  * the hit, in the unit m g h / 2 of the head:
  *
- *     f = r k^2/(1 + k),   k = r^(-(q+1)),
- *     df/dr = k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)).
+ *     f = r k^2/(1 + k),   k = r^(-(q+1)).
  */
 static void kinetic_of_pair(struct upright *u, struct span hit)
 {
     const struct growth *g = &u->growth;
-    struct span one = span_of(1), k = g->inertia, sum = span_add(one, k);
-    struct span part = span_over(span_square(k), sum), share = span_scale(g->r, part);
-    struct span push = span_sub(g->shape->g_top, u->link[1].g);
-    struct span order = span_over(span_scale(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
-    u->fuel = push;
+    const struct span top = g->shape->v_top;
+    const struct dual one = dual_of(span_of(1)),
+                      k = power_of(g, g->inertia, span_add(g->shape->q, span_of(1)), 1),
+                      share = dual_scale((struct dual){g->r, span_of(1)},
+                                         dual_over(dual_scale(k, k), dual_add(one, k)));
+    struct dual push = dual_sub(dual_of(g->shape->g_top), u->link[1].g);
+    u->kinetic.by_r = dual_scale(share, push).by_r;
     /* If theta_c < theta_u, domino 1 touches the head before it can tip over its edge, so the pair has no
      * fuel (5; b0). */
-    if (!(hit.lo > g->shape->v_top.hi))
-        u->fuel.lo = -1;
-    if (hit.hi < g->shape->v_top.lo)
-        u->fuel.hi = -1;
-    u->kinetic = span_scale(share, u->fuel);
-    u->kinetic_by_r =
-        span_sub(span_mul(span_scale(part, span_sub(one, order)), push), span_scale(share, u->link[1].slide));
-    u->by_r = u->by_r && hit.lo > g->shape->v_top.hi;
+    if (!(hit.lo > top.hi))
+        push.value.lo = -1;
+    if (hit.hi < top.lo)
+        push.value.hi = -1;
+    u->fuel = push.value;
+    u->kinetic.value = span_scale(share.value, push.value);
+    u->by_r = u->by_r && hit.lo > top.hi;
 }
 
 /* Replaces the fuel P by the paper's closed form P = 1 - h(theta_last). */
@@ -160,26 +148,23 @@ static void paper_fuel(const struct upright *u, struct walk *w)
 {
     const struct growth *g = &u->growth;
     struct domino last = chain_last(g);
-    w->fuel = span_negate(tilt_height(g->shape, last.v));
-    w->fuel_by_r = span_negate(span_mul(tilt_rise(g->shape, last.v), last.shift));
+    w->fuel = (struct dual){span_negate(tilt_height(g->shape, last.v)),
+                            span_negate(span_mul(tilt_rise(g->shape, last.v), last.shift))};
 }
 
 static void link_make(struct upright *u, const struct walk *w, int i)
 {
-    struct span rise = tilt_rise(u->growth.shape, w->domino.v);
-    u->link[i] = (struct link){.g = tilt_height(u->growth.shape, w->domino.v),
-                               .slide = span_mul(rise, w->domino.shift),
-                               .weight = w->power};
-    if (i == 0) {
-        u->link[i].g = span_of(0);
-        u->link[i].slide = span_of(0);
-    }
+    const struct shape *shape = u->growth.shape;
+    u->link[i] = (struct link){.weight = power_of(&u->growth, w->power, shape->q, i)};
+    if (i > 0)
+        u->link[i].g = (struct dual){tilt_height(shape, w->domino.v),
+                                     span_mul(tilt_rise(shape, w->domino.v), w->domino.shift)};
 }
 
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest_most, struct upright *u)
 {
     struct contact c;
-    struct walk w = {.domino = {.slope = {1, 1}}, .share = {1, 1}, .power = {1, 1}};
+    struct walk w = {.domino = {.slope = {1, 1}}, .slope.value = {1, 1}, .share = {1, 1}, .power = {1, 1}};
     double fall = 0, rest_before = INFINITY, v_before = 0;
     bool finite = true;
     u->growth = growth_make(shape, r_low, r_high);
@@ -190,7 +175,7 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         u->n = 0;
         u->exact_end = true;
         u->by_r = false;
-        u->fuel = u->kinetic = (struct span){-HUGE_VAL, 0};
+        u->fuel = u->kinetic.value = (struct span){-HUGE_VAL, 0};
         u->inertia = (struct span){0, HUGE_VAL};
         return true;
     }
@@ -202,24 +187,22 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         u->exact_end = i > 0 && w.domino.v.lo >= g->leave.hi;
         struct walk next = w;
         next.domino = chain_next(g, &w.domino, &c);
-        next.twist = chain_twist(g, &w, &c);
-        if (i == 0) { /* for the upright head these numbers are exact, since sin theta = 0 */
+        if (i == 0) /* for the upright head the slope is exact, since sin theta = 0 */
             next.domino.slope = span_of(1);
-            next.twist = span_of(0);
-        }
-        finite = finite && c.Y.lo > 0 && isfinite(c.shift.hi) && span_finite(next.twist);
+        next.slope = i == 0 ? dual_of(span_of(1)) : slope_next(g, &w, &c, next.domino.slope);
+        finite = finite && c.Y.lo > 0 && isfinite(c.shift.hi) && span_finite(next.slope.by_r);
         w = next;
         w.power = span_scale(w.power, g->weight);
         w.share = span_scale(w.share, g->inertia);
         if (i + 1 > LINKS_MOST)
             return false;
         link_make(u, &w, i + 1);
-        add_fuel(g, &w, &u->link[i], i);
+        add_fuel(&w, &u->link[i]);
         if (u->exact_end || (shape->pair && i == 1)) {
             u->n = i + 1;
             break;
         }
-        fall = least_0(up(u->link[i + 1].g.hi - u->g_last));
+        fall = least_0(up(u->link[i + 1].g.value.hi - u->g_last));
         double rest = up(w.power.hi * fall);
         /*
          * Usually, stop when the tilts hardly grow from domino to domino, since more dominoes do not help
@@ -256,7 +239,7 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
             paper_fuel(u, &w);
         kinetic_of_train(u, &w);
     }
-    u->by_r = u->by_r && span_finite(u->kinetic_by_r);
+    u->by_r = u->by_r && span_finite(u->kinetic.by_r);
     return true;
 }
 
