@@ -104,7 +104,8 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 
 /*
  * A self-similar train. Start from dom_train_default() and change the members that differ. The last six
- * members before `later` are the effects of DOM_DYNAMICS. They are off (0) by default.
+ * members before `later` are the values of DOM_DYNAMICS, 0 by default. All but the last are effects, which
+ * are off at 0.
  *
  * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. With friction, energy is
  * not conserved. The equation of motion is then solved in place of equations (21; c3) and (24; c6).

@@ -3,8 +3,8 @@
  * Functions for the values of the effects of DOM_DYNAMICS. The values are in an array indexed by enum
  * dom_effect_name.
  *
- * Each effect has a file in this folder, which fills one table. An effect of DOM_DYNAMICS fills a second
- * one, struct terms (choose.h).
+ * Each effect has a file in this folder, which fills one table; drag, the coefficient of the air, is in
+ * air.c. An effect of DOM_DYNAMICS fills a second one, struct terms (choose.h).
  */
 #ifndef DOM_EFFECTS_H
 #define DOM_EFFECTS_H

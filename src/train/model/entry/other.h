@@ -40,7 +40,7 @@ static inline struct OTHER(compute) compute_there(const struct OWN(compute) * co
         .tol = tol, .method = compute->method, .work = compute->work, .interrupt = compute->interrupt};
 }
 
-/* Find a limit in one arithmetic alone (model.c). */
+/* Find a limit in one arithmetic alone (entry.c). */
 typedef enum dom_status OWN(_find_limit)(const struct OWN(train) *, const struct OWN(compute) *,
                                          struct OWN(limit) *);
 typedef enum dom_status OTHER(_find_limit)(const struct OTHER(train) *, const struct OTHER(compute) *,
