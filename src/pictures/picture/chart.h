@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts with two axes. They show curves, points, ranges or a map. A command fills a chart with data, and
- * chart_show (show.h) then draws the chart to the destination of the answer. */
+ * chart_show (show.c) then draws the chart to the destination of the answer. */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
 
