@@ -151,7 +151,8 @@ static int summary_column(void)
     struct topic topic;
     size_t widest = 0;
     for (int k = 0; topic_at(k, &topic) && topic.command; k++)
-        widest = strlen(topic.usage) > widest ? strlen(topic.usage) : widest;
+        if (!topic.command->typed.is_hidden && strlen(topic.usage) > widest)
+            widest = strlen(topic.usage);
     return (int)widest + 2;
 }
 
