@@ -30,11 +30,20 @@ enum { TURN_STEPS = 40 };
 
 static const struct turn no_turn = {REAL_NAN, {REAL_NAN, REAL_NAN, REAL_NAN}};
 
-/* Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The iteration ends
- * with a step `by` whose cube is negligible. The sine and cosine are not computed anew after this last step:
- * they follow from their values before the step by Taylor series, up to the terms with by^2. */
-static struct turn turn_iterate(real l, real c, real G, real turn)
+/*
+ * Finds the turn u to a follower from the contact equation l sin u + c u = G. u lies in [-pi/2, pi/2], and l
+ * and c are >= 0. Returns NaN if there is no solution.
+ *
+ * The method is Halley's. It starts from the power series of u in X = G / (l + c), up to X^7, which follows
+ * from u - a u^3 + b u^5 - ... = X with a = l / (6 (l + c)) and b = a / 20. The iteration ends with a step
+ * `by` whose cube is negligible. The sine and cosine are not computed anew after this last step: they follow
+ * from their values before the step by Taylor series, up to the terms with by^2.
+ */
+static struct turn turn_solve(real l, real c, real G)
 {
+    const real of = 1 / (l + c), X = G * of, z = X * X, a = l * of * ((real)1 / 6), b = a * ((real)1 / 20);
+    real turn =
+        X * (1 + z * (a + z * (3 * a * a - b + z * (12 * a * a * a - 8 * a * b + b * ((real)1 / 42)))));
     for (int i = 0; i < TURN_STEPS; i++) {
         turn = fmin(fmax(turn, -PI / 2), PI / 2);
         real x = sin(turn), y = cos(turn), off = l * x + c * turn - G, slope = l * y + c;
@@ -44,39 +53,6 @@ static struct turn turn_iterate(real l, real c, real G, real turn)
         turn += by;
     }
     return no_turn;
-}
-
-/*
- * Finds the turn u to a follower from the contact equation l sin u + c u = G. u lies in [-pi/2, pi/2], and l
- * and c are >= 0. Returns NaN if there is no solution. With w = sin u the equation is
- *
- *     w = X - c / (l + c) (asin w - w),   X = G / (l + c).
- *
- * First, a polynomial for asin X - X gives an estimate x of w. Then let U = asin x, y = cos U, S = l y + c
- * and D = (G - l x - c U) / S. The correction delta = u - U obeys
- *
- *     delta = D + k delta^2 + m delta^3 - ...,   k = l x / (2 S),   m = l y / (6 S).
- *
- * The angle, its sine and its cosine are computed separately from this series, up to D^3, so that the
- * processor can work on all three at once.
- */
-KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
-{
-    const real of = 1 / (l + c), X = G * of, z = X * X;
-    const real excess = z * ((real)0.1604 + z * (real)0.1353 - z * z * ((real)0.1387 - z * (real)0.2231));
-    const real x = X - c * of * X * excess, y = sqrt((1 - x) * (1 + x)), U = asin(x), of_S = 1 / (l * y + c);
-    const real D = (G - l * x - c * U) * of_S, square = D * D, c_S = c * of_S, k = l * x * of_S / 2,
-               third = 2 * k * k - c_S * ((real)1 / 6); /* 2 k^2 + m - 1/6 */
-    /* The omitted terms must be below an eighth of a rounding error. */
-    if (!(square * square * (1 + 6 * k * k) <= REAL_EPSILON / 16))
-        return turn_iterate(l, c, G, fabs(k * D) < (real)0.02 ? U + D : X);
-    const real down = D * x + square * ((l + c * y) * of_S / 2 + D * (x * third + k * y));
-    return (struct turn){
-        .angle = U + (D + square * (k + D * (third + (real)1 / 6))),
-        .tilt = {.x = x + (D * y - square * c_S * (x / 2 + D * (y * ((real)1 / 6) + k * x))),
-                 .y = y - down,
-                 .v = x * x / (1 + y) + down},
-    };
 }
 
 /*
