@@ -231,7 +231,8 @@ const struct command row_commands[] = {
              "for its lean says how far its top may be off plumb, backwards or forwards. With rounded "
              "edges, and in the engine, the program does not compute how far a domino may lean. The "
              "answer names the dominoes with the tightest limits. If the row does not fall, the windows show "
-             "which single changes save it. The search takes the same steps as 'mend'.",
+             "which single changes save it, for up to 31 dominoes before its end. The search takes the same "
+             "steps as 'mend'.",
      .example = "set row 5; tolerance",
      .see = "mend change budget",
      .rows = true,

@@ -378,6 +378,6 @@ END
     same 'middle' kg "$(masses 'set density 600; set row 10' | cut -d ' ' -f 1)"
     same 'heavy' t "$(masses 'set density 600; set row 15' | cut -d ' ' -f 1)"
     same 'the sheet' 'In mm and t.' "$(printf 'height (m), thickness (m), gap (m), mass (t)\n1, 0.2, -, 0.05\n1.1, 0.2, 0.5, 0.1\n' >sheet.csv; "$DOMINO" -e 'set row sheet.csv; set push 4; plan details' | grep -o 'In mm and t\.')"
-    same 'a design' kg "$("$DOMINO" -e 'set density 600; design 3 m; details' | awk '/^domino/ { getline; print $5 }')"
+    same 'a design' kg "$("$DOMINO" -e 'set density 600; design 3 m; details' | awk '/^domino/ { getline; print $4 }')"
     same 'programs: always kg' '0.76 2200' "$(json 'set row kg.csv; row' | values mass | paste -sd ' ')"
 }
