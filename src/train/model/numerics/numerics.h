@@ -5,7 +5,7 @@
  * NUM_NOT_FINITE.
  *
  * GSL's functions compute only in double. In benchmarks they also took more evaluations: Brent's method for
- * roots, qag for integrals of trains that nearly stop, and rk8pd for the equation of motion.
+ * roots, and rk8pd for the equation of motion.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
