@@ -479,7 +479,7 @@ struct dom_limit {
     /* How far r_max may be from its exact value because of rounding errors and the tolerance, estimated from
      * the slope of the margin. NaN with DOM_END_NONE. */
     dom_real uncertainty;
-    dom_real open; /* a growth below r_max, only with the status DOM_OPEN; otherwise NaN */
+    dom_real open; /* with DOM_OPEN, a growth below r_max that may be the limit; otherwise NaN */
 };
 
 /*
@@ -491,8 +491,8 @@ struct dom_limit {
  * curved, and finds the minimum of each dip. Only a dip that lies between two samples and leaves no trace in
  * them can be missed.
  *
- * If the sign of a minimum is hidden by rounding errors, even in quad precision, the status is DOM_OPEN:
- * r_max is `open`, the growth of this minimum, or the later root that is stored in `r_max`.
+ * If the sign of a minimum is hidden by rounding errors, even in quad precision, the status is DOM_OPEN.
+ * The largest growth is then either `open`, the growth of this minimum, or `r_max`, a later root.
  *
  * dom_limit_rmax, dom_limit_pair and dom_limit_best return DOM_TOO_LONG if the computation would take more
  * than a second or two in double precision.

@@ -78,10 +78,10 @@ struct dom_row {
     /* The push: the angular velocity in rad/s, >= 0, that the first domino gets while it is upright. NaN
      * means that there is no push. The first domino is then tipped over its edge and released. */
     dom_real push;
-    /* The tilt in rad, >= 0, at which the first domino gets the push. With a push of 0, it is released there
-     * at rest. INFINITY stands for the tilt at which it leans against the second domino (dom_row_touch); with
-     * a larger finite tilt, the fall ends with DOM_ROW_SKEWED. Unless the tilt is 0, it takes the place of
-     * the lean of the first domino. It has no effect without a push. */
+    /* The tilt in rad, >= 0, at which the first domino gets the push. With a push of 0, the domino starts
+     * there at rest. INFINITY stands for the tilt at which it leans against the second domino
+     * (dom_row_touch); with a larger finite tilt, the fall ends with DOM_ROW_SKEWED. Unless the tilt is 0, it
+     * takes the place of the lean of the first domino. If `push` is NaN, `release` has no effect. */
     dom_real release;
     /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is a length in m, and `air` a density in
      * kg/m^3, so all masses must be in kg. */
@@ -293,9 +293,9 @@ struct dom_window {
  * If the row falls, the window is the interval around the current value, low <= now <= high. If the row does
  * not fall, the window is the interval that is nearest to the current value, on either side: a value in it
  * mends the row. If the fall ends at domino k, only the dominoes from k - 29 to k + 1 have windows, and if
- * the gap after domino k is too wide to reach across, no other gap has one. A value that is above all that
- * are tried, such as a gap out of reach, has a window that begins at the largest value tried, if the row
- * falls with it.
+ * the gap after domino k is too wide to reach across, no other gap has one. If the current
+ * value is larger than all values that are tried, as for a gap out of reach, and the row falls with the
+ * largest of these, the window extends from there downwards.
  *
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,

@@ -70,8 +70,8 @@ struct plan {
  * the signal in `ended` ends the whole script. */
 static volatile sig_atomic_t interrupted, ended;
 
-/* SIGINT does not end the program: with --interruptible it ends the running command, and in a file that runs
- * before the prompt opens, it ends the file. */
+/* If one of these is true, SIGINT does not end the program. With --interruptible it ends the running command,
+ * and in a file that runs before the prompt opens, it ends the file. */
 static bool is_interruptible, has_prompt;
 
 static bool sigint_ends(void)
@@ -88,9 +88,9 @@ static void on_signal(int number)
 }
 
 /* Installs the signal handler. The first signal ends the script, after the script has written its results so
- * far. If the same signal arrives again, the program ends at once. With --interruptible and before a prompt,
- * however, no SIGINT ends the program. A signal that was ignored when the program started stays ignored,
- * except for such a SIGINT. */
+ * far. If the same signal arrives again, the program ends at once. SIGINT never
+ * ends the program with --interruptible, or if a prompt opens. A signal that was ignored when the program
+ * started stays ignored, except for such a SIGINT. */
 static void signals_begin(struct session *session)
 {
     static const int all[] = {SIGINT, SIGTERM, SIGHUP};
@@ -184,7 +184,7 @@ static void run_row(struct session *session, const char *name)
     session->source.line = 1;
     for (const char *c = name; *c && to < command + sizeof command - 16; c++) {
         *to++ = *c;
-        if (*c == '"') /* within quotes, two stand for one */
+        if (*c == '"') /* within quotes, two quotes stand for one */
             *to++ = '"';
     }
     stpcpy(to, "\"");
@@ -300,7 +300,7 @@ int main(int argc, char **argv)
         run_sources(argc, argv, &session);
         plan.reads = plan.reads && (plan.prompt || !is_over(&session));
         session.bail = bails;
-        session.state.scene.listed.saved = true; /* whatever these files change is in the files */
+        session.state.scene.listed.saved = true; /* changes that these files make need not be saved */
     }
     if (plan.prompt)
         interrupted = ended;

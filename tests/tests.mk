@@ -182,7 +182,7 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
-# Measures main questions in one run, and compares their times with goals, most of which are ratios to other programs.
+# Times the main questions in one run, and compares their times with goals, most of which are ratios to other programs.
 bench: all $(B)/bench $(B)/answers python
 	@$(B)/bench $(B)
 	@$(PYTHON3) tests/bench/numpy_loop.py $(B)

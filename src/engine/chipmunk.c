@@ -31,8 +31,8 @@ static bool find(void *library, const char *name, void *member)
  * this call prints the library's name and version to `stdout`, and there is no way to tell it not to. The
  * text stays in the buffer of `stdout`, and is dropped. Because `stdout` is locked, another thread that
  * prints waits, and loses nothing. In glibc, a line-buffered stream that was written to before, for
- * example by Readline, would still write the beginning of the text; `fseek`, though it fails at a terminal,
- * makes the stream begin anew. Afterwards `stdout` has the buffering that it has when a program begins.
+ * example by Readline, would still write the beginning of the text. `fseek` resets the stream, even though it
+ * fails at a terminal. Afterwards `stdout` has the same buffering as at the start of a program.
  */
 static void make_first(void)
 {

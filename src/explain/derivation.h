@@ -75,9 +75,9 @@ struct explained_label {
     enum needs {
         HOLDS,          /* derived_list has forms for trains with effects */
         BARE,           /* no effects, and the exact fuel */
-        PAIR,           /* and domino 1 tips over before it hits (5; b0) */
-        LEANING,        /* no effects, and domino 2 leans on domino 1 at this tilt */
-        LEANING_AT_HIT, /* the same when the head is hit, at the tilt 0 */
+        PAIR,           /* as BARE, and domino 1 tips over before it hits (5; b0) */
+        LEANING,        /* as BARE, and domino 2 leans on domino 1 at this tilt */
+        LEANING_AT_HIT, /* as LEANING, but when the head is hit, at the tilt 0 */
     } needs;
 };
 extern const struct explained_label explained_labels[];

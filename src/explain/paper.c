@@ -223,7 +223,8 @@ static void recipe_row(struct answer *a, int step, const char *quantity, domq_re
         answer_detail(a, "      %s.", why);
 }
 
-/* Returns the number of a step in the recipe by the paper or by the program. Only the program can find J. */
+/* Returns the number of a step in the recipe, as the paper or as the program computes it. Only the program
+ * can find J. */
 static domq_real recipe_value(struct table *t, size_t k, bool is_paper, const struct any_compute *ours,
                               const struct any_compute *theirs)
 {

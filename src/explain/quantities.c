@@ -3,8 +3,8 @@
 #include "explain/derivation.h"
 #include <stddef.h>
 
-/* Q makes the entry of a quantity that is derived, EQUATION that of one whose equation holds for every train
- * and gives its number, and GIVEN the entry of one that is given. */
+/* Q makes the entry of a derived quantity. EQUATION is for a quantity whose equation holds for every train
+ * and gives its number, and GIVEN is for a given quantity. */
 #define Q(plain, letters, tex, with_, ends_, sum_, equation_, library_, unit_, reference_, words_)           \
     {                                                                                                        \
         {{plain, letters, tex}}, with_, ends_, sum_, equation_, library_, unit_, reference_, words_, false   \
@@ -186,7 +186,7 @@ const struct derived derived_list[] = {
       "21; c3",
       "angular velocity of the head when it hits the next domino; 'explain omega thetac' has its equation"),
     EQUATION("v_1", "ω_1(θ_c)", "\\omega_1(\\theta_c)", "sqrt(r)*v_c", "rad/s", "23; c5",
-             "the same of domino 1, one cycle earlier: cycles repeat themselves"),
+             "angular velocity of domino 1 when it hits the head; each cycle repeats the one before"),
     EQUATION("c4_left", "left(c4)", "\\mathrm{left}", "J_0*omega_0", "rad/s", "22; c4",
              "left side of (22; c4): the collision"),
     EQUATION("c4_right", "right(c4)", "\\mathrm{right}", "(J_0 - 1)*v_1", "rad/s", "22; c4",

@@ -267,8 +267,8 @@ static bool rows_check(const struct fit *f, const char *shown, struct problem *p
     }
     return gaps >= f->unknowns ||
            problem_no_answer(problem,
-                             "%s has the %s at %d gap%s, which cannot determine %d unknowns; measure at "
-                             "another gap, or name fewer unknowns",
+                             "%s has the %s of %d kind%s of row, which cannot determine %d unknowns; "
+                             "measure rows with another gap, or name fewer unknowns",
                              shown, f->data.kind == FIT_SPEEDS ? "speeds" : "times", gaps,
                              gaps == 1 ? "" : "s", f->unknowns);
 }

@@ -62,7 +62,7 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
     return true;
 }
 
-/* Says what to do if a row that fell does not fall in the scene. */
+/* Returns advice for a row that fell, but does not fall in the scene. */
 static const char *push_advice(const struct fit *f, char text[192])
 {
     bool is_fitted = false;
@@ -96,7 +96,7 @@ static bool totals_compute(struct fit *f, const double *value, double *computed)
         if (verdict.end != DOM_ROW_FALLS || !isfinite((double)verdict.seconds))
             return problem_no_answer(&f->problem,
                                      "%s:%ld: %zu dominoes with gaps of %s fell in %g s, but in the scene "
-                                     "such a row ends at domino %zu; %s",
+                                     "the fall ends at domino %zu; %s",
                                      names_shown(f->query->given->word[1]), p->line, p->domino,
                                      measured((domq_real)p->gap, "m", 4).text, p->measured, verdict.domino,
                                      push_advice(f, (char[192]){""}));

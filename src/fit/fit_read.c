@@ -203,7 +203,7 @@ static bool gap_find(const struct query *query, struct fit_data *d, struct csv_t
     return !d->has_pitch || pitch > thickness ||
            csv_wrong(
                &csv->file, csv_cell(csv, pitch_column).at,
-               "the pitch %s is not longer than a domino is thick, d h = %s; 'set d' changes this thickness",
+               "the pitch %s must exceed the thickness of a domino, d h = %s; 'set d' changes the thickness",
                measured(pitch, "m", 6).text, measured(thickness, "m", 6).text);
 }
 

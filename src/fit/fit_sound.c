@@ -16,8 +16,8 @@ struct sound {
     double scale;
 };
 
-/* Returns the median of the ratios of measured intervals to the model's, of the intervals near hit k. It
- * hardly changes if a few of these hits are missing. The hits before hit k have numbers. */
+/* Returns the median ratio of the measured intervals near hit k to those of the model. The median hardly
+ * changes if a few of these hits are missing. The hits before hit k must have numbers. */
 static double scale_find(const struct sound *s, const struct fit_point *point, size_t count, size_t k)
 {
     enum { BEFORE = 3, AFTER = 5 };
@@ -92,7 +92,7 @@ static bool run_number(struct fit *f, struct fit_run *run, struct sound *s, stru
     return true;
 }
 
-/* Returns true if there are as many hits without a number as the row of the session has, so that none is
+/* Returns true if no hit has a number, and there are as many as in the row of the session, so that none is
  * missing. */
 static bool is_whole(const struct fit *f, const struct fit_run *run)
 {
@@ -120,7 +120,7 @@ bool fit_number(struct fit *f, struct problem *problem)
             continue;
         }
         double *time;
-        /* The row of the session may be longer; without one, there is room for as many missing hits. */
+        /* If the session has no row, there is room for as many missing hits as there are hits. */
         run->dominoes = run->dominoes + 2 * run->count + 2;
         struct sound s = {.count = run->dominoes};
         done = fit_hits(f, run, &time, &s.count);

@@ -31,7 +31,7 @@ static int option_next(struct reader *r, const struct options_parsed *p)
     return k;
 }
 
-/* Reports a word that is not in the list, or that does not fit to the words before it. */
+/* Reports a word that is not in the list, or that does not fit the words before it. */
 static bool wrong_word(struct reader *r, const struct options_parsed *p)
 {
     bool is_many = !is_stray(r);

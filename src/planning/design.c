@@ -119,7 +119,7 @@ static bool wish_check(struct problem *problem, const struct dom_wish *w, domq_r
 }
 
 /* Reports that the walls do not fit into the first domino or, if only taller dominoes are boxes, into the
- * smallest box, and how only dominoes that are thick enough become boxes. Returns false. */
+ * smallest box. Also says how to make boxes only of dominoes that are thick enough. Returns false. */
 static bool thin_box(const struct scene *scene, struct problem *problem)
 {
     const domq_real walls = scene_walls(scene), d = scene->train.d, above = scene_boxes_above(scene),

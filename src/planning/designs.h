@@ -32,7 +32,7 @@ void design_columns_choose(struct answer *a, bool is_random);
 void design_row(struct answer *a, const struct designed_row *plan, const struct dom_design *design,
                 const struct dom_study *study, const char *reason);
 
-/* Returns the growth with which a train from the height h has the last height of the plan. */
+/* Returns the growth of a train that begins with the height h and ends with the last height of the plan. */
 domq_real design_growth(const struct scene *scene, const struct designed_row *plan);
 
 /* Makes a scene whose row is the design. Call listed_free(&scene->listed) afterwards, even on failure. */

@@ -96,7 +96,7 @@ static domq_real balance_tilt(const struct domq_row *row)
            quad(asin)(2 * rho * quad(sin)(row->alpha) / quad(hypot)(wide, tall));
 }
 
-/* Says from which tilt on a first domino that falls back would tip over. Rounds it up, so that this tilt is
+/* Says from which tilt on a first domino that falls back would tip over. Rounds the tilt up, so that it is
  * enough. */
 static void back_say(struct answer *a, const struct scene_row *scene)
 {
@@ -113,7 +113,7 @@ static void back_say(struct answer *a, const struct scene_row *scene)
                    quad_text(round_digits(most / degree, 4, true), 4));
 }
 
-/* Says how the fall ends. The weakest domino is left to the details beside the table of 'fall', and if the
+/* Says how the fall ends. The weakest domino goes into the details if the table of 'fall' is shown, or if the
  * row does not fall. */
 static void verdict_say(struct answer *a, const struct falling *f, bool listed)
 {
@@ -187,8 +187,8 @@ static bool fall_note(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* Returns the energy of a domino, divided by the energy that it needs. For people, more than 100 times are
- * not told apart, as in energy_words. */
+/* Returns the energy of a domino, divided by the energy that it needs. For people, values above 100 are
+ * not distinguished, as in energy_words. */
 static struct cell energy_cell(const struct answer *a, const struct domq_fall *fall)
 {
     const domq_real share = fall_share(fall);

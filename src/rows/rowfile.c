@@ -79,7 +79,7 @@ enum row_measure domino_misfit(const struct domq_domino *d, domq_real slope, cha
 }
 
 /* Finds the gap before the domino in the current row of the file. `before` is the number of dominoes before
- * it, and `position` is that of the last of them. Pitches and positions are those of front faces, which look
+ * it, and `position` is that of the last of them. Pitches and positions are those of front faces, the faces
  * in the direction of the fall. */
 static bool gap_find(struct csv_table *csv, size_t before, domq_real position, domq_real *gap)
 {
@@ -98,7 +98,7 @@ static bool gap_find(struct csv_table *csv, size_t before, domq_real position, d
             before + 1, quad_text(here, 6), before, quad_text(position, 6));
     *gap = pitch - thickness;
     if (quad(fabs)(*gap) <
-        (domq_real)1e-12 * (quad(fabs)(here) + pitch)) /* dominoes that touch, but for roundoff */
+        (domq_real)1e-12 * (quad(fabs)(here) + pitch)) /* the dominoes touch, apart from rounding errors */
         *gap = 0;
     return *gap >= 0 ||
            csv_wrong(&csv->file, csv_cell(csv, is_position ? POSITION : PITCH).at,

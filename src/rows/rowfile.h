@@ -17,7 +17,7 @@
  * - A column "pitch" or "position" may take the place of "gap". The pitch is the distance from the front face
  * of the domino before to the front face of this domino, so the gap is the pitch minus this domino's
  * thickness. The position is that of the front face, measured from anywhere in the direction of the fall. The
- * front face looks in this direction.
+ * front face is the one in this direction.
  * - If there is no column "width", 'set width' gives the width. Until scene_row_fill sets it, it is 0, and
  *   the mass is that of a domino which is half as wide as it is tall.
  * - If there is no column "mass", the mass of a domino is density * height * thickness * width. In a box,

@@ -316,7 +316,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
         answer_detail(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
                          "and a window also ends where the engine reaches no verdict.");
     if (!w->falls)
-        answer_say(a, "The row does not fall now; a change of one value can save it.");
+        answer_say(a, "The row does not fall as it is; a change of one value can save it.");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)
         if (least_room(w, sizes[i]) > 0)
             change_say(a, w, sizes[i], least_room(w, sizes[i]));

@@ -85,11 +85,11 @@ static bool class_make(struct class_row *class, struct problem *problem)
     const struct row_run *run = &class->row.run;
     const size_t count = run->scene.row.count;
     if (count < 2)
-        return problem_no_answer(problem, "a sheet is about a row of at least two dominoes");
+        return problem_no_answer(problem, "a sheet needs a row of at least two dominoes");
     if (run->verdict.end != DOM_ROW_FALLS)
         return problem_no_answer(
             problem,
-            "the row does not fall to its end, so that nobody can time it: the fall ends at domino %zu of "
+            "the row does not fall to its end, so nobody can time it: the fall ends at domino %zu of "
             "%zu; 'fall' shows why, and 'set push' or 'mend' may help",
             run->verdict.domino, count);
     if (!isfinite((double)run->verdict.seconds))
@@ -140,7 +140,7 @@ static bool run_sheet(const struct query *query, struct answer *a, struct proble
     struct class_row class = {.query = query};
     const char *ending = a->path ? extension_of(a->path)->text : NULL;
     if (!query->scene->effect[DOM_EFFECT_row].on)
-        return problem_error(problem, "a sheet is about a row; first enter, for example, 'set r 1; set s 20 "
+        return problem_error(problem, "a sheet needs a row; first enter, for example, 'set r 1; set s 20 "
                                       "mm; set push 3; set row 28'");
     if (ending && (strcasecmp(ending, ".svg") == 0 || strcasecmp(ending, ".png") == 0))
         return problem_error(

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'sheet', which writes a page for a class that times a row of dominoes, and a page with the
- * answers. feature.c finds the numbers, and sheet_text.c says them. */
+ * answers. feature.c finds the numbers, and sheet_text.c writes the text. */
 #ifndef SHELL_CLASS_SHEET_H
 #define SHELL_CLASS_SHEET_H
 

@@ -202,7 +202,7 @@ static void questions_write(const struct class_row *class, FILE *out)
         fprintf(out,
                 "%d. Would rougher dominoes make the row faster or slower? Try it with paper between them.\n",
                 n++);
-    fprintf(out, "%d. How far are your three times apart? Where does that come from?\n", n++);
+    fprintf(out, "%d. How far apart are your three times? Why do they differ?\n", n++);
 }
 
 void sheet_questions(const struct class_row *class, FILE *out)

@@ -75,14 +75,14 @@ static const struct command sweep_commands[] = {
      .summary = "the values of one or two parameters at which ANSWER is largest",
      .help =
          "'maximize s : duration.speed' finds the gap at which the dominoes fall fastest. X is one or two "
-         "parameters, each with a range if it follows the name: 'maximize s 0.1 0.9, r 1 2 : rmax - r' or "
+         "parameters, and a range may follow each name: 'maximize s 0.1 0.9, r 1 2 : rmax - r' or "
          "'maximize s from 0.1 to 0.9 : rmax'. ANSWER is a command, or an expression with the names of "
          "commands. The search tries 241 values of the parameter, or 41 times 41 values of two, and follows "
          "each maximum between them. It can miss a maximum that is narrower than one step. Values without an "
-         "answer are left out. Where 'count' is a part of ANSWER, its row must fall. If the answer stays the "
-         "same over a range, as a whole number does, the range is printed. Only digits that are right are "
-         "printed, and 'within' tells in 'details' how far the value may be off. The parameters of the "
-         "session do not change.",
+         "answer are left out. If ANSWER uses 'count', its row must fall. If the answer stays the same over "
+         "a range, as a whole number does, the range is printed. Only reliable digits are printed; the "
+         "column 'within' of 'details' says how far a value may be off. The parameters of the session do "
+         "not change.",
      .example = "maximize s : duration.speed",
      .see = "minimize solve sweep",
      .sweep.refusal = "it already varies a parameter",

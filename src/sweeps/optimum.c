@@ -216,7 +216,7 @@ static void hole_ask(struct hunt *h, int i)
 {
     const enum peak_end end = h->peak[i].end;
     const double range = h->slope[i].to - h->slope[i].from,
-                 by = h->slope[i].whole ? 1 : 1e-6 * range; /* nearer, rounding errors could give an answer */
+                 by = h->slope[i].whole ? 1 : 1e-6 * range; /* nearer, the place may not be in the hole */
     double place[] = {h->peak[0].x, h->peak[1].x};
     if (end != PEAK_BEFORE_HOLE && end != PEAK_AFTER_HOLE)
         return;
@@ -418,7 +418,7 @@ static void best_say(const struct hunt *h, struct answer *a)
 static void missing_say(const struct hunt *h, struct answer *a)
 {
     char missing[256];
-    snprintf(missing, sizeof missing, "%zu of the %zu values of %s that were tried have no answer",
+    snprintf(missing, sizeof missing, "%zu of the %zu values of %s that were tried gave no answer",
              h->missing, h->count, h->optimum->range[0].parameter->name);
     if (*h->beyond)
         answer_say(a, "%s.", h->beyond);

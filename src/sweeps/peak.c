@@ -109,9 +109,10 @@ static struct spot whole_find(const struct search *s, struct spot best, double l
     return best;
 }
 
-/* Looks for a place between `top` and `next`, whose value is not larger, that is better than both. The
- * maximum can lie there if `top` is at the end of the values, or if both are equally high on its two sides.
- * Then the values rise beside `top`, and halving comes close enough to it. */
+/* Looks for a place between `top` and `next` with a larger value than `top`. The value at `next` is not
+ * larger than at `top`. The maximum can lie between them if `top` is at the end of the values, or if the
+ * places on its two sides are equally high. Then the values rise beside `top`, and halving the distance to
+ * `top` finds such a place. */
 static bool rise_find(const struct search *s, struct spot top, struct spot next, struct spot *found)
 {
     enum { HALVINGS = 16 };
@@ -287,7 +288,7 @@ static enum peak_end end_of(const struct search *s, double x)
                                        : PEAK_INSIDE;
 }
 
-/* For a plateau, a hole beside it is worth telling, and an end of the interval is not. */
+/* For a plateau, returns on which side there is a hole. An end of the interval does not count. */
 static enum peak_end plateau_ends(const struct search *s, const struct peak *p)
 {
     const enum peak_end low = end_of(s, p->low), high = end_of(s, p->high);

@@ -35,7 +35,7 @@ struct peak {
     double x, value; /* NaN if the function has no value at all */
     double within;   /* the error of x is at most this; 0 for an end of the interval */
     double off;      /* the error of the value is at most this */
-    /* The function has the same value from `low` to `high`. Elsewhere than on a plateau, both are x. */
+    /* The function has the same value from `low` to `high`. Without a plateau, both are x. */
     double low, high;
     enum peak_end end;
 };
@@ -49,7 +49,7 @@ double peak_point(const struct slope *slope, size_t count, size_t k);
  * Finds the largest value. `value` has the values at all `count` points. The search looks around each point
  * whose neighbours are not larger: it takes four points on either side, finds the edge of a region without
  * values by bisection, and follows a maximum with GSL's minimiser by Brent. It can miss a maximum that is
- * narrower than the distance of two points. After an interrupt, the result is of no use.
+ * narrower than the distance between two points. After an interrupt, the result is of no use.
  *
  * If `is_rough` is true, only x and value are found.
  */

@@ -25,8 +25,7 @@ struct tally {
 struct sweep_columns {
     struct column column[ANSWER_COLUMNS];
     const char *key[ANSWER_COLUMNS]; /* key in the answer; NULL for a parameter of the grid */
-    /* The unit may change from point to point. All cells have the unit of the first point; others are empty.
-     */
+    /* The unit may change from point to point. Cells whose unit is not that of the first point are empty. */
     bool is_fixed[ANSWER_COLUMNS];
     /* new names, such as "rmax.s", for columns of the answer whose key is also the name of a parameter of the
      * grid */
@@ -60,8 +59,8 @@ struct sweeper {
 };
 
 /* Makes the columns of the sweep. Two kinds of columns of the answer are left out: columns that only repeat a
- * parameter of the grid, and columns that take a long time to compute (see command.sweep and
- * command.sweep). Fails if there are too many columns. */
+ * parameter of the grid, and columns that take a long time to compute (sweep.echo and
+ * sweep.slow_column of struct command). Fails if there are too many columns. */
 bool sweeper_columns(struct sweeper *w, struct problem *problem);
 
 /* Stores the values of the parameters at point k in w->assigned and w->value. */

@@ -135,7 +135,7 @@ bool sweep_bind(const struct question *q, const struct query *query, struct argu
                 struct problem *problem)
 {
     const struct sweep_parsed *parsed = q->parsed;
-    /* the values of all lists of the grid follow the sweep */
+    /* the values of the grid's lists are stored after the sweep */
     struct sweep *s =
         arguments_take(given, sizeof *s + parsed->grid.listed * sizeof(domq_real), query, problem);
     if (!s)

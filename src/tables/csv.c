@@ -214,8 +214,8 @@ bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
         const bool is_doubtful = before >= 1 && before <= 3 && *(c - before) != '0' && after == 3;
         if (is_doubtful && (*end | 0x20) != 'e' && (is_comma ? file->separator == ',' : file->has_comma))
             return csv_wrong(file, at,
-                             "the %s in this number may set thousands apart; write one more digit behind it, "
-                             "or leave it out",
+                             "the %s in this number may be a thousands separator; write one more digit "
+                             "after it, or leave it out",
                              is_comma ? "comma" : "point");
         *c = '.';
         c += after;

@@ -8,7 +8,7 @@
  * - A byte order mark, empty lines, and blanks around a cell are skipped.
  * - A line that begins with '#' is a comment.
  * - The decimal mark is a point, or a comma in a file whose separator is ';' or a tab, or in a quoted cell. A
- * mark that could set thousands apart is an error.
+ * mark that could be a thousands separator is an error.
  */
 #ifndef TABLES_CSV_H
 #define TABLES_CSV_H

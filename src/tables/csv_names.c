@@ -154,8 +154,8 @@ static struct repeat repeat_read(const char *folded)
     return r;
 }
 
-/* Returns true if a heading is one of several of a measurement. Such a heading needs no name beside the
- * number of the trial if its unit is one of the column. */
+/* Returns true if a heading is that of one of several columns of a measurement. A heading without a name,
+ * such as "trial 2 (s)", fits if its unit is one of those of the column. */
 static bool repeat_fits(const struct csv_column *column, const char *name, const char *unit)
 {
     char copy[CSV_UNIT];

@@ -109,7 +109,7 @@ static domq_real enough(const struct query *query, domq_real height, domq_real r
                : DOMQ_NAN;
 }
 
-/* Rounds a growth down to three digits, or to more if only equal dominoes would be left. */
+/* Rounds a growth down to three digits, or to more if three would round it to 1. */
 static domq_real growth_below(domq_real r)
 {
     domq_real below = 1;

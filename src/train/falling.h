@@ -54,7 +54,7 @@ struct words energy_words(domq_real share);
 struct words dominoes_words(domq_real q, const char *noun);
 
 /* Returns a limit as text with at most `digits` digits, rounded down, so that what it allows is possible.
- * A growth that is not 1 gets more digits if it would be 1. */
+ * A growth above 1 that would be rounded to 1 gets more digits. */
 struct words limit_words(domq_real limit, int digits);
 
 /* Returns where a first domino is released: "at 20 deg", "against the second" or, if it starts upright, "".

@@ -32,8 +32,8 @@ struct search {
 
 /*
  * Returns how well the row of s->train falls: the smallest margin / barrier of its dominoes, which is
- * positive if all fall. If the row stops, the result is negative, and smaller the earlier it stops. Returns
- * -INFINITY if the fall ends in another way.
+ * positive if all fall. If the row stops, the result is at most 0, and lower if the row stops earlier.
+ * Returns -INFINITY if the fall ends in another way.
  */
 static double spare(struct search *s)
 {

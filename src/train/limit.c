@@ -310,10 +310,9 @@ const struct command limit_commands[] = {
              "row would fall. 'goes_on' tells whether an endless train that is already moving keeps falling. "
              "'r_start' is the largest growth at which a "
              "row starts and keeps falling. Each gap of the row is s times the height, even if the session "
-             "has another row. 'landmarks' lists towers "
-             "whose names can be H, and 'count H fewest' searches the best growth and gap. If an effect that "
-             "needs the rigid-body engine is on, the engine runs the "
-             "row.",
+             "has another row. H can also be the name of a tower ('landmarks' lists them). 'count H fewest' "
+             "searches for the best growth and gap. If an effect that needs the rigid-body engine is on, the "
+             "engine runs the row.",
      .example = "count 112 m 2",
      .see = "fewest rmax best landmarks",
      .sweep.echo = "r",
@@ -330,9 +329,9 @@ const struct command limit_commands[] = {
      .help = "'count H fewest' is the same. For each kind of domino the answer has two lines: for a row "
              "whose first domino just tips over, or starts as 'set push' and 'set release' say, and for an "
              "endless train that is already moving. With n dominoes the growth must be (H/h)^(1/n). For n = "
-             "1, 2, 3 and so on, the program searches the gap at which a row with this growth has the most "
-             "energy to spare, and stops at the first n with which all dominoes fall, the one of height H "
-             "included; beyond 32 dominoes it bisects. It rounds the gap, and the growth upwards, and runs "
+             "1, 2, 3 and so on, the program searches for the gap at which a row with this growth has the "
+             "most energy to spare, and stops at the first n with which all dominoes fall, the one of height "
+             "H included; beyond 32 dominoes it bisects. It rounds the gap, and the growth upwards, and runs "
              "the row once more with exactly the numbers that it prints. Friction, slope and the other "
              "effects of the model apply.",
      .example = "count 112 m fewest; count 112 m 2.04 with s 0.35 q hollow",

@@ -8,10 +8,10 @@
  * of a cycle is a linear function of the energy of the cycle before it, with a slope below 1. */
 enum { START_DOMINOES = 64 };
 
-/* The number of dominoes that a search runs first. They often decide. */
+/* A search first runs this many dominoes, which often decide the verdict. */
 enum { FEW = 8 };
 
-/* The search for the largest growth runs rows of this many dominoes, or as many as decide. */
+/* The search for the largest growth runs this many dominoes of a row, or fewer if these decide. */
 enum { START_SEARCHED = 24 };
 
 /* The smallest relative tolerance of the search for a growth. The result of the search is rounded down to
@@ -59,7 +59,7 @@ struct plain_run {
     struct scene_row made; /* the caller frees made.domino */
     struct domq_verdict verdict;
     double spare;   /* the smallest margin / barrier of the dominoes */
-    bool is_pushed; /* otherwise the first domino just tips over, with a margin of 0 */
+    bool is_pushed; /* if false, the first domino just tips over, with a margin of 0 */
 };
 
 static bool spare_visit(const struct domq_fall *fall, void *context)

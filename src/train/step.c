@@ -360,7 +360,7 @@ const struct command walk_commands[] = {
      .synonyms = "jump walk",
      .argument = {{.name = "PLACE", .kind = ARGUMENT_PLACE, .noun = "event", .choices = event_names}},
      .summary = "go to a tilt, or to the launch, top, fall, stop, hit or start",
-     .help = "'start' is the launch of the first cycle, 'launch' that of the present one.",
+     .help = "'start' is the launch of the first cycle, 'launch' that of the current one.",
      .example = "step to 0.3",
      .see = "step cycle",
      .run = run_goto},

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Prints how long main questions take, and which goals are met. The command 'cost' compares the methods at
- * every tolerance, and 'make guard' counts instructions, which are less noisy.
+ * Prints how long the main questions take, and which goals are met. The command 'cost' compares the methods
+ * at every tolerance, and 'make guard' counts instructions, which are less noisy.
  *
  * usage: bench BUILD, from the top of the project
  */
@@ -94,7 +94,7 @@ static double one_seconds(question *ask, struct setup train, enum precision prec
     return mean_seconds(ask, &train, 1);
 }
 
-/* Makes trains for s from 0.02 to 0.9, first hollow and then massive, for a method and a tolerance. */
+/* Makes trains for s from 0.02 to 0.9, first hollow and then solid, for a method and a tolerance. */
 static void growths_make(struct setup *train, size_t n, enum dom_method method, double tol)
 {
     for (size_t i = 0; i < n; i++) {

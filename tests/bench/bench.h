@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The benchmark measures how long main questions take, in one run, and prints these times beside their goals.
- * Most goals are ratios between times of this run: to the time of another program, or of a bare link of a
- * train. The shortest of several times counts, so that other work of the machine matters little.
+ * The benchmark measures how long the main questions take, in one run, and prints these times beside their
+ * goals. Most goals are ratios between times of this run: to the time of another program, or of the bare step
+ * from a domino to the next. The shortest of several times counts, so that other work of the machine matters
+ * little.
  */
 #ifndef BENCH_H
 #define BENCH_H

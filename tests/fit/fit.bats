@@ -68,7 +68,7 @@ END
     printf 'gap (mm), speed (m/s)\n9, fast\n' >word.csv
     wrong 'fit friction empty.csv' "empty.csv:1:1: the file has no speeds; each line after the first must describe one measured row, and the first line must name gap \(mm\), speed \(m/s\), and, if known, error"
     wrong 'fit friction head.csv' 'head.csv:2:1: the file has no speeds'
-    wrong 'fit friction, push one.csv' '2 measurements are too few|one.csv has the speeds at 1 gap, which cannot determine 2 unknowns'
+    wrong 'fit friction, push one.csv' '2 measurements are too few|one.csv has the speeds of 1 kind of row, which cannot determine 2 unknowns'
     wrong 'fit friction bare.csv' "bare.csv:2:1: gap has no unit: '9' would mean 9 m; write 'gap \(mm\)'"
     wrong 'fit friction unit.csv' "unit.csv:1:11: '\(m\)' is not a unit of speed; its units are: m/s"
     wrong 'fit friction some.csv' 'some.csv:3:9: some speeds have an error and some have none'
@@ -157,7 +157,7 @@ noisy_hits() { # SEED
     # the error of the mean of n trials is that of one divided by sqrt(n)
     for n in 1 2 3; do sed 1d trials.csv; done | sed '1i gap (mm),speed (m/s)' >nine.csv
     close 'three times as many' 2 "$(values friction_sd < <(json "$scene; fit friction trials.csv") | head -n 1 | awk -v nine="$(json "$scene; fit friction nine.csv" | values friction_sd | head -n 1)" '{ print $1/nine }')" 0.01
-    wrong "$scene; fit friction, slope trials.csv" 'trials.csv has the speeds at 1 gap, which cannot determine 2 unknowns'
+    wrong "$scene; fit friction, slope trials.csv" 'trials.csv has the speeds of 1 kind of row, which cannot determine 2 unknowns'
 }
 
 # bats test_tags=rows
@@ -199,13 +199,13 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     close 'set row' 5 "$(json "$block set push 4; set row 28; fit push bare.csv" | values push | head -n 1)" 1e-6
     same 'the columns' '28 0.01' "$(json "$block set push 4; fit push plain.csv" | jq -r 'select(.dominoes == 28) | "\(.dominoes) \(.gap)"' | head -n 1)"
     wrong "$block set push 4; fit push bare.csv" "bare.csv:1:1: how many dominoes fell in this time\? Add a column 'dominoes', or enter, for example, 'set row 28'"
-    wrong "$block fit friction plain.csv" "plain.csv:2: 15 dominoes with gaps of 1 cm fell in .* s, but in the scene such a row ends at domino 2; if the row was pushed, enter 'set push'"
-    wrong "$block set push 0.1; fit friction plain.csv" "such a row ends at domino [0-9]+; the push may be too weak; enter a larger one with 'set push', or 'fit friction, push'$"
+    wrong "$block fit friction plain.csv" "plain.csv:2: 15 dominoes with gaps of 1 cm fell in .* s, but in the scene the fall ends at domino 2; if the row was pushed, enter 'set push'"
+    wrong "$block set push 0.1; fit friction plain.csv" "the fall ends at domino [0-9]+; the push may be too weak; enter a larger one with 'set push', or 'fit friction, push'$"
     printf 'domino,time (s)\n2,0.1\n3,0.2\n5,0.3\n6,0.4\n' >hits.csv
     wrong "$block set row 6; set push 0.1; fit friction hits.csv" "the fall ends at domino 1: 'fall' shows why; the push may be too weak; enter a larger one with 'set push', or 'fit friction, push'$"
     printf '0.1\n0.2\n0.3\n' >single.csv
     wrong "$block fit friction single.csv" "single.csv:1:1: there is only one column; if it lists hits, write 'time .s.' above it; otherwise the first line must name gap .mm., speed"
-    wrong "$block set d 17 mm; set push 4; fit push pitch.csv" "pitch.csv:2:1: the pitch 1.7 cm is not longer than a domino is thick, d h = 1.7 cm"
+    wrong "$block set d 17 mm; set push 4; fit push pitch.csv" "pitch.csv:2:1: the pitch 1.7 cm must exceed the thickness of a domino, d h = 1.7 cm"
     wrong "$block set push 4; fit d pitch.csv" 'pitch.csv has pitches, from which the gaps follow only if the thickness is known'
     printf 'gap (mm),pitch (mm),n,time (s)\n10,17,20,0.6\n' >both.csv
     wrong "$block fit friction both.csv" 'both.csv:1:10: both gap and pitch are given; leave one of these columns out'

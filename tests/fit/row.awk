@@ -2,7 +2,7 @@
 # Prints when each domino of a row of n equal blocks is hit, without friction, and then when the last one lies on the
 # floor. All lengths are in m. Call: awk -v n=20 -v h=0.044 -v d=0.007 -v gap=0.018 -v push=5 -f row.awk
 # It is a plain sum of energies: domino k turns about its lower front edge, those behind it lean on each other, energy is
-# conserved until a collision, and a collision keeps the momentum at the contact. Nothing here is the program's.
+# conserved until a collision, and a collision keeps the momentum at the contact. Nothing here comes from the program.
 function asin(x) { return atan2(x, sqrt(1 - x * x)) }
 # The energy of position, per m g, and J, the kinetic energy as a moment of inertia of the head, per m.
 function chain(k, theta,   j, turn, above, slope) {

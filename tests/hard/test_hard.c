@@ -39,8 +39,7 @@ static struct ref_input input_of(const struct hard_case *c, enum precision preci
     return input;
 }
 
-/* The error of an answer, and the scale of such errors (reference.h), or a part of it that is large enough.
- */
+/* The error of an answer, and the scale of such errors (reference.h) or a large enough part of the scale. */
 struct verdict {
     double want, scale, error;
 };

@@ -48,7 +48,7 @@ load ../shell/common
     run ! grep -qi push <<<"$output"
 }
 
-@test "mend: once a push is named, no single gap is no news; without any advice, it points to why" {
+@test "mend: if a push helps, missing changes of gaps are not mentioned; without any advice, it points to why" {
     same 'a push' "The row needs a stronger push: its first domino does not tip over.
 With 'set push 2.521', all dominoes fall." "$("$DOMINO" -e 'set row 8; set push 2; mend')"
     same 'why' "'why' says with which gaps or growth an endless train keeps falling." \

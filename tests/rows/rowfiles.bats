@@ -134,7 +134,7 @@ END
     printf 'height (mm),thickness (mm),gap (mm)\n48,0,7,5,-\n' >commas.csv
     wrong 'effect row commas.csv' "commas.csv:2:8: too many cells: 5, but the first line has 3"
     printf 'height (mm),thickness (mm),gap (mm)\n"1,200",75,-\n' >thousands.csv
-    wrong 'effect row thousands.csv' "thousands.csv:2:2: the comma in this number may set thousands apart"
+    wrong 'effect row thousands.csv' "thousands.csv:2:2: the comma in this number may be a thousands separator"
     printf 'height (mm)\tthickness (mm)\tgap (mm)\n1,234\t0,75\t-\n' >commas.csv
     same 'tabs: decimal commas' 0.001234 "$(json 'effect row commas.csv; row' | values height)"
     printf 'height (mm);thickness (mm);gap (mm)\n48;7;-;;\n50;7;20;;\n' >cells.csv

@@ -72,7 +72,7 @@ verdicts() { # COMMANDS...
     same 'no lean' 'null null null' "$(json 'effect row 3; effect edges 0.01; tolerance' | values lean_high | paste -sd ' ' -)"
     grep -q '^Set domino 1 square to the floor: ' <<<"$("$DOMINO" -e 'effect row 3; effect slope 0.1; tolerance details')"
     said=$("$DOMINO" -e 'effect row 3; place 2 4 m; tolerance details')
-    grep -q 'does not fall now; a change of one value can save it\.' <<<"$said"
+    grep -q 'does not fall as it is; a change of one value can save it\.' <<<"$said"
     low=$(json 'effect row 3; place 2 4 m; tolerance' | values gap_low | sed -n 2p)
     same mended 'all fall' "$(json "effect row 3; place 2 $low m; verdict" | values verdict)"
     wrong tolerance 'there is no row'

@@ -55,7 +55,7 @@ seconds() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_
         'The clock runs from the push'; do
         grep -qF "$words" sheet || same 'the sheet' "$words" "$(cat sheet)"
     done
-    # A row from a file: the places of the front faces, by a sum of my own; no other gaps.
+    # A row from a file: the places of the front faces, by an independent sum; no other gaps.
     "$DOMINO" -e "set row $root/examples/measured/tape.csv; set push 4; sheet" >sheet
     grep -qE "^ +8 +27\\.94 cm +3\\.81 cm +10\\.16 cm +$(awk 'BEGIN { printf "%.4g", (42.5 - 13 + 1)*2.54 }') cm" sheet
     grep -qF 'The 8 dominoes: 0.99 s' sheet
@@ -82,9 +82,9 @@ seconds() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_
 }
 
 @test "a scene without a row that falls gets one line" {
-    wrong "$block sheet" "a sheet is about a row; first enter, for example, 'set r 1; set s 20 mm; set push 3; set row 28'"
-    wrong "$block set row 1; sheet" 'a sheet is about a row of at least two dominoes'
-    wrong "$block set row 9; set push 1; sheet" 'the row does not fall to its end, so that nobody can time it: the fall ends at domino 1 of 9'
+    wrong "$block sheet" "a sheet needs a row; first enter, for example, 'set r 1; set s 20 mm; set push 3; set row 28'"
+    wrong "$block set row 1; sheet" 'a sheet needs a row of at least two dominoes'
+    wrong "$block set row 9; set push 1; sheet" 'the row does not fall to its end, so nobody can time it: the fall ends at domino 1 of 9'
     wrong "$block set row 9; sheet > class.png" "a sheet has two pages, which a picture such as 'class.png' cannot have; use .pdf, .gp or .txt"
     wrong "$block set row 9; sheet > class.gif" "class.gif"
     # Gaps at which the row would not fall are left out.

@@ -72,7 +72,7 @@ END
 }
 
 # bats test_tags=rows
-@test "what is no column, no number, no row, or not as long, gets one line" {
+@test "no column, no number, no row, or columns of different lengths: an error of one line" {
     all_wrong <<'END'
 7|print chain(0).weight|'chain' has no value: its answer is a table; .* as in 'sum.chain.0..weight.'
 7|print chain|'chain' has no value: its answer is a table; .*'sum.chain.0..weight.'

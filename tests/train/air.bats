@@ -35,15 +35,15 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > 0 && a < b) }'; }
     wrong 'set air 1.2; rmax' "needs the mass of the dominoes; first enter, for example, 'set density 650 kg/m"
     wrong 'set air 1.2; set row 5; fall' 'needs the mass of the dominoes'
     for ask in 'rmax 0.4' best duration pair barrier step cycle why 'explain launch' 'count 8'; do
-        wrong "$airy; set q hollow; $ask" "self-similar; 'set q solid', or ask about a row: 'set row 20; fall', 'rowmax'"
+        wrong "$airy; set q hollow; $ask" "self-similar; enter 'set q solid', or ask about a row: 'set row 20; fall' or 'rowmax'"
         json "$airy; $ask" >out
         [ -s out ]
     done
     wrong "$airy; set q hollow; set row 5; slip" "self-similar; about the row: 'set floor 0.4; fall'$"
-    wrong "$airy; set q hollow; set row 5; rmax 0.4" "'set q solid', or ask about the row: 'fall', 'rowmax'$"
+    wrong "$airy; set q hollow; set row 5; rmax 0.4" "'set q solid', or ask about the row: 'fall' or 'rowmax'$"
     wrong "$airy; set fuel paper" "'fuel paper' cannot be combined with air"
     same 'no proof' 'not proved: there is no proof for trains with effects that change their motion' "$(json "$airy; prove rmax" | values reason)"
-    # A solid train is the same at any size, and less of it moves in a wind of lighter wood.
+    # The growth of a solid train is the same at any size, and smaller for lighter wood.
     close 'any size' 1 "$(json "$airy; rmax; set h 8 m; rmax" | values r_max | paste -sd ' ' | awk '{ print $2 / $1 }')"
     less "$(json "$airy; set density 50; rmax" | values r_max)" "$(json "$airy; rmax" | values r_max)"
     same 'a mass is as good' "$(json "$airy; rmax" | values r_max)" \

@@ -81,7 +81,7 @@ static double inertia(const struct direct_row *row, size_t i)
      * that the pairs before it fill. */
     const double size[][4] = {{t, h, w, d - t}, {d - 2 * t, t, w, h - t}, {d - 2 * t, h - 2 * t, 2 * t, 0}};
 
-    /* The air that moves along: rho pi (w/2)^2 for each length of a strip. */
+    /* The air that moves along: rho pi (w/2)^2 per unit length of a strip. */
     double more = row->air * acos(-1) / 4 * strips(row, i, 2, 2);
 
     if (t == 0)

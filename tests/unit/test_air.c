@@ -118,7 +118,7 @@ TEST(first_domino_tips_over)
     }
 }
 
-/* Rounded edges, with and without air: the same motion before the first hit as with hardly rounded edges. */
+/* Rounded edges, with and without air: the same motion before the first hit as with nearly sharp edges. */
 TEST(round_dominoes_tip_over)
 {
     for (int i = 0; i < 3; i++) {
@@ -300,8 +300,8 @@ TEST(no_air_changes_nothing)
     }
 }
 
-/* The standard domino of solid wood hardly feels the air. A box of 8 m, which is 1,200 kg light, loses
- * several per cent of its energy in a cycle. */
+/* The standard domino of solid wood hardly feels the air. A box of 8 m that weighs only 1,200 kg
+ * loses about a tenth of the energy that a cycle releases. */
 TEST(giants_feel_it)
 {
     double lost[2], slower[2];

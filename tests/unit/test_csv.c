@@ -122,7 +122,8 @@ TEST(decimal_marks)
         {HEAD "\"max(1.500,2)\",,", "2 - - ,; "},
     };
     CHECK(sure, &kind);
-#define THOUSANDS " in this number may set thousands apart; write one more digit behind it, or leave it out"
+#define THOUSANDS                                                                                            \
+    " in this number may be a thousands separator; write one more digit after it, or leave it out"
     static const struct reading doubtful[] = {
         {HEAD "1.5,,\n1,\"12,345 mm\",", "1.5 - - ,; 3:4: the comma" THOUSANDS},
         {HEAD "\"1,200\",,", "2:2: the comma" THOUSANDS},

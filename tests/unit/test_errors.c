@@ -77,7 +77,7 @@ static const char *ask(const char *format, ...)
     return answer_to(line);
 }
 
-/* Points.csv has 25 digits, but only 14 of the durations. */
+/* points.csv has 25 digits, but only 14 for durations. */
 static const double all = 1e-19, duration_digits = 1e-13;
 
 static void points(const char *precision)

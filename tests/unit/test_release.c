@@ -196,7 +196,7 @@ TEST(refusals)
     assert_status(run_whole(&run), DOM_BAD_RELEASE);
     run.row.release = NAN;
     assert_status(run_whole(&run), DOM_BAD_RELEASE);
-    /* A lean of the first domino is replaced. */
+    /* The release replaces the lean of the first domino. */
     run.row.release = 0.4;
     run.domino->lean = 0.1;
     assert_status(run_whole(&run), DOM_OK);
@@ -204,7 +204,7 @@ TEST(refusals)
     run.domino->lean = 0;
     assert_status(run_whole(&run), DOM_OK);
     assert_true(run.fall[1].omega == omega);
-    /* Without a push, and with a tilt of 0, the row starts as ever. */
+    /* Without a push, and with a tilt of 0, the row starts as usual. */
     released(&run, 4, 0.5, 1, 0.4);
     run.row.push = NAN;
     assert_status(run_whole(&run), DOM_OK);

@@ -30,8 +30,8 @@ struct film {
  * `watch` sets film->problem. */
 bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struct film *film));
 
-/* Moves the view of a film that follows the fall: it has a size that suits the domino `from`, with this
- * domino near the middle, if `part` is 0, and likewise for the domino `to` if `part` is 1. */
+/* Moves the view of a film that follows the fall. If `part` is 0, the size of the view suits the domino
+ * `from`, which is near its middle. If `part` is 1, the same holds for the domino `to`. */
 void film_follow(struct stage *stage, const struct drawn *from, const struct drawn *to, double part);
 
 /* Draws a frame. Returns false if the user has ended the film. */

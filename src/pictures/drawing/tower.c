@@ -20,7 +20,7 @@
 /* A copy that would be enlarged by less than this factor is not drawn. */
 #define ZOOM_LEAST 2
 /* Turns the last domino of the row into the tower: a domino of this height, with the proportions of the
- * others. The gap before it is what it would be before any domino of its height. */
+ * others. The gap before it is s times its height, as for every domino. */
 static bool tower_stand(struct tower *tower, size_t dominoes)
 {
     struct scene *scene = &tower->state.scene;

@@ -48,7 +48,7 @@ struct table {
     const char *head, *end; /* the first row, and the line after the last row */
     int columns;
     int width[COLUMNS]; /* the number of characters of the longest cell */
-    bool has_blanks;    /* some cells wait for handwriting */
+    bool has_blanks;    /* some cells are for handwriting */
 };
 
 struct cell_text {

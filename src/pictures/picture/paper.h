@@ -7,9 +7,9 @@
 #include "pictures/picture/stage.h"
 
 /* A document in a simple markup. The caller writes it to `out`, in lines:
- * - "# HEADING" begins a part, which is not torn if it fits on a page.
+ * - "# HEADING" begins a part, which stays on one page if it fits.
  * - "|CELL|CELL" is a row of a table, whose first row is its head. A cell that ends with '!' is bold on
- * paper. An empty cell waits for handwriting; a cell with a blank stays empty.
+ * paper. An empty cell has room for handwriting; a cell with a blank does not.
  * - "\f" begins a new page.
  * - Any other line is text, which is broken into lines that fit. */
 struct paper {

@@ -14,7 +14,7 @@ static struct {
     int terminal;
     struct termios before, keys;   /* the modes of the terminal */
     struct sigaction stop;         /* what ^Z did before */
-    volatile sig_atomic_t is_back; /* ^Z has stopped the program, and it goes on */
+    volatile sig_atomic_t is_back; /* the program has continued after ^Z */
     int escaped;                   /* how many bytes of an arrow key have been read */
 } screen;
 

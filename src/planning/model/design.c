@@ -38,7 +38,7 @@ static bool row_enough(struct planner *p, struct choice c)
            (!p->limits || length_of(p, c) <= p->hall);
 }
 
-/* Returns true if this also holds for an endless train. */
+/* Returns true if row_enough holds, and an endless train of such dominoes is safe enough, too. */
 static bool enough(struct planner *p, struct choice c)
 {
     return planner_train_ratio(p, separation(c.k), planner_growth(p, c.steps)) >= p->wish->safety &&

@@ -77,7 +77,7 @@ struct search {
     enum dom_status status;
     dom_progress *progress;
     void *context;
-    size_t done; /* the part of ROWS_ALL that is done: a level takes as long as it has rows */
+    size_t done; /* the part of ROWS_ALL that is done: the time of a level is proportional to its rows */
 };
 
 /* ---- The function that is minimized ---- */

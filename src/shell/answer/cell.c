@@ -90,7 +90,7 @@ static domq_real printed_error(struct cell cell, const char *text)
     return cell.error + quad(fabs)(quad_read(text, NULL) - cell.number);
 }
 
-/* A double is known to this many digits. */
+/* The number of decimal digits that a double represents reliably. */
 enum { DOUBLE_DIGITS = 15 };
 
 static const char *real_text(struct cell cell, int digits, bool errors, char text[CELL_TEXT])

@@ -17,7 +17,7 @@ static const struct {
                 {"m", 1, {"cm", 2}},
                 {"kg", 1, {"g", 3}},
                 {"kg", 10000, {"kg", 0}},
-                {"kg", (domq_real)1e30, {"t", -3}}, /* above, and if the numbers are not known: kg */
+                {"kg", (domq_real)1e30, {"t", -3}}, /* otherwise, as for unknown numbers: kg */
                 {"share", (domq_real)HUGE_VAL, {"%", 2}}};
 
 struct measure measure_of(const char *unit, domq_real largest)

@@ -111,8 +111,8 @@ static void missing_say(const struct query *query, struct answer *a, const struc
         answer_say(a, "This is set, and counts once there is a row: enter 'set row N' or 'set row FILE'.");
 }
 
-/* Says what a change of a parameter leaves as it was in the row. The length of a width is that of the first
- * domino, but the user may have meant all of them. */
+/* Says what in the row a change of a parameter leaves as it was. A width given as a length is the width of
+ * the first domino, but the user may have meant all dominoes. */
 static void row_say(const struct query *query, struct answer *a, const struct parameter *p,
                     const struct typed_length *length)
 {

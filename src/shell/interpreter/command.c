@@ -12,7 +12,7 @@ static const struct command_group *groups = no_group;
 
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST]; /* the commands of all groups */
-static char letters[COMMANDS_MOST];                /* the first letter of each */
+static char letters[COMMANDS_MOST];                /* the first letter of each command */
 static int every_count;
 
 void command_registry(const struct command_group *all)

@@ -55,8 +55,8 @@ struct argument {
     const char *noun;
     bool optional;
     names_list *choices;
-    /* For an ARGUMENT_CHOICE: how to get what a command's name seems to stand for, if it is typed in place of
-     * a choice. The first word is one of the choices, and the name follows the text. May be NULL. */
+    /* For an ARGUMENT_CHOICE: advice for a user who types the name of a command in place of a choice. The
+     * first word is one of the choices, and the typed name is added at the end. May be NULL. */
     const char *for_answers;
     /* Some arguments have a syntax of their own: the kinds from ARGUMENT_GRID to ARGUMENT_UNIT. The function
      * `parse` reads such an argument and stores its result in question->parsed. The function `bind` computes
@@ -90,9 +90,9 @@ struct arguments {
 struct command {
     const char *name;
     struct {
-        /* Two words that stand for this command, such as "step back". The first of them is the name of the
-         * command that precedes this one in its table, or that precedes others with such words. Help shows
-         * these words, and `name` is a synonym that help does not mention. */
+        /* Two words that stand for this command, such as "step back". In its table, this command follows the
+         * command whose name is the first word, directly or after others with the same first word. Help
+         * shows these words, and `name` is a synonym that help does not mention. */
         const char *phrase;
         /* the shortest abbreviation that stands for this command even though other commands begin with it */
         const char *shortest;
@@ -130,8 +130,8 @@ struct command {
          * if 'sweep' accepts the command. A command without columns needs no reason here, because 'sweep'
          * accepts no such command. */
         const char *refusal;
-        /* The numbers of the answer suppose that its verdict is yes, so a search for the best of them leaves
-         * out places where it is no (run_context.seeks_yes). */
+        /* The numbers of the answer are only meaningful if its verdict is yes, so a search for the best
+         * number leaves out places where the verdict is no (run_context.seeks_yes). */
         bool needs_yes;
     } sweep;
     /* For a command whose energies are in J if masses are known: returns true if they are known in this

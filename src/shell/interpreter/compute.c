@@ -69,7 +69,7 @@ static void reference_compute(const struct command *c, const struct query *query
         reference->is_void = true;
 }
 
-/* Runs the command. Fails if only a verdict of yes is sought, and it is no. */
+/* Runs the command. Fails if the verdict is no and the search wants only answers whose verdict is yes. */
 static bool command_run(const struct command *c, const struct query *query, struct answer *answer,
                         struct problem *problem)
 {

@@ -9,8 +9,7 @@
 struct engine_driver;
 struct plot;
 
-/* How a feature draws the answer of a command of another one if it goes to a picture file, such as
- * 'train.svg'. */
+/* Draws the answer of another feature's command if the answer goes to a picture file, such as 'train.svg'. */
 struct feature_picture {
     const char *command;
     bool (*draw)(const struct query *query, struct answer *answer, struct problem *problem);

@@ -118,7 +118,7 @@ void command_run_text(struct session *session, const char *text)
     FILE *in = strchr(text, '\n') ? fmemopen((char *)text, strlen(text), "r") : NULL;
     resume(session);
     if (in) {
-        session->source.line--; /* it is the line of the first one already */
+        session->source.line--; /* it is already the number of the first line */
         run_lines(session, in, false);
         fclose(in);
     } else

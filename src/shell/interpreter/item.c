@@ -222,7 +222,7 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
     return item_parse(r, a, item);
 }
 
-/* Returns true if the word is a command with an answer that one of the choices shows. A build may lack this
+/* Returns true if the word is a command whose answer one of the choices can show. A build may lack this
  * choice. */
 static bool is_shown(const struct argument *a, const char *word)
 {

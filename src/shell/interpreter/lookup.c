@@ -19,7 +19,7 @@ struct column_cells {
 
 /* The table over which an aggregate is being computed. */
 struct rows {
-    struct column_cells *columns; /* those that have been computed, the latest first */
+    struct column_cells *columns; /* the columns computed so far, the latest first */
     size_t row, count;
     bool only_counts; /* the value of a column is its number of rows */
 };

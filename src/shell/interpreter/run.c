@@ -262,7 +262,7 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
                                                                    : "; 'draw' and 'plot' write pictures");
 }
 
-/* At a terminal, says which file has been written, and what it has. Scripts get no more than the file. */
+/* At a terminal, says which file has been written, and what it contains. Scripts get no such message. */
 static void wrote_say(const struct session *session, const char *path)
 {
     const char *made = session->made;

@@ -74,7 +74,7 @@ void io_stdout_flush(void);
 /* What happens to the text of these streams, if the members are not NULL. */
 extern struct io_taps {
     void (*copy)(const char *bytes, size_t count); /* a log gets a copy of standard output */
-    /* A pager takes standard output in the place of the terminal. Returns false if it takes no more. */
+    /* A pager gets standard output in place of the terminal. Returns false if it accepts no more. */
     bool (*page)(const char *bytes, size_t count);
     FILE *messages; /* receives what io_stderr would write */
 } io_taps;

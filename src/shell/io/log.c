@@ -67,7 +67,7 @@ const char *log_begin(const char *path, bool is_plain, const volatile sig_atomic
         free(l);
         return wrong;
     }
-    io_stdout_flush(); /* the answers before this command do not belong into the log */
+    io_stdout_flush(); /* the answers before this command do not belong in the log */
     if (current)
         fflush(current->file);
     const bool ends_in_line = io_ends_in_line(path);

@@ -34,8 +34,7 @@ static FILE *file_open(struct output *o)
     o->has_draft = !target_is_standard(t) && (!t->exists || S_ISREG(t->status.st_mode));
     if (o->has_draft) {
         file = io_temporary(t->folder, NULL);
-        if (file < 0 && o->append &&
-            t->exists) /* a file to which text is appended needs no place beside it */
+        if (file < 0 && o->append && t->exists) /* the draft of an append may be in another folder */
             file = io_temporary(NULL, NULL);
         return file >= 0 ? fdopen(file, "w+") : NULL;
     }

@@ -32,13 +32,13 @@
 static struct {
     FILE *program;      /* the pipe to the pager program, or NULL while there is none */
     bool is_left;       /* the user has closed the pager */
-    FILE *held, *notes; /* write to `text` and `messages` */
+    FILE *held, *notes; /* streams that write to `text` and `messages` */
     char *text, *messages;
     size_t text_size, messages_size;
     size_t shown; /* the number of bytes that are already on the terminal */
     double begun; /* the terminal_clock time when the first text arrived; 0 before that */
     int width;
-    long height, rows; /* of the terminal, and the number of its rows that the text fills so far */
+    long height, rows; /* the height of the terminal, and how many of its rows the text fills so far */
     bool has_head;
     struct termios modes; /* the terminal modes before the pager program was started */
 } pager;

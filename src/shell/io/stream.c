@@ -101,7 +101,7 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
     struct stat status;
     if (!in) {
         channel.interrupt = interrupt;
-        /* When the program ends, stdin leaves the lines of a regular file that were not read to the next. */
+        /* When the program ends, stdin leaves the unread lines of a regular file to the next program. */
         bool is_regular = fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode);
         in = is_regular ? stdin : fopencookie(&channel, "r", (cookie_io_functions_t){.read = channel_read});
     }

@@ -5,7 +5,7 @@
 #define SHELL_LANDMARKS_H
 
 struct landmark {
-    const char *name;   /* in small letters, with '_' between words */
+    const char *name;   /* in lower case, with '_' between words */
     const char *also;   /* another name, or NULL */
     const char *height; /* a decimal number, in metres */
     const char *what;   /* what the landmark is, and for which year or state the height holds */
@@ -16,9 +16,9 @@ struct landmark {
 enum { LANDMARKS = 20 };
 extern const struct landmark landmarks[LANDMARKS + 1];
 
-/* Returns the landmark whose name begins the text, and stores the end of the name in *end. The longest name
- * counts. Letters may be small or large, and blanks may stand for '_', as in "Big Ben". Returns NULL if the
- * text begins with no such name. */
+/* Returns the landmark with whose name the text begins, and stores the end of the name in *end. The longest
+ * name counts. Case does not matter, and blanks may stand for '_', as in "Big Ben". Returns NULL if the text
+ * begins with no such name. */
 const struct landmark *landmark_scan(const char *text, const char **end);
 
 /* Returns the landmark with this name, or NULL. */

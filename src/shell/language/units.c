@@ -164,7 +164,7 @@ void quantity_multiply(struct quantity *q, struct quantity by, int power)
 }
 
 /* Returns the unit of `length` letters at c in a text that begins at `begin`. In km/h, h is an hour.
- * Otherwise it is no unit, but the height. */
+ * Elsewhere, h is not a unit but the height. */
 static const struct unit *unit_in(const char *begin, const char *c, size_t length)
 {
     const bool is_hour = length == 1 && *c == 'h' && c == begin + 3 && strncmp(begin, "km/", 3) == 0;
@@ -222,7 +222,7 @@ const char *length_write(domq_real m, const char *typed, char text[LENGTH_TEXT])
             q = (struct quantity){.value = quad_read(number, NULL)};
             unit_scan(unit, &q);
         } while (q.value != m && ++digits <= WIDE_DIGITS);
-        if (k == first || strlen(number) + 3 < shortest) { /* m unless its digits do not end */
+        if (k == first || strlen(number) + 3 < shortest) { /* m, unless another unit is much shorter */
             shortest = strlen(number);
             snprintf(text, LENGTH_TEXT, "%s %s", number, unit);
         }

@@ -48,7 +48,7 @@ void history_load(struct session *session)
         *history_file = '\0';
     if (!*history_file || stat(history_file, &status) != 0)
         return;
-    if (S_ISCHR(status.st_mode)) { /* such as /dev/null: no history is wanted */
+    if (S_ISCHR(status.st_mode)) { /* a device such as /dev/null means that no history is wanted */
         *history_file = '\0';
         return;
     }
@@ -80,7 +80,7 @@ static int file_open(void)
         *c = '/';
     }
     const int file = open(history_file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600);
-    errno = errno == ENOENT && reason ? reason : errno; /* why the folder is missing */
+    errno = errno == ENOENT && reason ? reason : errno; /* why a folder could not be made */
     return file;
 }
 

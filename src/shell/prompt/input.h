@@ -46,7 +46,7 @@ void history_keep(struct session *session, const char *text);
 /* Binds the keys that accept a hint. Must be called after rl_initialize. */
 void overlay_begin(void);
 
-/* Shows a hint behind the typed line. */
+/* Shows a hint after the typed text. */
 void overlay_show(struct session *session);
 
 /* Clears the hint. Must be called before a key is handled. */

@@ -156,7 +156,7 @@ enum { FORMATS(FORMAT_NUMBER) };
     {.name = #name_, MORE_##name_ .value = domq_effect_##name_.argument, .effect = &domq_effect_##name_, \
      .which = DOM_EFFECT_##name_, \
      .words = (int)DOM_EFFECT_##name_ == (int)DOM_EFFECT_release ? release_words : effect_words},
-/* Features have these entries; here are only their names and what they need. */
+/* Features provide these entries. Here are only their names, and the features that they need. */
 #define ENGINE_EFFECT(name_) {.name = #name_, .feature = "engine"},
 #define ERROR_EFFECT(name_, feature_) {.name = "error_" #name_, .feature = feature_},
 

@@ -77,7 +77,7 @@ static const char *without_effects(const void *context, int k)
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE])
 {
     int k = names_exact(list, NULL, word);
-    if (k < 0 && strlen(word) < 3) { /* One or two letters mean a measure: w is the width, not the walls. */
+    if (k < 0 && strlen(word) < 3) { /* one or two letters name no effect: w is the width, not the walls */
         k = names_find(without_effects, &list, what, word, message);
         k = k < 0 ? k : names_exact(list, NULL, without_effects(&list, k));
     } else if (k < 0)

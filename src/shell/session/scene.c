@@ -211,7 +211,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "'set density 650 kg/m^3'");
     if (status == DOM_NO_AIR)
         return problem_no_answer(
-            problem, "%s; 'set q solid', or ask about %s, 'rowmax'", dom_status_text(status),
+            problem, "%s; enter 'set q solid', or ask about %s or 'rowmax'", dom_status_text(status),
             scene->effect[DOM_EFFECT_row].on ? "the row: 'fall'" : "a row: 'set row 20; fall'");
     if (status == DOM_NO_FUEL)
         return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
@@ -226,8 +226,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     if (status == DOM_NO_ROOM)
         return problem_no_room(problem, scene, 0, t->d * scene->scale.h);
     if (status == DOM_OPEN)
-        return problem_no_answer(problem, "%s; with a slightly different s it is not",
-                                 dom_status_text(status));
+        return problem_no_answer(problem, "%s; try a slightly different s", dom_status_text(status));
     if (status == DOM_TOO_LONG)
         return problem_no_answer(problem, "%s; use a larger s, d or tol", dom_status_text(status));
     return problem_no_answer(problem, "%s", dom_status_text(status));

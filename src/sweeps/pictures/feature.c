@@ -6,7 +6,7 @@ extern const struct command watch_commands[];
 extern const struct plot sweep_plots[];
 
 static const struct command_group groups[] = {
-    {"An answer under the arrow keys", "sweeps", watch_commands},
+    {"Exploring with the arrow keys", "sweeps", watch_commands},
     {NULL, NULL, NULL},
 };
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Air. A plate of the height h and the width w that turns about its lower edge at omega drives a drag of rho
- * C w (omega y)^2 / 2 per length at the height y, where rho is the density of the air and C the drag
+ * Air. A plate of the height h and the width w that turns about its lower edge at omega meets a drag of rho
+ * C w (omega y)^2 / 2 per unit length at the height y, where rho is the density of the air and C the drag
  * coefficient. The sum over the height is the torque rho C w h^4 omega^2 / 8. The air that moves along adds
- * the moment of inertia of strips of the mass rho pi w^2 / 4 per length, rho pi w^2 h^3 / 12. For a domino of
- * the mass m and the thickness d h, with the moment of inertia m h^2 (1 + d^2) / 3 and the density m / (h^2 w
- * d), both are multiples of the ratio of the two densities (inertia.h). A domino that moves alone keeps the
- * part exp(-2 k D) of omega^2 while it turns by the angle D, apart from gravity, where k is `drag` of struct
- * geometry.
+ * the moment of inertia of strips of the mass rho pi w^2 / 4 per unit length: rho pi w^2 h^3 / 12. For a
+ * domino of the mass m and the thickness d h, with the moment of inertia m h^2 (1 + d^2) / 3 and the density
+ * m / (h^2 w d), both are multiples of the ratio of the two densities (inertia.h). A domino that moves alone
+ * keeps the part exp(-2 k D) of omega^2 while it turns by the angle D, apart from gravity, where k is `drag`
+ * of struct geometry.
  *
  * Both are estimates: they leave out the flow of air between two dominoes.
  *
@@ -66,13 +66,13 @@ const struct dom_effect dom_effect_air = {
     .synonyms = "atmosphere wind resistance drag fluid aerodynamic",
     .adds = "the drag of the air, and the inertia of the air that dominoes move",
     .help =
-        "RHO is the density of the air. Giants feel the air, if they are light: a hollow domino of 8 m that "
-        "weighs 1,200 kg loses several per cent of its energy in a cycle. Dominoes of solid wood lose as "
-        "little at any size: k is about 0.006 for d = 0.15. In a row, the height, thickness, width and mass "
-        "of each domino count, so the masses must be known: 'set mass', 'set density', or a file. 'set "
+        "RHO is the density of the air. Light giants feel the air: a hollow domino of 8 m that weighs 1,200 "
+        "kg loses about a tenth of the energy that a cycle releases. Dominoes of solid wood lose less than "
+        "1 % of it at any size: k is about 0.006 for d = 0.15. In a row, the height, thickness, width and "
+        "mass of each domino count, so the masses must be known: 'set mass', 'set density', or a file. 'set "
         "drag' changes the drag coefficient C of 1.2. An endless train must be solid ('set q solid'), "
-        "because other trains are not self-similar in air; ask about them with a row, which has "
-        "answers of its own. A train is also braked while its first domino falls alone. Drag and inertia are "
+        "because other trains are not self-similar in air; ask about a row instead, as in 'set row "
+        "20; fall'. A train is also braked while its first domino falls alone. Drag and inertia are "
         "estimates for a plate in still air; the flow between dominoes is left out, and so is buoyancy. "
         "'fuel paper' cannot be combined with air.",
     .source = "quasi-steady drag and added mass of a slender plate, strip by strip; textbook fluid mechanics",

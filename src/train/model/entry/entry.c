@@ -23,9 +23,9 @@ struct row_question {
     enum dom_status status;
 };
 
-/* Asks a question: calls a function of this library's own method, unless the question has an error, or has
- * another method. The value of the macro is the status. ASK_METHOD calls the function of another method, if
- * it has one. */
+/* Asks a question: calls a function of this library's own method, unless the question has an error, or asks
+ * for another method. The value of the macro is the status. ASK_METHOD calls the function of another method,
+ * if it has one. */
 #define ASK(question, find, ...)                                                                             \
     ((question).status != DOM_OK ? (question).status                                                         \
      : (question).method         ? DOM_NO_METHOD                                                             \

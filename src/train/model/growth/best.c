@@ -4,7 +4,7 @@
  * and jumps. It jumps where a dip of the margin touches 0, and the best separation is often at such a jump.
  *
  * Samples of s come first, then more samples where a larger value may hide between two of them. Near the
- * largest sample the search closes in on the place where r_max(s) stops to increase, whether it is a smooth
+ * largest sample the search closes in on the place where r_max(s) stops increasing, whether it is a smooth
  * maximum, a kink or a jump. Quad precision starts there, from the result of double precision.
  */
 #include "growth/limit.h"

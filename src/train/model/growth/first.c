@@ -40,8 +40,8 @@ static real next_place(const struct margin_context *c, real r)
     return r >= near ? reach : fmin(r * exp(step), r * exp(step * (real)1.25) > near ? near : reach);
 }
 
-/* An interval is halved at most so often, down to about 2e-6 r. After every LOOK_EVERY halvings, the slopes
- * at its ends tell whether it contains a minimum. */
+/* An interval is halved at most HALVES times, down to about 2e-6 r. After every LOOK_EVERY halvings, the
+ * slopes at its ends tell whether it contains a minimum. */
 enum { HALVES = 17, LOOK_EVERY = 4 };
 
 /* An interval is clear if the scaled margin exceeds SAFETY f w^2 at both ends. Here w is the width of the
@@ -153,7 +153,7 @@ static bool is_clear(const struct first *s, const struct stretch *in, const stru
 {
     if (is_high(s, in->lo) && is_high(s, in->hi))
         return true;
-    /* behind the known root, the margin may change on much smaller scales */
+    /* beyond the known root, the margin may change on much smaller scales */
     const struct margin_sample *after =
         in->after && in->after->r > s->change.at.r && s->sign > 0 ? &s->change.at : in->after;
     return (in->before || after) && (!in->before || is_clear_by(s, in, in->before, zero)) &&
@@ -270,7 +270,7 @@ static enum dom_status find_root(struct first *s, const struct stretch *in)
 
 static enum dom_status search_stretch(struct first *s, const struct stretch *in);
 
-/* Returns a sample with its barrier in the place of an upper bound. */
+/* Returns a sample with its barrier instead of an upper bound. */
 static enum dom_status sample_exactly(const struct first *s, const struct margin_sample *bound,
                                       struct margin_sample *sample)
 {

@@ -71,8 +71,8 @@ static bool clock_rate(real x, void *context, struct num_rate *rate)
     return st->status == DOM_OK;
 }
 
-/* Near a rest, there may be another one, which the head does not reach. If it is closer than this, as a
- * fraction of the motion, panels are short. */
+/* Near a point of rest, there may be another one, which the head does not reach. If they are closer together
+ * than this fraction of the motion, panels are short. */
 #define REST_WIDTH ((real)1e-6)
 
 /* Returns the tilt at which the piece of the series ends that begins at theta: the next edge of the barrier.

@@ -16,7 +16,7 @@ struct clock {
     real to;     /* the last tilt of the motion */
     real smooth; /* from this tilt up to `to`, no domino detaches */
     bool rests;  /* true if the head comes to rest at the tilt `to` */
-    real width;  /* of the peak of the slowness at the top of the barrier */
+    real width;  /* the width of the peak that the slowness has at the top of the barrier */
     real tol;
     struct num_linear time; /* the time in tau, as a function of the variable x (clock.c) */
 };

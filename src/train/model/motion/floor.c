@@ -11,12 +11,12 @@ enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
  * speed. Nobody would see the dominoes behind it slip. */
 #define FLOOR_SHARE ((real)1e-3)
 
-/* The walk looks at most at so many dominoes. */
+/* The walk looks at no more dominoes than this. */
 enum { FLOOR_SHOWN = 4096 };
 
 struct required_walk {
     struct required_friction required_friction;
-    size_t seen; /* the number of dominoes at which the walk has looked */
+    size_t seen; /* the number of dominoes that the walk has looked at */
 };
 
 static bool required_seen(const struct hinge_load *hinge_load, void *context)
@@ -47,7 +47,7 @@ static enum dom_status required_at(const struct segment *st, real theta,
     struct required_walk walk;
     const struct required_friction *here = &walk.required_friction;
     enum dom_status status = segment_kinematics(st, theta, &head, &kinematics);
-    /* Light dominoes that still move may be more than those that count for the energy. */
+    /* More dominoes may move than count for the energy, because light ones do not count. */
     for (size_t shown = kinematics.n; status == DOM_OK; shown *= 2) {
         walk = (struct required_walk){.required_friction = {.motion = -1,
                                                             .theta = theta,

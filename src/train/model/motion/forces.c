@@ -101,8 +101,8 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     real omegasq = self->slope * self->slope * kinematics->omegasq;
     struct push from = push_on(k, leaned ? k->force : 0), none = {0, 0};
     struct push onto = leader ? push_on(leader, leader->force) : none;
-    /* The torque of the drag acts like a force at 3/4 of the height. What moves with the domino outside of it
-     * acts like a force at 2/3. Both forces are normal to the face. */
+    /* The torque of the drag acts like a force at 3/4 of the height, and the air that moves along like a
+     * force at 2/3 of it. Both forces are normal to the face. */
     const real by = self->inertia / k->size, entrained = self->geometry->entrained * by * 3 / 2,
                back = self->geometry->drag * omegasq * by * 4 / 3 + entrained * theta_2;
     hinge_load->x = momentum * (high * theta_2 - across * omegasq) - mass * self->geometry->g.along - from.x +

@@ -119,8 +119,8 @@ static real segment_short(real theta, void *context)
     struct segment *st = context;
     struct barrier b;
     st->status = barrier_up_to(&st->geometry, st->start.from, &st->barrier, theta, &b);
-    /* A motion that starts at rest may lose height first. All tilts that it passes need no energy, and are no
-     * roots. */
+    /* A motion that starts at rest may lose height first. The tilts that it then passes need no energy, so
+     * they are not roots. */
     const real kinetic = st->start.omegasq == 0 ? REAL_EPSILON * st->barrier.height : st->start.kinetic;
     return st->status == DOM_OK ? b.height - kinetic : REAL_NAN;
 }
