@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects of the rigid-body engine, and its record. To add an effect, add its name to session/effects.h, its
- * description here, its value to row_make (row_engine.c), and its code to the engine. */
+/* The effects of the rigid-body engine, and its record. To add an effect, add its name to session/effects.h,
+ * its description here, its value to row_make (row_engine.c), and its code to the engine. */
 #include "interpreter/feature.h"
 #include "engine/row_engine.h"
 

@@ -114,7 +114,8 @@ static int points_wrong(struct proof *proof)
             double slack = 4e-16 * (1 + J0);
             struct span D = climb_find(u, sigma, sigma, false).height;
             wrong += outside(u->fuel, P[k % 2], slack) + outside(u->inertia, J0 - 1, slack) +
-                     outside(u->kinetic.value, J0 * w[k % 2], slack) + outside(D, csv_number(csv, "dH"), slack);
+                     outside(u->kinetic.value, J0 * w[k % 2], slack) +
+                     outside(D, csv_number(csv, "dH"), slack);
             if (k < 2 && s >= 0.1)
                 wrong += !(u->kinetic.value.hi - u->kinetic.value.lo < 1e-11 && D.hi - D.lo < 1e-11);
         }
