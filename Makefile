@@ -59,14 +59,19 @@ FEATURE_MK := $(wildcard src/*/feature.mk src/*/*/feature.mk)
 include $(FEATURE_MK)
 EVERY    := $(subst /,_,$(patsubst src/%/feature.mk,%,$(FEATURE_MK)))
 JOINT    := $(foreach f,$(EVERY),$(if $(findstring _,$f),$f))
-FEATURES ?= $(filter-out $(JOINT),$(EVERY))
-$(foreach f,$(filter-out $(EVERY),$(FEATURES)),$(error there is no feature '$f'; the features are $(filter-out $(JOINT) train,$(EVERY))))
 # Each name once, after those that it needs.
 with_needs = $(foreach f,$(1),$(call with_needs,$(NEEDS_$f)) $f)
 once       = $(if $(1),$(firstword $(1)) $(call once,$(filter-out $(firstword $(1)),$(1))))
+# A feature whose needs are not there is left out, unless FEATURES names it.
+lacks      = $(filter-out $(EVERY),$(call with_needs,$(1)))
+ifeq ($(origin FEATURES),undefined)
+FEATURES := $(foreach f,$(filter-out $(JOINT),$(EVERY)),$(if $(call lacks,$f),$(info $f is left out, since it needs $(sort $(call lacks,$f))),$f))
+endif
+$(foreach f,$(call lacks,$(FEATURES)),$(error there is no feature '$f'; the features are $(filter-out $(JOINT) train,$(EVERY))))
 BUILT    := $(call once,train $(call with_needs,$(FEATURES)))
 BUILT    += $(foreach f,$(JOINT),$(if $(filter-out $(BUILT),$(NEEDS_$f)),,$f))
-PART     := $(filter-out $(BUILT),$(EVERY))
+# The headers in include/ declare the functions of these, even where a folder is gone.
+PART     := $(filter-out $(BUILT),$(sort $(EVERY) rows chance planning proof))
 FOLDERS  := $(subst _,/,$(BUILT))
 
 # src/train/model/precision compiles the model of trains and rows once for each precision. The one in double is compiled

@@ -151,8 +151,8 @@ static const struct option_list film_options = {
             [FILM_SLOW] = {"slow", .beside = ALL_BUT(FILM_SLOW)},
             [FILM_TRAIN] = {"train", .beside = ALL_BUT(FILM_TRAIN) & ALL_BUT(FILM_TOWER)},
             [FILM_TOWER] = {"tower", .beside = BIT(FILM_SPEED) | BIT(FILM_RATE) | BIT(FILM_SLOW)},
-            [FILM_CYCLES] = {"", &any_value, 1, ALL_BUT(FILM_CYCLES) & ALL_BUT(FILM_TOWER)},
-            {NULL},
+            [FILM_CYCLES] = {"", &any_value, 1, .beside = ALL_BUT(FILM_CYCLES) & ALL_BUT(FILM_TOWER)},
+            {.name = NULL},
         },
     .usage = "usage: animate, animate slow, animate speed 0.5 rate 20, animate train 4, animate tower; '> "
              "row.gif' writes a file",

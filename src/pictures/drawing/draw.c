@@ -39,14 +39,14 @@ static const struct option_list draw_options = {
     .options =
         (const struct option[]){
             [DRAW_AT] = {"at", .beside = BIT(DRAW_DOMINO) | BIT(DRAW_END) | BIT(DRAW_TIME)},
-            [DRAW_DOMINO] = {"domino", &any_value, 1, BIT(DRAW_AT), BIT(DRAW_AT)},
+            [DRAW_DOMINO] = {"domino", &any_value, 1, .beside = BIT(DRAW_AT), .after = BIT(DRAW_AT)},
             [DRAW_END] = {"end", .beside = BIT(DRAW_AT), .after = BIT(DRAW_AT)},
-            [DRAW_TOWER] = {"tower"},
+            [DRAW_TOWER] = {.name = "tower"},
             [DRAW_TRAIN] = {"train", .beside = BIT(DRAW_FORCES) | BIT(DRAW_TILT)},
             [DRAW_FORCES] = {"forces", .beside = BIT(DRAW_TRAIN) | BIT(DRAW_TILT)},
-            [DRAW_TILT] = {"", &tilt_value, 1, BIT(DRAW_TRAIN) | BIT(DRAW_FORCES)},
+            [DRAW_TILT] = {"", &tilt_value, 1, .beside = BIT(DRAW_TRAIN) | BIT(DRAW_FORCES)},
             [DRAW_TIME] = {"", &any_value, 1, BIT(DRAW_AT), BIT(DRAW_AT), .time = 1},
-            {NULL},
+            {.name = NULL},
         },
     .usage =
         "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces, draw tower",

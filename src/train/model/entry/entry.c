@@ -49,7 +49,8 @@ struct row_question {
         status = BAD_##name;
 
 /* Returns true if a member is set that this version of the library does not have. */
-#define IS_NEWER(given) ((given)->later[0] || (given)->later[1] || (given)->later[2] || (given)->later[3])
+#define IS_NEWER(given)                                                                                      \
+    ((given)->later[0] != 0 || (given)->later[1] != 0 || (given)->later[2] != 0 || (given)->later[3] != 0)
 _Static_assert(DOM_LATER == 4, "IS_NEWER");
 
 static enum dom_status request_check(const struct request *q)
