@@ -73,7 +73,7 @@ static enum dom_status mends_find(const struct double_row *made, struct mend **l
             (*list)[(*found)++] = (struct mend){w[i].domino, w[i].now, wider ? w[i].low : w[i].high,
                                                 wider ? w[i].high : w[i].low};
     }
-    if (*found > 1)
+    if (*list && *found > 1)
         qsort(*list, *found, sizeof **list, by_change);
     free(w);
     return status;

@@ -37,8 +37,9 @@ static struct arrangement arrangement_of(const struct chart *c)
     l.title = look->legend == CHART_LEGEND_RIGHT ? l.columns / 3 : l.columns - sample;
     for (int k = 0; k < c->curves; k++)
         l.longest = (int)fmax(l.longest, utf8_columns(c->curve[k].title));
-    if (is_below)
-        l.across = (int)fmax((l.columns + 4) / (l.longest + sample), 1);
+    const int fits = (l.columns + 4) / (l.longest + sample); /* titles in a line */
+    if (is_below && fits > 1)
+        l.across = fits;
     int lines = is_below ? 3 + (l.longest > l.title ? 2 : 1) * ((c->curves + l.across - 1) / l.across) : 3;
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
         lines += *texts[k] ? utf8_columns(texts[k]) / l.columns + 1 : 0;
@@ -278,8 +279,8 @@ void chart_script(const struct chart *c, FILE *out)
     const struct arrangement l = arrangement_of(c);
     legend_script(c, &l, out);
     texts_script(c, &l, out);
-    axis_script(out, &c->x, "x",
-                c->x.whole ? 20 * l.columns / 64 : (int)fmin(fmax(9 * l.columns / 64, 4), 9));
+    const int ticks = 9 * l.columns / 64;
+    axis_script(out, &c->x, "x", c->x.whole ? 20 * l.columns / 64 : (int)fmin(fmax(ticks, 4), 9));
     axis_script(out, &c->y, "y", c->y.whole ? 20 : l.ticks_up);
     events_script(c, &l, out);
     if (c->map.value) { /* a chart with a map has no curves */

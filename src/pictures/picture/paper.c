@@ -24,7 +24,8 @@ bool paper_close(struct paper *p)
     const bool is_good = fclose(p->out) == 0;
     p->out = NULL;
     for (size_t k = 0; k < p->size && is_good; k++)
-        p->text[k] = p->text[k] == '\n' ? '\0' : p->text[k];
+        if (p->text[k] == '\n')
+            p->text[k] = '\0';
     return is_good;
 }
 
