@@ -2,6 +2,7 @@
 #include "pictures/drawing/film.h"
 #include "interpreter/feature.h"
 #include "io/terminal.h"
+#include "pictures/drawing/play.h"
 #include <math.h>
 
 enum { FRAME_LEAST = 170, FRAME_MOST = 420 }; /* the minimum and maximum height of a frame, in pixels */

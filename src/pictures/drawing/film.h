@@ -37,18 +37,6 @@ void film_follow(struct stage *stage, const struct drawn *from, const struct dra
 /* Draws a frame. Returns false if the user has ended the film. */
 bool film_frame(struct film *film, const struct stage *stage);
 
-/* Returns a player for the terminal of the stream `out`, or sets *problem and returns NULL. `delay` is the
- * time between two frames, in hundredths of a second. */
-struct player *player_begin(FILE *out, int delay, const volatile sig_atomic_t *interrupt,
-                            struct problem *problem);
-
-/* Shows the next frame, and returns when it is time for the frame after it. Returns false if the user has
- * ended the animation, or if memory ran out. */
-bool player_frame(struct player *player, const struct stage *stage);
-
-/* Ends the animation, and leaves the last frame on the screen. */
-bool player_end(struct player *player, struct problem *problem);
-
 bool animate_train(const struct film *film);
 
 /* The command 'animate', for the table in draw.c. The file of the film may come first, without a '>'. */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plays an animation in the terminal, in characters. The space bar stops and continues it, the arrow keys
  * show the frame before or after, and 'q' ends it. */
+#include "pictures/drawing/play.h"
 #include "answer/extension.h"
 #include "io/io.h"
 #include "io/terminal.h"
-#include "pictures/drawing/film.h"
 #include "pictures/picture/screen.h"
 #include <stdlib.h>
 #include <string.h>

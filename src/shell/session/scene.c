@@ -238,9 +238,11 @@ const char *losses_write(const struct domq_train *train, char text[LOSSES_TEXT])
     const domq_real value[] = {DOM_DYNAMICS(VALUE)};
 #undef VALUE
     text[0] = '\0';
-    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
-        if (value[k] != 0 && effect_at(k)->dissipates)
-            text_add(text, LOSSES_TEXT, "%s%s", *text ? " and " : "", effect_at(k)->dissipates);
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++) {
+        const char *dissipates = domq_effect((enum dom_effect_name)k)->dissipates;
+        if (value[k] != 0 && dissipates)
+            text_add(text, LOSSES_TEXT, "%s%s", *text ? " and " : "", dissipates);
+    }
     return text;
 }
 
