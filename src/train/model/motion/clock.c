@@ -59,9 +59,9 @@ static bool clock_rate(real x, void *context, struct num_rate *rate)
             st->status = geometry->dynamics->near_rest(geometry, c->to,
                                                        fmin(span * left * left, c->to - c->smooth), &squared);
     } else {
-        const real grow = exp(x);
-        theta = st->barrier.theta_m + c->width * (grow - 1 / grow) / 2;
-        by = c->width * (grow + 1 / grow) / 2;
+        const real grow = expm1(x), back = grow / (1 + grow); /* exp x - exp -x would lose digits near 0 */
+        theta = st->barrier.theta_m + c->width * (grow + back) / 2;
+        by = c->width * (2 + grow - back) / 2;
     }
     if (st->status == DOM_OK && isnan(squared)) {
         st->status = segment_speed(st, fmin(fmax(theta, st->lo), c->to), &squared);
