@@ -53,7 +53,7 @@ static void screen_show(struct player *p)
         line = line_end + 1;
     }
     fprintf(p->screen, "%s\033[J",
-            p->is_stopped ? "(stopped: space goes on, arrows go frame by frame, q ends)"
+            p->is_stopped ? "(stopped: space continues, arrows go frame by frame, q ends)"
                           : "(space stops, q ends)");
     fflush(p->screen);
 }
@@ -133,7 +133,7 @@ bool player_frame(struct player *p, const struct stage *stage)
     if (p->failed)
         return false;
     const double now = terminal_clock();
-    p->next = (p->next > now - p->delay ? p->next : now) + p->delay; /* after a slow frame, a new start */
+    p->next = (p->next > now - p->delay ? p->next : now) + p->delay; /* after a slow frame, wait anew */
     screen_show(p);
     frames_play(p);
     return !p->has_ended;
