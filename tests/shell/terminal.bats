@@ -305,6 +305,22 @@ suspended_session() {
     see_last "$prompt"
 }
 
+@test "^Z in the pager does not leave it behind: less, which ignores it, still ends with q" {
+    type -P less >/dev/null || skip 'less is not installed'
+    unset PAGER
+    suspended_session
+    type_in 'help all'
+    press Enter
+    see 'space: more'
+    press C-z
+    press -l q
+    see_last "$prompt"
+    type_in 'print 6*7'
+    press Enter
+    see '^42$'
+    see_last "$prompt"
+}
+
 @test "^C during a computation leaves one line, and a prompt below it" {
     open_session 80 24
     type_in 'curve 0.01 0.9 10000000 > /dev/null; set s 0.3'

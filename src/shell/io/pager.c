@@ -40,7 +40,8 @@ static struct {
     int width;
     long height, rows; /* the height of the terminal, and how many of its rows the text fills so far */
     bool has_head;
-    struct termios modes; /* the terminal modes before the pager program was started */
+    struct termios modes;  /* the terminal modes before the pager program was started */
+    struct sigaction stop; /* what ^Z did then */
 } pager;
 
 /* Returns how many rows of the terminal a text of whole lines occupies. Escape sequences for colours take no
@@ -79,8 +80,15 @@ static bool program_open(void)
     progress_end();
     if (can_run && tcgetattr(STDIN_FILENO, &pager.modes) == 0) {
         signal(SIGPIPE, SIG_DFL); /* the programs of a pipe in $PAGER end by this signal */
+        /* With LESSSECURE, less ignores ^Z. The session must not stop alone, with less still at the terminal.
+         */
+        sigaction(SIGTSTP, NULL, &pager.stop);
+        if (!(command && *command))
+            signal(SIGTSTP, SIG_IGN);
         pager.program = popen(pager.has_head ? HEAD PAGER : PAGER, "we");
         signal(SIGPIPE, SIG_IGN);
+        if (!pager.program)
+            sigaction(SIGTSTP, &pager.stop, NULL);
     }
     if (!pager.program) {
         pager.height = LONG_MAX;
@@ -98,6 +106,7 @@ static void program_close(void)
     sigaction(SIGINT, &ignore, &before);
     pclose(pager.program);
     sigaction(SIGINT, &before, NULL);
+    sigaction(SIGTSTP, &pager.stop, NULL);
     if (tcgetpgrp(STDIN_FILENO) == getpgrp())
         tcsetattr(STDIN_FILENO, TCSADRAIN, &pager.modes);
 }
