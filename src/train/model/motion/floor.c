@@ -48,7 +48,8 @@ static enum dom_status required_at(const struct segment *st, real theta,
     const struct required_friction *here = &walk.required_friction;
     enum dom_status status = segment_kinematics(st, theta, &head, &kinematics);
     /* More dominoes may move than count for the energy, because light ones do not count. */
-    for (size_t shown = kinematics.n; status == DOM_OK; shown *= 2) {
+    size_t shown = kinematics.n > required_friction->shown ? kinematics.n : required_friction->shown;
+    for (; status == DOM_OK; shown *= 2) {
         walk = (struct required_walk){.required_friction = {.motion = -1,
                                                             .theta = theta,
                                                             .hit = required_friction->hit,
@@ -59,6 +60,7 @@ static enum dom_status required_at(const struct segment *st, real theta,
     }
     if (status != DOM_OK)
         return status;
+    required_friction->shown = shown;
     *motion = here->motion;
     required_friction->hit = here->hit;
     required_friction->hit_domino = here->hit_domino;

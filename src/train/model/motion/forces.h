@@ -75,6 +75,7 @@ struct required_friction {
     size_t domino;      /* domino with the largest ratio during the motion; 0 is the head */
     real hit;           /* largest ratio |R_x| / R_z in the collision */
     size_t hit_domino;
+    size_t shown; /* the number of dominoes at which the last walk looked */
 };
 
 /* Finds the friction needed at the tilts in [lo, hi]. If this is more than the friction in *required, updates

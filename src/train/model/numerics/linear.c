@@ -3,7 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { N = LINEAR_ORDER };
+/* The number of nodes of a panel: at most N, and fewer in double for an equation, whose p and c are less
+ * smooth than an integrand. */
+enum { N = LINEAR_ORDER, N_EQUATION = REAL_BITS <= 64 && LINEAR_ORDER > 24 ? 24 : LINEAR_ORDER };
 
 /* Finds the n Chebyshev nodes of the first kind. */
 static void nodes_make(real *node, int n)
@@ -122,11 +124,12 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
                                         struct num_linear *s)
 {
     real node[N], width = hi - lo, ln_G = 0, v = 0;
+    const int n = s->integral ? N : N_EQUATION;
     bool halved = false;
     enum num_status status = NUM_OK;
     if (!s->panel && !(s->panel = malloc(LINEAR_PANELS * sizeof *s->panel)))
         return NUM_NO_MEMORY;
-    nodes_make(node, N);
+    nodes_make(node, n);
     if (s->panels > 0)
         num_linear_at(s, lo, &ln_G, &v);
     else
@@ -138,7 +141,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
         panel->lo = lo;
         /* A small remainder of [lo, hi] is added to the last panel. */
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
-        if (panel_make(f, context, node, N, ln_G, v, tol, panel, s, &status)) {
+        if (panel_make(f, context, node, n, ln_G, v, tol, panel, s, &status)) {
             s->panels++;
             width = (halved ? 1 : 2) * (panel->hi - lo); /* twice as wide would fail again */
             halved = false;

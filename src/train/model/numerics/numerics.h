@@ -56,8 +56,6 @@ KERNEL void series_integral(const real *series, int n, real half, real start, re
  */
 #if REAL_BITS <= 24
 #define LINEAR_ORDER 8
-#elif REAL_BITS <= 64
-#define LINEAR_ORDER 24
 #else
 #define LINEAR_ORDER 36
 #endif
