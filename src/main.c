@@ -312,6 +312,7 @@ int main(int argc, char **argv)
         run_file(&session, "-");
     session_close(&session);
     bool is_good = output_close(&session.standard, ignores_pipe) && session.errors == 0;
+    io_stderr_end();
     if (ended) {
         signal(ended, SIG_DFL);
         raise(ended);

@@ -177,7 +177,8 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
 {
     struct answer parts = {.style = a->style, .columns = scene_columns, .rows = true};
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
-        column_fit(&answer_columns(a, a->columns)[1], effect_setting(query->scene, k));
+        if (effect_exists(k))
+            column_fit(&answer_columns(a, a->columns)[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_COUNT && !answer_lost(a); k++)
         /* there are many kinds of random errors, so only those that are on are listed */
         if (effect_exists(k) && (k < EFFECT_ENGINE_END || query->scene->effect[k].on))

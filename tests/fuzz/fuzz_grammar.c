@@ -257,9 +257,6 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
         put(m, pick(m, 8) ? "to " : "ti ");
         put_name(m, expression_units, NULL);
         break;
-    case ARGUMENT_EFFECT:
-        *named = parameter_find(put_name(m, effect_names, NULL));
-        break;
     case ARGUMENT_GRID:
         if (a->choices && a->choices != model_names)
             put_wishes(m, a);

@@ -68,6 +68,8 @@ FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
 /* Returns the stream for errors and notes, usually standard error. It writes each text at once. */
 FILE *io_stderr(void);
+/* Frees this stream, after the last message. */
+void io_stderr_end(void);
 
 void io_stdout_flush(void);
 

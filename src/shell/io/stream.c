@@ -140,16 +140,24 @@ FILE *io_stdout(const volatile sig_atomic_t *interrupt)
     return standard ? standard : stdout;
 }
 
+static FILE *messages;
+
 FILE *io_stderr(void)
 {
     static struct channel channel = {.file = STDERR_FILENO};
-    static FILE *messages;
     if (!messages) {
         messages = fopencookie(&channel, "w", (cookie_io_functions_t){.write = channel_write});
         if (messages)
             setvbuf(messages, NULL, _IONBF, 0);
     }
     return io_taps.messages ? io_taps.messages : messages ? messages : stderr;
+}
+
+void io_stderr_end(void)
+{
+    if (messages)
+        fclose(messages);
+    messages = NULL;
 }
 
 void io_stdout_flush(void)
