@@ -12,7 +12,7 @@
  *
  * The tilt at a given time is a root of the series.
  */
-#include "motion/clock.h"
+#include "motion/motion.h"
 
 KERNEL real segment_noise(const struct segment *st)
 {

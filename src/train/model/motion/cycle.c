@@ -1,103 +1,110 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A cycle without its times: its launch, its barrier and its verdict, the speed at a tilt, and the tilt at
- * which the train stops. motion.c and clock.c add the times. */
+/* The cycle of an endless train: its launch, barrier and verdict, its events, its states, and the cycle as a
+ * table. */
 #include "motion/motion.h"
 
-KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle)
+KERNEL enum dom_status motion_begin(const struct request *train, struct motion *m)
 {
-    struct segment *st = &cycle->segment;
-    struct geometry *geometry = &st->geometry;
-    const struct launch *launch = &cycle->launch;
-    *cycle = (struct cycle){.launch.fuel = REAL_NAN};
-    enum dom_status status = dynamics_make(train, geometry);
+    struct segment *st = &m->segment;
+    const struct launch *launch = &m->launch;
+    *m = (struct motion){.launch.fuel = REAL_NAN};
+    enum dom_status status = dynamics_make(train, &st->geometry);
     if (status == DOM_OK)
-        status = dynamics_begin(geometry);
+        status = dynamics_begin(&st->geometry);
+    st->hi = tilt_angle(st->geometry.c);
     if (status == DOM_OK)
-        status =
-            barrier_balance(geometry, train->fuel, tilt_angle(geometry->c), &cycle->launch, &st->barrier);
+        status = barrier_balance(&st->geometry, train->fuel, st->hi, &m->launch, &st->barrier);
     if (status != DOM_OK)
         return status;
-    st->hi = tilt_angle(geometry->c);
     st->start = (struct start){
         .from = standing, .J = launch->J0, .omegasq = launch->omegasq, .kinetic = launch->kinetic};
     st->gain = 1;
     st->inertia_ratio = launch->inertia_ratio;
-    return barrier_verdict(launch, &st->barrier) == DOM_NO_FUEL ? DOM_NO_FUEL : DOM_OK;
+    status = barrier_verdict(launch, &st->barrier);
+    m->stops = status == DOM_STOPS;
+    return m->stops ? DOM_OK : status;
 }
 
-KERNEL void cycle_free(struct cycle *cycle)
+KERNEL void motion_end(struct motion *m)
 {
-    dynamics_end(&cycle->segment.geometry);
+    dynamics_end(&m->segment.geometry);
+    clock_free(&m->clock);
 }
 
-KERNEL bool cycle_stops(const struct cycle *cycle)
+static enum dom_status motion_find_end(struct motion *m)
 {
-    return barrier_verdict(&cycle->launch, &cycle->segment.barrier) == DOM_STOPS;
+    m->end = m->segment.hi;
+    return m->stops ? segment_rest(&m->segment, &m->end) : DOM_OK;
 }
 
-KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end)
+KERNEL enum dom_status motion_prepare(const struct request *train, bool timed, struct motion *m)
 {
-    *end = cycle->segment.hi;
-    return cycle_stops(cycle) ? segment_rest(&cycle->segment, end) : DOM_OK;
+    enum dom_status status = motion_begin(train, m);
+    if (status == DOM_OK && !(segment_noise(&m->segment) < (real)0.125))
+        /* times grow like ln(1/margin), so they need an accurate margin */
+        return DOM_NO_MARGIN;
+    if (status == DOM_OK)
+        status = motion_find_end(m);
+    return status == DOM_OK && timed ? clock_begin(&m->clock, &m->segment, m->end, m->stops, (real)train->tol)
+                                     : status;
 }
 
-KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq)
+/* Finds tau^2 omega^2 at theta. Returns DOM_STOPS if the train does not reach theta. Where the train comes to
+ * rest, *omegasq is exactly 0. */
+static enum dom_status motion_speed(const struct motion *m, real theta, real *omegasq)
 {
-    if (theta > end * (1 + 4 * REAL_EPSILON))
+    if (theta > m->end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
-    enum dom_status status = segment_speed(&cycle->segment, fmin(theta, end), omegasq);
-    bool rests = cycle_stops(cycle) && theta >= end * (1 - 4 * REAL_EPSILON);
+    enum dom_status status = segment_speed(&m->segment, fmin(theta, m->end), omegasq);
+    bool rests = m->stops && theta >= m->end * (1 - 4 * REAL_EPSILON);
     *omegasq = rests ? 0 : fmax(*omegasq, 0);
     return status;
 }
 
 KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier)
 {
-    struct cycle cycle;
-    const struct barrier *b = &cycle.segment.barrier;
-    enum dom_status status = cycle_begin(train, &cycle);
-    bool fuelled = status != DOM_NO_FUEL;
-    real stop = REAL_NAN;
-    status = fuelled ? status : DOM_OK;
-    if (status == DOM_OK && fuelled && cycle_stops(&cycle))
-        status = segment_rest(&cycle.segment, &stop);
-    cycle_free(&cycle);
-    if (status != DOM_OK)
+    struct motion m;
+    const struct barrier *b = &m.segment.barrier;
+    enum dom_status status = motion_begin(train, &m);
+    const bool fuelled = status == DOM_OK;
+    m.end = REAL_NAN;
+    if (m.stops)
+        status = motion_find_end(&m);
+    motion_end(&m);
+    if (status != DOM_OK && status != DOM_NO_FUEL)
         return status;
-    real kinetic = cycle.launch.kinetic;
     *barrier = (struct dom_barrier){
         .theta_m = b->theta_m,
         .barrier = b->height,
-        .kinetic = fuelled ? kinetic : REAL_NAN,
-        .margin = fuelled ? kinetic - b->height : REAL_NAN,
-        .stop = stop,
+        .kinetic = fuelled ? m.launch.kinetic : REAL_NAN,
+        .margin = fuelled ? m.launch.kinetic - b->height : REAL_NAN,
+        .stop = m.end,
     };
-    return barrier_verdict(&cycle.launch, b);
+    return m.stops ? DOM_STOPS : status;
 }
 
-KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta_, dom_real *omegasq)
+KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta, dom_real *omegasq)
 {
     struct request finer = *train;
-    real theta = (real)theta_, w = 0;
+    real w = 0;
     for (;;) {
-        struct cycle cycle;
+        struct motion m;
         struct tilt head;
-        enum dom_status status = cycle_begin(&finer, &cycle), tilt_status = DOM_OK;
+        enum dom_status status = motion_begin(&finer, &m), tilt_status = DOM_OK;
         if (status == DOM_OK || status == DOM_NO_FUEL)
-            tilt_status = geometry_tilt(&cycle.segment.geometry, theta, &head);
+            tilt_status = geometry_tilt(&m.segment.geometry, theta, &head);
         if (tilt_status != DOM_OK)
             status = tilt_status;
-        real end = 0;
         if (status == DOM_OK)
-            status = cycle_end(&cycle, &end);
+            status = motion_find_end(&m);
         if (status == DOM_OK)
-            status = cycle_speed(&cycle, end, theta, &w);
-        cycle_free(&cycle);
+            status = motion_speed(&m, theta, &w);
+        motion_end(&m);
         if (status != DOM_OK)
             return status;
         /* Near a stop, the remaining energy is the small difference of two large terms. Then both terms are
          * computed again with a finer tolerance. */
-        real tol = cycle.segment.geometry.tol, needed = balance_tol(tol, w, cycle.launch.omegasq);
+        real tol = m.segment.geometry.tol, needed = balance_tol(tol, w, m.launch.omegasq);
         if (w == 0 || !(needed < tol / 4))
             break;
         finer.tol = needed;
@@ -108,13 +115,182 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
 
 KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *duration)
 {
-    struct cycle cycle;
+    struct motion m;
     real time = REAL_NAN;
-    enum dom_status status = cycle_begin(train, &cycle);
+    enum dom_status status = motion_begin(train, &m);
     if (status == DOM_OK)
-        status = cycle_stops(&cycle) ? DOM_STOPS : segment_time(&cycle.segment, (real)train->tol, &time);
-    cycle_free(&cycle);
+        status = m.stops ? DOM_STOPS : segment_time(&m.segment, (real)train->tol, &time);
+    motion_end(&m);
     if (status == DOM_OK)
         *duration = time;
     return status;
+}
+
+/* ---- Events ---- */
+
+static void event_add(const struct motion *m, enum dom_event_kind kind, real theta, size_t domino,
+                      struct dom_event *event)
+{
+    *event = (struct dom_event){kind, theta, clock_time(&m->clock, theta), domino};
+}
+
+/* Lists the events of the motion in the order in which they happen. There are at most DOM_EVENTS_MAX. */
+static enum dom_status motion_events(const struct motion *m, struct dom_event *events, int *count)
+{
+    bool leaves;
+    struct tilt leave;
+    size_t domino = 0;
+    enum dom_status status = chain_leave(&m->segment.geometry, &leaves, &leave, &domino);
+    if (status != DOM_OK)
+        return status;
+    const real top = m->segment.barrier.theta_m, fall = leaves ? tilt_angle(leave) : m->end;
+    const bool passes = top > 0 && top < m->end, first = fall < top;
+    int n = 0;
+    event_add(m, DOM_EVENT_LAUNCH, 0, 0, &events[n++]);
+    if (passes && !first)
+        event_add(m, DOM_EVENT_TOP, top, 0, &events[n++]);
+    if (fall < m->end)
+        event_add(m, DOM_EVENT_DETACH, fall, domino, &events[n++]);
+    if (passes && first)
+        event_add(m, DOM_EVENT_TOP, top, 0, &events[n++]);
+    event_add(m, m->stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, m->end, 0, &events[n++]);
+    *count = n;
+    return DOM_OK;
+}
+
+KERNEL enum dom_status cycle_events(const struct request *train, struct dom_event *events, int *count)
+{
+    struct motion m;
+    enum dom_status status = motion_prepare(train, true, &m);
+    *count = 0;
+    if (status == DOM_OK)
+        status = motion_events(&m, events, count);
+    motion_end(&m);
+    return status == DOM_OK && m.stops ? DOM_STOPS : status;
+}
+
+/* ---- The state at a tilt ---- */
+
+/* If theta is the tilt at which a follower detaches, the follower counts as detached, even if rounding has
+ * made theta slightly smaller. In that case, corrects *left, the energy change of the detached follower. */
+static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
+{
+    const real near = 4096 * REAL_EPSILON;
+    bool leaves;
+    struct tilt leave;
+    struct sums at;
+    enum dom_status status = chain_leave(geometry, &leaves, &leave, NULL);
+    real fall = leaves ? tilt_angle(leave) : 0;
+    if (status != DOM_OK || !leaves || *left != 0 || fabs(theta - fall) > near * fall)
+        return status;
+    status = chain_energy_at(geometry, fmin(fall * (1 + near), tilt_angle(geometry->c)), &at);
+    if (status == DOM_OK)
+        *left = at.left;
+    return status;
+}
+
+static enum dom_status motion_state(struct motion *m, real theta, struct dom_state *state)
+{
+    const struct launch *launch = &m->launch;
+    const struct geometry *geometry = &m->segment.geometry;
+    const bool conservative = geometry->dynamics->conservative;
+    struct tilt head;
+    struct sums at;
+    real omegasq = 0, acceleration = 0;
+    enum dom_status status = geometry_tilt(geometry, theta, &head);
+    if (status == DOM_OK)
+        status = motion_speed(m, theta, &omegasq);
+    theta = fmin(theta, m->end);
+    if (status == DOM_OK)
+        status = chain_change(geometry, standing, head, PASS_PLAIN, &at);
+    if (status == DOM_OK)
+        status = fallen_energy(geometry, theta, &at.left);
+    if (status == DOM_OK)
+        status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
+    if (status != DOM_OK)
+        return status;
+    /* Just before the hit, the train that hits the head looks like this train at theta_c, scaled by 1 / r. So
+     * the kinetic energy of the hitting train is r^-q times that of this train at theta_c. */
+    real before = geometry->weight * launch->kinetic_at_hit;
+    *state = (struct dom_state){
+        .theta = theta,
+        .time = clock_time(&m->clock, theta),
+        .omegasq = omegasq,
+        .acceleration = acceleration,
+        .kinetic = at.J * omegasq,
+        .climbed = at.dH,
+        .fallen = at.left,
+        .before = before,
+        .lost = conservative ? before * geometry->upright_inertia / launch->J0 : before - launch->kinetic,
+        .friction_work = conservative || theta == 0 ? 0 : launch->kinetic - at.dH - at.J * omegasq,
+    };
+    return DOM_OK;
+}
+
+KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state)
+{
+    struct motion m;
+    enum dom_status status = motion_prepare(train, true, &m);
+    if (status == DOM_OK)
+        status = motion_state(&m, theta, state);
+    motion_end(&m);
+    return status;
+}
+
+KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time, dom_real *theta)
+{
+    struct motion m;
+    real whole = 0, at = 0;
+    enum dom_status status = motion_prepare(train, true, &m);
+    if (status == DOM_OK)
+        whole = clock_time(&m.clock, m.end);
+    if (status == DOM_OK && !(time >= 0 && time <= whole * (1 + fmax(m.clock.tol, 4 * REAL_EPSILON))))
+        status = DOM_BAD_TIME;
+    if (status == DOM_OK)
+        status = clock_tilt(&m.clock, time, &at);
+    motion_end(&m);
+    if (status == DOM_OK)
+        *theta = at;
+    return status;
+}
+
+/* ---- The cycle as a table ---- */
+
+struct table {
+    struct motion m;
+    dom_state_visit *visit;
+    void *context;
+    bool ended; /* true after the visitor has ended the walk */
+};
+
+static enum dom_status table_row(struct table *t, real theta, const struct dom_event *event)
+{
+    struct dom_state state;
+    enum dom_status status = motion_state(&t->m, theta, &state);
+    if (status == DOM_OK)
+        t->ended = !t->visit(&state, event, t->context);
+    return status;
+}
+
+KERNEL enum dom_status cycle_walk(const struct request *train, size_t states, enum dom_spacing by,
+                                  dom_state_visit *visit, void *context)
+{
+    struct table t = {.visit = visit, .context = context};
+    struct dom_event events[DOM_EVENTS_MAX];
+    int count = 0, next = 0;
+    enum dom_status status = motion_prepare(train, true, &t.m);
+    if (status == DOM_OK)
+        status = motion_events(&t.m, events, &count);
+    for (size_t k = 0; k < states && status == DOM_OK && !t.ended; k++) {
+        real part = states > 1 ? (real)k / (real)(states - 1) : 1, theta = part * t.m.end;
+        if (by == DOM_BY_TIME && part > 0 && part < 1)
+            status = clock_tilt(&t.m.clock, part * clock_time(&t.m.clock, t.m.end), &theta);
+        for (; next < count && status == DOM_OK && !t.ended && events[next].theta <= theta; next++)
+            status = table_row(&t, fmin(events[next].theta, t.m.end), &events[next]);
+        bool between = next < count && theta > events[next > 0 ? next - 1 : 0].theta;
+        if (between && status == DOM_OK && !t.ended)
+            status = table_row(&t, theta, NULL);
+    }
+    motion_end(&t.m);
+    return status == DOM_OK && t.m.stops ? DOM_STOPS : status;
 }

@@ -1,32 +1,61 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "motion/forces.h"
+/*
+ * The forces in a moving chain, computed from the tail to the head. Part of the torque on a follower
+ * accelerates the follower. The rest of the torque acts on its leader, through their contact. When the
+ * contact forces are known, Newton's law gives the force of the floor on each domino.
+ */
+#include "motion/motion.h"
 #include <stdlib.h>
 
-/* The force on the last domino shown depends on all dominoes behind it. If n dominoes are shown, forces_walk
+/* The force on the last domino shown depends on all dominoes behind it. If n dominoes are shown, forces_find
  * lists n + 64 more dominoes behind them, but at most about FORCES_MORE. The dominoes behind the end of the
- * list all move alike, so moving_push replaces them by a geometric series. */
+ * list all move alike, so forces_push replaces them by a geometric series. */
 #define FORCES_MORE 4096
 
-/* One domino of a moving chain. */
-struct moving {
+/* This tolerance gives a few digits of a force. */
+#define FORCES_TOL ((real)1e-6)
+
+/* The motion of a chain, given by the motion of its head: `omegasq` is tau^2 omega^2, and `acceleration` is
+ * tau^2 times the angular acceleration. */
+struct kinematics {
+    struct tilt head;
+    real omegasq, acceleration;
+    size_t n; /* number of dominoes that contribute to the sums */
+    /*
+     * True at the start of a motion that begins with a collision. `omega` is then tau times the angular
+     * velocity of the head after the collision. `omega_lost` describes what the followers lose: in the
+     * collision, the angular velocity of follower i decreases by theta_i' * `omega_lost` / tau.
+     */
+    bool hit;
+    real omega, omega_lost;
+};
+
+/* One domino of a moving chain. Forces are in units of m g of the head, and impulses in units of m g tau of
+ * the head. x points forward and z up. */
+struct loaded {
     struct link link;
     real second_derivative; /* theta_i'' */
     real size;              /* height / height of the head */
     struct arms arms;       /* arms of the contact with the follower, if there is one */
-    real force, impulse;    /* force and impulse of this contact, set by moving_push */
+    bool leaned;            /* true if a follower leans on this domino */
+    real force, impulse;    /* of the follower, normal to the back face; NaN if none leans on this domino */
+    real x, z;              /* force of the floor on the foot */
+    real impulse_x, impulse_z; /* impulse of the floor during the collision; NaN if there is none */
 };
 
 /* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
-static size_t moving_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
+static size_t forces_list(const struct geometry *geometry, struct tilt head, struct loaded *k, size_t room)
 {
     struct walk walk = geometry->law->begin(geometry, head);
     real size = 1;
     for (size_t n = 0;; k++) {
-        *k = (struct moving){.link = walk.link, .second_derivative = walk.second_derivative, .size = size};
+        *k = (struct loaded){.link = walk.link, .second_derivative = walk.second_derivative, .size = size};
+        k->force = k->impulse = k->impulse_x = k->impulse_z = REAL_NAN;
         if (k->link.leads)
             k->arms = k->link.geometry->law->arms(&k->link);
         if (++n == room || n == geometry->n || !k->link.leads)
             return n;
+        k->leaned = true;
         size /= k->link.geometry->r;
         geometry->law->next(&walk);
     }
@@ -37,8 +66,9 @@ static real geometric(real first, real ratio)
     return fabs(ratio) < 1 ? first / (1 - ratio) : first;
 }
 
-static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
-                        struct moving *k, size_t n)
+/* Finds the forces and impulses of all contacts. */
+static void forces_push(const struct geometry *geometry, const struct kinematics *kinematics,
+                        struct loaded *k, size_t n)
 {
     /* `rest` is the torque on domino j that the contact with its leader must balance. `push` is the angular
      * momentum that this contact must supply in the collision. */
@@ -74,7 +104,7 @@ struct push {
     real x, z;
 };
 
-static struct push push_on(const struct moving *k, real normal)
+static struct push push_on(const struct loaded *k, real normal)
 {
     real mu = k->link.geometry->mu;
     struct tilt t = k->link.tilt;
@@ -86,9 +116,8 @@ static struct push push_on(const struct moving *k, real normal)
  * centre is at (x - d y, y + d x) / 2. A domino with rounded edges has no hinge. In its place, the function
  * uses the centre of the rounded lower edge, which moves parallel to the floor at the height rho.
  */
-static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
-                       const struct geometry *head, const struct kinematics *kinematics,
-                       struct hinge_load *hinge_load)
+static void forces_floor(struct loaded *k, const struct loaded *leader, const struct geometry *head,
+                         const struct kinematics *kinematics)
 {
     const struct link *self = &k->link;
     real tausq = head->inertia_factor * (1 + head->d * head->d) / 3; /* tau^2 of the head, in units of h/g */
@@ -99,91 +128,39 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
          momentum = mass * k->size / tausq;
     real theta_2 = self->slope * kinematics->acceleration + k->second_derivative * kinematics->omegasq;
     real omegasq = self->slope * self->slope * kinematics->omegasq;
-    struct push from = push_on(k, leaned ? k->force : 0), none = {0, 0};
+    struct push from = push_on(k, k->leaned ? k->force : 0), none = {0, 0};
     struct push onto = leader ? push_on(leader, leader->force) : none;
     /* The torque of the drag acts like a force at 3/4 of the height, and the air that moves along like a
      * force at 2/3 of it. Both forces are normal to the face. */
     const real by = self->inertia / k->size, entrained = self->geometry->entrained * by * 3 / 2,
                back = self->geometry->drag * omegasq * by * 4 / 3 + entrained * theta_2;
-    hinge_load->x = momentum * (high * theta_2 - across * omegasq) - mass * self->geometry->g.along - from.x +
-                    onto.x + back * self->tilt.y;
-    hinge_load->z = momentum * (-across * theta_2 - up * omegasq) + mass * self->geometry->g.down - from.z +
-                    onto.z - back * self->tilt.x;
+    k->x = momentum * (high * theta_2 - across * omegasq) - mass * self->geometry->g.along - from.x + onto.x +
+           back * self->tilt.y;
+    k->z = momentum * (-across * theta_2 - up * omegasq) + mass * self->geometry->g.down - from.z + onto.z -
+           back * self->tilt.x;
     if (!kinematics->hit)
         return;
     real change = leader ? -self->slope * kinematics->omega_lost : kinematics->omega;
-    from = push_on(k, leaned ? k->impulse : 0);
+    from = push_on(k, k->leaned ? k->impulse : 0);
     onto = leader ? push_on(leader, leader->impulse) : none;
-    hinge_load->impulse_x = momentum * high * change - from.x + onto.x + entrained * change * self->tilt.y;
-    hinge_load->impulse_z = -momentum * across * change - from.z + onto.z - entrained * change * self->tilt.x;
+    k->impulse_x = momentum * high * change - from.x + onto.x + entrained * change * self->tilt.y;
+    k->impulse_z = -momentum * across * change - from.z + onto.z - entrained * change * self->tilt.x;
     /* at r s = 1, no finite impulse turns the struck domino, so the required friction is infinite */
-    if (isnan(hinge_load->impulse_x))
-        hinge_load->impulse_x = (real)INFINITY;
+    if (isnan(k->impulse_x))
+        k->impulse_x = (real)INFINITY;
 }
 
-/* Returns a list of n dominoes, or NULL if memory runs out. The old contents are lost. */
-static struct moving *room_for(struct room *room, size_t n)
-{
-    if (room->size >= n)
-        return room->list;
-    free(room->list);
-    *room = (struct room){.list = malloc(n * sizeof *room->list), .size = n};
-    if (!room->list)
-        room->size = 0;
-    return room->list;
-}
-
-KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt head,
-                                   const struct kinematics *kinematics, size_t shown, hinge_load_visit *visit,
-                                   void *context)
-{
-    size_t more = shown < FORCES_MORE ? shown + 64 : FORCES_MORE;
-    size_t room = geometry->n - shown < more || geometry->n < shown ? geometry->n : shown + more;
-    struct room self = {0}, *list = kinematics->room ? kinematics->room : &self;
-    struct moving *k = room_for(list, room);
-    if (!k)
-        return DOM_NO_MEMORY;
-    size_t n = moving_list(geometry, head, k, room);
-    moving_push(geometry, kinematics, k, n);
-    for (size_t i = 0; i < n && i < shown; i++) {
-        struct hinge_load hinge_load = {
-            .link = &k[i].link,
-            .size = k[i].size,
-            .leaned = i + 1 < n,
-            .force = i + 1 < n ? k[i].force : REAL_NAN,
-            .impulse = i + 1 < n ? k[i].impulse : REAL_NAN,
-        };
-        hinge_load.x = hinge_load.z = hinge_load.impulse_x = hinge_load.impulse_z = REAL_NAN;
-        if (kinematics->floor)
-            hinge_find(&k[i], i > 0 ? &k[i - 1] : NULL, hinge_load.leaned, geometry, kinematics, &hinge_load);
-        if (!visit(&hinge_load, context))
-            break;
-    }
-    free(self.list);
-    return DOM_OK;
-}
-
-KERNEL real friction_needed(real x, real z)
-{
-    if (x == (real)INFINITY)
-        return x;
-    return z > 0 ? fabs(x) / z : isnan(x) || isnan(z) ? REAL_NAN : (real)INFINITY;
-}
-
-/* ---- The forces during a motion ---- */
-
-KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
-                                          struct kinematics *kinematics)
+/* Finds the motion of a chain at a tilt of its head. */
+static enum dom_status forces_motion(const struct segment *st, real theta, struct kinematics *kinematics)
 {
     const struct geometry *geometry = &st->geometry;
     real omegasq = 0;
-    kinematics->room = st->room;
-    enum dom_status status = geometry_tilt(geometry, theta, head);
+    enum dom_status status = geometry_tilt(geometry, theta, &kinematics->head);
     if (status == DOM_OK)
         status = segment_speed(st, theta, &omegasq);
     kinematics->omegasq = fmax(omegasq, 0);
     if (status == DOM_OK)
-        status = geometry->dynamics->acceleration(geometry, *head, kinematics->omegasq,
+        status = geometry->dynamics->acceleration(geometry, kinematics->head, kinematics->omegasq,
                                                   &kinematics->acceleration, &kinematics->n);
     kinematics->hit = theta == geometry->lean && st->inertia_ratio > 0;
     kinematics->omega = sqrt(st->start.omegasq);
@@ -193,163 +170,289 @@ KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, 
     return status;
 }
 
-struct force_context {
-    dom_force_visit *visit;
-    void *context;
-};
-
-static bool force_visit(const struct hinge_load *hinge_load, void *context)
+/* Finds the forces of the contacts of the first *shown dominoes, or of all if there are fewer. Sets *shown to
+ * their number. Returns their list, which the caller frees, or NULL if memory runs out. */
+static struct loaded *forces_find(const struct geometry *geometry, const struct kinematics *kinematics,
+                                  size_t *shown)
 {
-    struct force_context *c = context;
-    struct dom_force force = {
-        .i = hinge_load->link->i,
-        .force = hinge_load->force,
-        .per_weight = hinge_load->force * hinge_load->size / hinge_load->link->weight,
-        .impulse = hinge_load->impulse,
-    };
-    return c->visit(&force, c->context);
+    size_t more = *shown < FORCES_MORE ? *shown + 64 : FORCES_MORE,
+           room = geometry->n < *shown || geometry->n - *shown < more ? geometry->n : *shown + more;
+    struct loaded *list = malloc(room * sizeof *list);
+    if (!list)
+        return NULL;
+    const size_t n = forces_list(geometry, kinematics->head, list, room);
+    forces_push(geometry, kinematics, list, n);
+    *shown = n < *shown ? n : *shown;
+    return list;
 }
 
-KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_, dom_force_visit *visit,
-                                    void *context)
+/* ---- The largest value over a motion ---- */
+
+/* Finds the value at a tilt. */
+typedef enum dom_status peak_function(real theta, void *context, real *value);
+
+enum { PEAK_SAMPLES = 24, PEAK_HALVINGS = 24 };
+
+struct peak {
+    peak_function *at;
+    void *context;
+    real most;     /* the largest value so far */
+    real tol, off; /* a search ends when no peak can exceed `most` by more than tol * |most| + off */
+};
+
+static enum dom_status peak_at(struct peak *p, real theta, real *value)
 {
-    struct motion m;
-    const struct geometry *geometry = &m.cycle.segment.geometry;
-    struct tilt head;
-    struct kinematics kinematics = {0};
-    real theta = (real)theta_;
-    enum dom_status status = motion_begin(train, false, &m);
-    if (status == DOM_OK)
-        status = geometry_tilt(geometry, theta, &head);
-    if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
-        status = DOM_STOPS;
-    if (status == DOM_OK)
-        status = segment_kinematics(&m.cycle.segment, fmin(theta, m.end), &head, &kinematics);
-    struct force_context c = {visit, context};
-    if (status == DOM_OK)
-        status = forces_walk(geometry, head, &kinematics, kinematics.n, force_visit, &c);
-    motion_end(&m);
+    const enum dom_status status = p->at(theta, p->context, value);
+    if (status == DOM_OK && *value > p->most)
+        p->most = *value;
     return status;
 }
 
-/* ---- The smallest contact force ---- */
+/*
+ * Searches [lo, hi] for larger values. A piece is bisected only if it may contain such a value. If the values
+ * form a parabola, the parabola exceeds three equally spaced values by at most 1/8 of their second
+ * difference. To be safe, the test allows for the whole second difference.
+ */
+static enum dom_status peak_between(struct peak *p, real lo, real hi, const real at[2], int halvings)
+{
+    real middle = lo + (hi - lo) / 2, value;
+    if (!(lo < middle && middle < hi))
+        return DOM_OK;
+    enum dom_status status = peak_at(p, middle, &value);
+    if (status != DOM_OK)
+        return status;
+    const real most = fmax(fmax(at[0], at[1]), value) + fabs(at[0] - 2 * value + at[1]);
+    if (halvings == 0 || !(most > p->most + p->tol * fabs(p->most) + p->off))
+        return DOM_OK;
+    status = peak_between(p, lo, middle, (real[]){at[0], value}, halvings - 1);
+    return status == DOM_OK ? peak_between(p, middle, hi, (real[]){value, at[1]}, halvings - 1) : status;
+}
 
-/* To compare forces on dominoes of different sizes, each force here is divided by the weight of the domino
- * that it pushes. */
-struct least_context {
+/* Searches [lo, hi], in which the value must not jump. */
+static enum dom_status peak_over(struct peak *p, real lo, real hi)
+{
+    const real step = (hi - lo) / PEAK_SAMPLES;
+    real value[PEAK_SAMPLES + 1];
+    enum dom_status status = DOM_OK;
+    for (int k = 0; k <= PEAK_SAMPLES && status == DOM_OK; k++)
+        status = peak_at(p, k < PEAK_SAMPLES ? lo + (real)k * step : hi, &value[k]);
+    for (int k = 0; k < PEAK_SAMPLES && status == DOM_OK; k++) {
+        const real from = lo + (real)k * step, to = k + 1 < PEAK_SAMPLES ? from + step : hi;
+        status = peak_between(p, from, to, &value[k], PEAK_HALVINGS);
+    }
+    return status;
+}
+
+/* Searches the cycle of a train. The edges of its barrier divide the cycle into parts. Forces jump at the
+ * edges, so the search of a part begins and ends just inside. */
+static enum dom_status peak_of_cycle(struct peak *p, const struct motion *m)
+{
+    const real *edge = m->segment.barrier.edge, inside = 16 * REAL_EPSILON;
+    enum dom_status status = DOM_OK;
+    for (int i = 1; status == DOM_OK && i < m->segment.barrier.edges; i++) {
+        const real lo = i == 1 ? 0 : edge[i - 1] * (1 + inside), hi = fmin(edge[i] * (1 - inside), m->end);
+        if (lo < hi)
+            status = peak_over(p, lo, hi);
+    }
+    return status;
+}
+
+/* ---- The forces of contacts ---- */
+
+/* The smallest force on a domino, divided by the weight of the domino that it pushes, so that forces on
+ * dominoes of different sizes can be compared. */
+struct least {
     const struct segment *segment;
-    real theta, force;       /* the current tilt, and the smallest force there */
-    real least, least_theta; /* the smallest force so far, and its tilt */
-    real impulse;            /* the smallest impulse so far */
-    size_t domino;           /* the domino on which `least` acts */
-    size_t dominoes;         /* number of moving dominoes */
-    enum dom_status status;
+    real force, theta; /* the smallest force so far, and its tilt */
+    size_t domino;     /* the domino on which it acts */
+    real impulse;      /* the smallest impulse so far */
 };
 
-static bool least_seen(const struct hinge_load *hinge_load, void *context)
+/* Sets *value to minus the smallest force at a tilt. */
+static enum dom_status least_at(real theta, void *context, real *value)
 {
-    struct least_context *c = context;
-    if (!hinge_load->leaned)
-        return true;
-    real force = hinge_load->force * hinge_load->size / hinge_load->link->weight;
-    c->force = fmin(force, c->force);
-    if (force < c->least) {
-        c->least = force;
-        c->least_theta = c->theta;
-        c->domino = hinge_load->link->i;
+    struct least *least = context;
+    struct kinematics kinematics = {.n = 0};
+    enum dom_status status = forces_motion(least->segment, theta, &kinematics);
+    *value = -(real)INFINITY;
+    if (status != DOM_OK)
+        return status;
+    size_t n = kinematics.n;
+    struct loaded *list = forces_find(&least->segment->geometry, &kinematics, &n);
+    if (!list)
+        return DOM_NO_MEMORY;
+    for (size_t i = 0; i < n && list[i].leaned; i++) {
+        const real force = list[i].force * list[i].size / list[i].link.weight;
+        *value = fmax(-force, *value);
+        if (force < least->force) {
+            least->force = force;
+            least->theta = theta;
+            least->domino = i;
+        }
+        if (isfinite(list[i].impulse))
+            least->impulse = fmin(list[i].impulse, least->impulse);
     }
-    if (isfinite(hinge_load->impulse))
-        c->impulse = fmin(hinge_load->impulse, c->impulse);
-    return true;
-}
-
-/* Returns minus the smallest force at a tilt, so that a search for a maximum finds the smallest force. */
-static real least_at(real theta, void *context)
-{
-    struct least_context *c = context;
-    struct tilt head;
-    struct kinematics kinematics = {0};
-    c->theta = theta;
-    c->force = (real)INFINITY;
-    c->status = segment_kinematics(c->segment, theta, &head, &kinematics);
-    c->dominoes = kinematics.n;
-    if (c->status == DOM_OK)
-        c->status = forces_walk(&c->segment->geometry, head, &kinematics, kinematics.n, least_seen, c);
-    return c->status == DOM_OK ? -c->force : REAL_NAN;
-}
-
-#define LEAST_SAMPLES 24
-/* A train with more dominoes than this moves so smoothly that a third of the samples is enough. */
-#define LEAST_LONG 100000
-/* The relative tolerance of the tilt at which the force is smallest. If the samples begin at the tilt 0, no
- * tilt is larger than LEAST_SAMPLES times the spacing of the samples, so the error is at most 1/1000 of this
- * spacing. */
-#define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
-
-/* Finds the smallest force over [lo, hi]. Forces must not jump inside this interval. */
-static enum dom_status least_over(struct least_context *c, real lo, real hi)
-{
-    real value[LEAST_SAMPLES + 1], at;
-    value[0] = least_at(lo, c);
-    const int samples = c->dominoes > LEAST_LONG ? LEAST_SAMPLES / 3 : LEAST_SAMPLES;
-    const real step = (hi - lo) / (real)samples;
-    int top = 0;
-    for (int k = 1; k <= samples && c->status == DOM_OK; k++) {
-        value[k] = least_at(k < samples ? lo + (real)k * step : hi, c);
-        top = value[k] > value[top] ? k : top;
-    }
-    if (c->status != DOM_OK)
-        return c->status;
-    real middle = lo + (real)top * step, before = middle - step, after = middle + step;
-    if (top == 0) { /* the minimum is at lo itself, unless the force decreases just after lo */
-        before = lo;
-        middle = lo + step * LEAST_TOL;
-    } else if (top == samples) {
-        after = hi;
-        middle = hi - step * LEAST_TOL;
-    }
-    real higher = fmax(value[0], value[samples]), noise = FORCES_TOL * fabs(higher);
-    if (isfinite(value[top]) && least_at(middle, c) > higher + noise)
-        num_maximum(least_at, c, before, middle, after, LEAST_TOL, &at);
-    return c->status;
+    free(list);
+    return DOM_OK;
 }
 
 enum { CONTACT_SAMPLES = 3 };
 
-KERNEL enum dom_status segment_contact(struct segment *st, real to, real *least)
+KERNEL enum dom_status segment_contact(const struct segment *st, real to, real *force)
 {
-    struct least_context c = {.segment = st, .least = *least, .status = DOM_OK};
-    for (int k = 0; k <= CONTACT_SAMPLES && c.status == DOM_OK; k++) {
-        real part = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2;
+    struct least least = {.segment = st, .force = *force};
+    enum dom_status status = DOM_OK;
+    for (int k = 0; k <= CONTACT_SAMPLES && status == DOM_OK; k++) {
+        real part = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2, value;
         /* The last tilt is `to` itself, because rounding can put lo + (to - lo) beyond it. */
-        least_at(k < CONTACT_SAMPLES ? st->lo + part * (to - st->lo) : to, &c);
+        status = least_at(k < CONTACT_SAMPLES ? st->lo + part * (to - st->lo) : to, &least, &value);
     }
-    *least = c.least;
-    return c.status;
+    *force = least.force;
+    return status;
 }
 
-KERNEL bool motion_part(const struct motion *m, int i, real *lo, real *hi)
-{
-    const real *edge = m->cycle.segment.barrier.edge, inside = 16 * REAL_EPSILON;
-    *lo = i == 1 ? 0 : edge[i - 1] * (1 + inside);
-    *hi = fmin(edge[i] * (1 - inside), m->end);
-    return *lo < *hi;
-}
+/* The absolute error of the smallest force is at most an eighth of this. */
+#define LEAST_OFF ((real)1e-6)
 
-KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom_least_force *least)
+KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom_least_force *found)
 {
     struct motion m;
-    struct segment *st = &m.cycle.segment;
-    struct least_context c = {.segment = st, .least = (real)INFINITY, .impulse = (real)INFINITY};
-    enum dom_status status = motion_begin(train, false, &m);
-    st->geometry.tol = fmax(st->geometry.tol, FORCES_TOL);
-    for (int i = 1; status == DOM_OK && i < st->barrier.edges; i++) {
-        real lo, hi;
-        if (motion_part(&m, i, &lo, &hi))
-            status = least_over(&c, lo, hi);
-    }
+    struct least least = {.segment = &m.segment, .force = (real)INFINITY, .impulse = (real)INFINITY};
+    struct peak peak = {least_at, &least, -(real)INFINITY, FORCES_TOL, LEAST_OFF};
+    enum dom_status status = motion_prepare(train, false, &m);
+    m.segment.geometry.tol = fmax(m.segment.geometry.tol, FORCES_TOL);
+    if (status == DOM_OK)
+        status = peak_of_cycle(&peak, &m);
     motion_end(&m);
     if (status == DOM_OK)
-        *least = (struct dom_least_force){c.least, c.least_theta, c.domino, c.impulse};
+        *found = (struct dom_least_force){least.force, least.theta, least.domino, least.impulse};
     return status;
+}
+
+KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta, dom_force_visit *visit,
+                                    void *context)
+{
+    struct motion m;
+    struct kinematics kinematics = {.n = 0};
+    const struct geometry *geometry = &m.segment.geometry;
+    enum dom_status status = motion_prepare(train, false, &m);
+    if (status == DOM_OK)
+        status = geometry_tilt(geometry, theta, &kinematics.head);
+    if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
+        status = DOM_STOPS;
+    if (status == DOM_OK)
+        status = forces_motion(&m.segment, fmin(theta, m.end), &kinematics);
+    size_t n = status == DOM_OK ? kinematics.n : 0;
+    struct loaded *list = status == DOM_OK ? forces_find(geometry, &kinematics, &n) : NULL;
+    for (size_t i = 0; list && i < n; i++) {
+        const struct dom_force force = {.i = i,
+                                        .force = list[i].force,
+                                        .per_weight = list[i].force * list[i].size / list[i].link.weight,
+                                        .impulse = list[i].impulse};
+        if (!visit(&force, context))
+            break;
+    }
+    motion_end(&m);
+    free(list);
+    return status == DOM_OK && !list ? DOM_NO_MEMORY : status;
+}
+
+/* ---- The friction of the floor ---- */
+
+/* The relative tolerance of the friction. */
+#define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
+
+/* The search from the head backwards ends at the first domino that is slower than this fraction of the head's
+ * speed. Nobody would see the dominoes behind it slip. */
+#define FLOOR_SHARE ((real)1e-3)
+
+/* The search looks at no more dominoes than this. */
+enum { FLOOR_SHOWN = 4096 };
+
+/* Returns the friction coefficient |x| / z that a foot needs if (x, z) is the force of the floor on it. If
+ * the floor would have to pull (z <= 0), the friction coefficient is infinite. */
+static real friction_needed(real x, real z)
+{
+    if (x == (real)INFINITY)
+        return x;
+    return z > 0 ? fabs(x) / z : isnan(x) || isnan(z) ? REAL_NAN : (real)INFINITY;
+}
+
+struct floor_search {
+    const struct segment *segment;
+    struct required_friction *required;
+};
+
+/* Finds the friction that the floor needs during the motion, at the tilt theta. Also updates the maxima in
+ * *required. */
+static enum dom_status floor_at(real theta, void *context, real *value)
+{
+    const struct floor_search *search = context;
+    const struct geometry *head = &search->segment->geometry;
+    struct required_friction *required = search->required;
+    struct kinematics kinematics = {.n = 0};
+    struct loaded *list = NULL;
+    size_t n = 0, shown = 0;
+    enum dom_status status = forces_motion(search->segment, theta, &kinematics);
+    /* More dominoes may move than count for the energy, because light ones do not count. */
+    for (size_t next = kinematics.n > required->shown ? kinematics.n : required->shown;
+         status == DOM_OK && n == shown && shown < FLOOR_SHOWN; next *= 2) {
+        size_t listed = shown = next;
+        free(list);
+        list = forces_find(head, &kinematics, &listed);
+        status = list ? DOM_OK : DOM_NO_MEMORY;
+        for (n = 0; list && n < listed && (n == 0 || list[n - 1].link.slope > FLOOR_SHARE);)
+            n++;
+    }
+    *value = -1;
+    size_t most = 0;
+    for (size_t i = 0; i < n && list; i++) {
+        forces_floor(&list[i], i > 0 ? &list[i - 1] : NULL, head, &kinematics);
+        const real motion = friction_needed(list[i].x, list[i].z),
+                   hit = friction_needed(list[i].impulse_x, list[i].impulse_z);
+        if (motion > *value) {
+            *value = motion;
+            most = i;
+        }
+        if (hit > required->hit) {
+            required->hit = hit;
+            required->hit_domino = i;
+        }
+    }
+    free(list);
+    required->shown = shown;
+    if (*value > required->motion) {
+        required->motion = *value;
+        required->theta = theta;
+        required->domino = most;
+    }
+    return status;
+}
+
+KERNEL enum dom_status floor_over(const struct segment *st, real lo, real hi,
+                                  struct required_friction *required)
+{
+    struct floor_search search = {st, required};
+    struct peak peak = {floor_at, &search, required->motion, FLOOR_TOL, 0};
+    return peak_over(&peak, lo, hi);
+}
+
+KERNEL enum dom_status cycle_floor(const struct request *train, struct dom_floor *floor)
+{
+    struct motion m;
+    struct required_friction required = {0};
+    struct floor_search search = {&m.segment, &required};
+    struct peak peak = {floor_at, &search, 0, FLOOR_TOL, 0};
+    enum dom_status status = motion_prepare(train, false, &m);
+    m.segment.geometry.tol = fmax(m.segment.geometry.tol, FORCES_TOL);
+    if (status == DOM_OK)
+        status = peak_of_cycle(&peak, &m);
+    motion_end(&m);
+    if (status != DOM_OK)
+        return status;
+    if (train->work)
+        train->work->entered[DOM_EFFECT_floor]++;
+    *floor = (struct dom_floor){required.motion, required.theta, required.domino, required.hit,
+                                required.hit_domino};
+    return DOM_OK;
 }

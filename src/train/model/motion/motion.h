@@ -1,47 +1,131 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One cycle of an endless train: its events, its times, and its state at a tilt. A cycle ends with the next
- * hit, or where the train comes to rest. */
+/*
+ * The motion of a head, from one collision to the next: the parts in which no domino detaches, times, the
+ * cycle of an endless train, and forces. A cycle ends with the next hit, or where the train comes to rest.
+ */
 #ifndef DOM_MOTION_H
 #define DOM_MOTION_H
 
-#include "motion/clock.h"
+#include "energy/barrier.h"
 
-/* The motion of the head from its upright position to theta_c, and the launch that begins it. */
-struct cycle {
-    struct segment segment;
-    struct launch launch;
-};
+/* ---- Segments (segment.c) ---- */
 
 /*
- * Prepares a cycle and finds its barrier over [0, theta_c].
- * Returns DOM_NO_FUEL if the train has no energy for a launch. Always call cycle_free afterwards.
+ * A segment is a part of the motion of one head, from the tilt lo to the tilt hi. In a row, a segment ends
+ * where a domino detaches, where friction locks the motion, or with the next hit. The cycle of a train is a
+ * single segment.
  */
-KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle);
-KERNEL void cycle_free(struct cycle *cycle);
+struct segment {
+    struct geometry geometry; /* geometry.n is the number of moving dominoes */
+    real lo, hi;              /* tilts of the head, in rad */
+    struct start start;       /* the state at lo */
+    size_t summed;            /* number of dominoes that start.J includes, or 0 if J is not known yet */
+    real gain;                /* derivative of start.omegasq with respect to omegasq at the launch */
+    /* Inertia ratio of the collision that begins the segment, or 0 if none does. */
+    real inertia_ratio;
+    bool locks;             /* true if friction locks the motion at hi */
+    struct barrier barrier; /* the barrier over [lo, hi] */
+    struct sums end;        /* sums at hi, set by segment_next; dH is H(hi) - H(lo) */
+    enum dom_status status; /* status of an integrand, or of a function whose root is sought */
+};
 
-/* Returns true if the train does not get over the barrier. */
-KERNEL bool cycle_stops(const struct cycle *cycle);
+/* Lowers hi to the tilt at which a domino detaches, if one does. *moving receives the number of dominoes that
+ * still move beyond hi. */
+KERNEL enum dom_status segment_cut(struct segment *segment, size_t *moving);
 
-/* Finds the tilt at which the cycle ends: theta_c, or the tilt at which the train comes to rest. */
-KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end);
+/* Finds the barrier of a segment, and J. The members geometry, lo, hi, gain and start must be set. If
+ * friction locks the motion, lowers hi to the tilt at which it locks. */
+KERNEL enum dom_status segment_begin(struct segment *segment);
 
-/* Finds tau^2 omega^2 at theta. `end` comes from cycle_end. Returns
- * DOM_STOPS if the train does not reach theta. Where the train comes to rest, *omegasq is exactly 0. */
-KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq);
+/* Finds the sums at hi and stores them in segment->end. Also prepares *next, the segment that begins at hi.
+ * next->start.omegasq is a linear function of omegasq at the launch. If next->start.omegasq is negative, the
+ * motion does not reach hi, and the value shows how much energy is missing. */
+KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
+
+/* Finds tau^2 omega^2 at a tilt. */
+KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq);
+
+/* For a motion that stops, finds the tilt at which its energy is used up. With friction, the function may
+ * replace the solution of the motion by another solution, which ends near this tilt. */
+KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
+
+/* ---- Times (clock.c) ---- */
+
+/* Returns the relative error of times, which rounding errors cause. It is large if the energy is hardly
+ * enough for the barrier or, for a motion that starts at rest, if hardly anything sets it in motion. */
+KERNEL real segment_noise(const struct segment *segment);
+
+/* The time since the beginning of a motion, as a function of the tilt of the head. */
+struct clock {
+    struct segment *segment;
+    real to;     /* the last tilt of the motion */
+    real smooth; /* from this tilt up to `to`, no domino detaches */
+    bool rests;  /* true if the head comes to rest at the tilt `to` */
+    real width;  /* the width of the peak that the slowness has at the top of the barrier */
+    real tol;
+    struct num_linear time; /* the time in tau, as a function of the variable x (clock.c) */
+};
+
+/* Makes the clock of the motion from segment->lo to the tilt `to`. The segment must exist as long as the
+ * clock. The memory of an earlier clock is used again; a new one must be {0}, and clock_free frees it.
+ * Returns DOM_NO_MARGIN if the energy is too close to the barrier to compute times. */
+KERNEL enum dom_status clock_begin(struct clock *clock, struct segment *segment, real to, bool rests,
+                                   real tol);
+KERNEL void clock_free(struct clock *clock);
+
+/* Returns the time from the beginning of the motion to a tilt, in tau. */
+KERNEL real clock_time(const struct clock *clock, real theta);
+
+/* Finds the tilt at a time from 0 to clock_time(clock, clock->to). */
+KERNEL enum dom_status clock_tilt(const struct clock *clock, real time, real *theta);
+
+/* Finds the duration of a segment, in tau. If the train nearly stops, the duration grows like ln(1/margin).
+ * Returns DOM_NO_MARGIN as clock_begin does. */
+KERNEL enum dom_status segment_time(struct segment *segment, real tol, real *time);
+
+/* ---- The cycle of an endless train (cycle.c) ---- */
 
 struct motion {
-    struct cycle cycle;
-    real end; /* the last tilt: theta_c, or the tilt of rest if the train stops */
-    bool stops;
-    struct clock clock; /* only if motion_begin is asked for times */
-    struct room room;   /* memory for the computation of forces */
+    struct segment segment; /* from the upright position to theta_c */
+    struct launch launch;
+    bool stops;         /* true if the train does not get over the barrier */
+    real end;           /* the last tilt: theta_c, or the tilt of rest; set by motion_prepare */
+    struct clock clock; /* set by motion_prepare, if it is asked for times */
 };
 
-/*
- * Prepares the motion of a train up to theta_c, or up to its stop, and its clock if `timed` is true. Returns
- * DOM_NO_MARGIN if the margin is too small to compute times. Always call motion_end afterwards.
- */
-KERNEL enum dom_status motion_begin(const struct request *train, bool timed, struct motion *motion);
+/* Finds the launch of a train, and its barrier over [0, theta_c]. Returns DOM_NO_FUEL if the train has no
+ * energy for a launch. Always call motion_end afterwards. */
+KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion);
 KERNEL void motion_end(struct motion *motion);
+
+/* Begins a motion, and finds its end and, if `timed` is true, its clock. Returns DOM_NO_MARGIN if the margin
+ * is too small to compute times. Always call motion_end afterwards. */
+KERNEL enum dom_status motion_prepare(const struct request *train, bool timed, struct motion *motion);
+
+/* ---- Forces (forces.c) ---- */
+
+/* Finds the contact forces at a few tilts from lo to `to` and divides each force by the weight of the domino
+ * that it pushes. If the smallest of these ratios is below *least, stores it there. If segment->end.pushes is
+ * true, no ratio is negative, so callers that only need the sign do not call this function. */
+KERNEL enum dom_status segment_contact(const struct segment *segment, real to, real *least);
+
+/*
+ * The friction coefficient that the floor needs so that no foot slips. It is the largest ratio |R_x| / R_z
+ * over all feet. During the motion, R is the force of the floor on a foot. In the collision, R is the impulse
+ * of this force.
+ */
+struct required_friction {
+    real motion, theta; /* largest ratio during the motion, and the tilt of the head at which it occurs */
+    size_t domino;      /* domino with the largest ratio during the motion; 0 is the head */
+    real hit;           /* largest ratio |R_x| / R_z in the collision */
+    size_t hit_domino;
+    size_t shown; /* the number of dominoes at which the last search looked */
+};
+
+/* Finds the friction needed at the tilts in [lo, hi]. If this is more than the friction in *required, updates
+ * *required. No domino may detach inside this interval. If the friction is smooth around its maximum, the
+ * relative error is about a millionth. */
+KERNEL enum dom_status floor_over(const struct segment *segment, real lo, real hi,
+                                  struct required_friction *required);
 
 #endif

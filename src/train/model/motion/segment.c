@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "motion/segment.h"
 #include "dynamics/losses.h"
+#include "motion/motion.h"
 #include <stdlib.h>
 
 /* Finds the tilt of the head at which domino i behind it has the tilt *tilt. */
@@ -101,16 +101,8 @@ KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
                              .lo = st->hi,
                              .summed = st->geometry.n,
                              .start = {.from = head, .J = J, .omegasq = omegasq, .kinetic = J * omegasq},
-                             .gain = dynamics->gain(&st->geometry, &st->start, st->gain, st->hi, J),
-                             .room = st->room};
+                             .gain = dynamics->gain(&st->geometry, &st->start, st->gain, st->hi, J)};
     return st->status;
-}
-
-KERNEL enum dom_status segment_braked(const struct segment *st, bool *braked)
-{
-    struct tilt head;
-    enum dom_status status = geometry_tilt(&st->geometry, st->hi, &head);
-    return status == DOM_OK ? st->geometry.dynamics->braked(&st->geometry, head, braked) : status;
 }
 
 /* Returns the largest energy required up to theta, minus the kinetic energy at the start. */

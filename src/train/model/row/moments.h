@@ -3,7 +3,7 @@
 #ifndef DOM_MOMENTS_H
 #define DOM_MOMENTS_H
 
-#include "motion/clock.h"
+#include "motion/motion.h"
 
 /* The time at which a passage starts: `begins` + `passed` * `tau`. */
 struct since {

@@ -144,13 +144,9 @@ static real rough_end(const struct run *run, size_t k)
  */
 static bool rough_pushes(const struct geometry *head, real w, real hi)
 {
-    struct room room = {0};
-    struct segment st = {
-        .geometry = *head, .hi = hi, .start = {.from = standing, .omegasq = w}, .room = &room};
+    const struct segment st = {.geometry = *head, .hi = hi, .start = {.from = standing, .omegasq = w}};
     real least = (real)INFINITY;
-    const bool pushes = segment_contact(&st, hi, &least) == DOM_OK && least > LEAST_CLEAR;
-    free(room.list);
-    return pushes;
+    return segment_contact(&st, hi, &least) == DOM_OK && least > LEAST_CLEAR;
 }
 
 static bool quick_rolls(const struct run *run, size_t k, struct start *at)

@@ -17,13 +17,18 @@
  * friction stops or locks the head. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
+    struct tilt head;
     bool braked = true;
     d->stop = d->st.hi;
     if (used_up) {
         d->stops = true;
         return segment_rest(&d->st, &d->stop);
     }
-    enum dom_status status = segment_braked(&d->st, &braked);
+    enum dom_status status = geometry_tilt(&d->st.geometry, d->st.hi, &head);
+    /* Near the tilt at which friction locks the motion, the acceleration grows without limit. If it slows the
+     * head down, the head stops before this tilt. */
+    if (status == DOM_OK)
+        status = d->st.geometry.dynamics->braked(&d->st.geometry, head, &braked);
     d->stops = braked;
     d->locks = !braked;
     return status;

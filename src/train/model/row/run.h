@@ -4,7 +4,7 @@
 #ifndef DOM_RUN_H
 #define DOM_RUN_H
 
-#include "motion/forces.h"
+#include "motion/motion.h"
 #include "row/joint.h"
 #include "row/moments.h"
 
