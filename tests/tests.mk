@@ -44,7 +44,7 @@ $(P)/unit/test_stops: LDFLAGS += -Wl,--wrap=dom_interrupted,--wrap=domq_lean_lim
 # Unit tests of the shell: numbers.
 $(P)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
 # The reader of csv files.
-$(P)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/tables/csv.c src/tables/csv_names.c src/tables/csv_table.c src/shell/language/*.c))
+$(P)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/tables/csv.c src/tables/csv_table.c src/shell/language/*.c))
 # Completion and other functions that need the tables of commands. The library starts no threads, so the thread pool of
 # the shell runs its tasks in the tests 'corners' and 'workers'.
 SHELL_UNIT := $(addprefix $(P)/unit/test_,complete corners errors lines stage stops workers)

@@ -4,7 +4,7 @@
  * the answer that 'placement' would have printed for the whole study. */
 #include "chance/chance.h"
 #include "parallel/workers.h"
-#include "tables/csv_named.h"
+#include "tables/csv.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

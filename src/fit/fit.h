@@ -1,48 +1,40 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The command 'fit', which finds the parameter values that best explain the measurements. The measurements
- * come from a csv file (see tables/csv_table.h) of one of these kinds:
+ * come from a csv file (see tables/csv.h) of one of these kinds:
  *
  *     gap (mm), speed (m/s)          the speed of the front in a row of equal dominoes
  *     gap (mm), dominoes, time (s)   how long a row of equal dominoes takes to fall
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
- *     time (s)                       when dominoes are hit, as a microphone hears some of them
- *     time (s), angle (deg)          the tilt of a domino over time
  *
- * fit_read.c reads the file, fit_sound.c numbers the hits of a sound, and fit_model.c computes the model's
- * results. fit_solve.c finds the smallest sum of squares. fit_answer.c writes the answer, and fit_chart.c
- * draws it.
+ * fit_read.c reads the file, and fit_model.c computes the model's results. fit_solve.c finds the smallest sum
+ * of squares. fit_answer.c writes the answer, and fit_chart.c draws it.
  */
-#ifndef SHELL_FIT_H
-#define SHELL_FIT_H
+#ifndef FIT_H
+#define FIT_H
 
 #include "interpreter/question.h"
 
-enum { FIT_UNKNOWNS = 4, FIT_POINTS = 20000 };
+enum { FIT_UNKNOWNS = 4 };
 
-enum fit_kind { FIT_SPEEDS, FIT_ANGLES, FIT_HITS, FIT_TOTALS };
+enum fit_kind { FIT_SPEEDS, FIT_HITS, FIT_TOTALS };
 
 /* One measurement, in SI units. */
 struct fit_point {
-    size_t run; /* index of the run to which the measurement belongs */
-    double gap; /* for a speed or a total time: the gap of the row */
-    /* for a hit or an angle: the number of the domino, from 1, or 0 if the file does not say; for a total
-     * time: the number of dominoes of the row */
-    size_t domino;
-    long line;       /* the line of the file */
-    int repeats;     /* how many times the row was measured; `measured` is the mean */
-    double time;     /* for an angle: the time of the measurement, on the clock of its run */
-    double measured; /* a speed, an angle, or a time on the clock of its run */
+    size_t run;    /* index of the run to which the measurement belongs */
+    double gap;    /* for a speed or a total time: the gap of the row */
+    size_t domino; /* for a hit: the number of the domino; for a total time: how many dominoes the row has */
+    long line;     /* the line of the file */
+    double measured; /* a speed, or a time; the time of a hit is on the clock of its run */
     double error;    /* the standard error of `measured`, or NaN if it is not known */
 };
 
-/* The measurements of one run. Each run has its own clock, with an unknown start. A file of speeds
- * or of total times counts as a single run. */
+/* The hits of one run. Each run has its own clock, with an unknown start. A file of speeds or of total times
+ * counts as a single run. */
 struct fit_run {
     double number; /* the number of the run in the file */
     double gap;    /* the gap of the row in this run, or NaN to use the gaps of the scene */
     size_t first, count;
-    size_t dominoes; /* the highest number of a measured domino */
 };
 
 struct fit_data {
@@ -51,10 +43,6 @@ struct fit_data {
     struct fit_run *run;
     size_t points, runs;
     bool has_errors; /* true if the errors of all measurements are known */
-    bool has_pitch;  /* true if the file has pitches instead of gaps */
-    /* The spread of repeated measurements: the root mean square of their deviations, divided by their means,
-     * or 0 if there are none. */
-    double spread;
     /* for hits: true to compare the intervals between successive hits instead of the times of hits */
     bool intervals;
 };
@@ -69,13 +57,12 @@ void fit_data_free(struct fit_data *data);
  */
 static inline bool fit_has_rows(const struct fit_data *data)
 {
-    return data->kind == FIT_SPEEDS || data->kind == FIT_TOTALS;
+    return data->kind != FIT_HITS;
 }
 
 /* An unknown parameter, and what the fit finds out about it. */
 struct fit_unknown {
     const struct parameter *parameter;
-    double lowest, highest;  /* the range of the starting values */
     double value, deviation; /* the best value, and its standard deviation */
     bool is_at_limit;        /* true if `value` is a limit of its range; `deviation` is then NaN */
 };
@@ -96,31 +83,17 @@ struct fit {
     struct problem problem; /* why the last computation gave no answer */
 };
 
-/* Computes what the model predicts for each measurement if the unknowns have the values `value`. If the data
- * are angles, the model also needs the time at which its own clock starts: clock[k] is the time of the push
- * in run k or, without a push, of the first hit. Returns false and sets fit->problem if there is no
- * answer. */
-bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
-
-/* Computes the model's times of hits in a row of at most `count` dominoes for the parameters of the session:
- * (*time)[k] is the time at which domino k is hit, or NaN. The caller frees them. On failure, sets
- * fit->problem. */
-bool fit_hits(struct fit *fit, const struct fit_run *run, double **time, size_t *count);
-
-/* Numbers the dominoes of all hits that have no number. */
-bool fit_number(struct fit *fit, struct problem *problem);
-
-/* If the data are angles, estimates the start times that fit_compute needs. On failure, sets fit->problem. */
-bool fit_clocks(struct fit *fit, const double *value, double *clock);
+/* Computes what the model predicts for each measurement if the unknowns have the values `value`. The clock of
+ * each run starts where the hits agree best. Returns false and sets fit->problem if there is no answer. */
+bool fit_compute(struct fit *fit, const double *value);
 
 static inline bool fit_is_first(const struct fit *fit, size_t k)
 {
     return k == fit->data.run[fit->data.point[k].run].first;
 }
 
-/* Returns the standard error of measurement k. If no errors are known, all times of hits and angles get the
- * error 1, and each speed or total time gets its own value as the error, so that all have the same relative
- * error. */
+/* Returns the standard error of measurement k. If no errors are known, all times of hits get the error 1, and
+ * each speed or total time gets its own value as the error, so that all have the same relative error. */
 double fit_error(const struct fit *fit, size_t k);
 
 /* Finds the values of the unknowns for which the sum of squares is smallest. Also finds their standard
@@ -131,13 +104,7 @@ bool fit_solve(struct fit *fit, struct problem *problem);
 bool fit_make(const struct query *query, struct fit *fit, struct problem *problem);
 void fit_free(struct fit *fit);
 
-/* ---- The command ---- */
-extern const struct column fit_columns[];
-const char *fit_names(const void *context, int k); /* a names_list of the parameters that can be fitted */
-bool fit_parse(struct reader *reader, struct question *question);
+/* Answers the command. */
 bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
-
-/* Draws a chart of the measured values (y) against the fitted values (x). */
-bool picture_fit(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/fit.h"
+#include "interpreter/feature.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "sweeps/sweeps.h"
@@ -11,7 +12,7 @@
 /* ---- The arguments ---- */
 
 /* Lists the parameters of 'solve', without the random errors, which do not change the computed motion. */
-const char *fit_names(const void *context, int k)
+static const char *fit_names(const void *context, int k)
 {
     const char *name;
     for (int i = 0; (name = solve_names(context, i)) != NULL; i++) {
@@ -28,7 +29,7 @@ struct fit_given {
 };
 
 /* Parses "friction, push": names with commas between them. */
-bool fit_parse(struct reader *r, struct question *q)
+static bool fit_parse(struct reader *r, struct question *q)
 {
     char message[NAMES_MESSAGE] = "", name[32];
     struct fit_given *g = q->parsed = reader_memory(r, sizeof *g);
@@ -65,17 +66,15 @@ bool fit_parse(struct reader *r, struct question *q)
 
 /* ---- The answer ---- */
 
-const struct column fit_columns[] = {
+static const struct column fit_columns[] = {
     {"gap", "m",
      "the clear gap between neighbouring dominoes, if a speed or a total time was measured; all gaps of the "
-     "row "
-     "are equal",
+     "row are equal",
      0},
     {"dominoes", "", "the number of dominoes of the row, if a total time was measured", 0},
-    {"run", "", "the number of the run, if a hit or an angle was measured", 5},
-    {"domino", "", "the number of the domino, if a hit or an angle was measured", 0},
-    {"time", "s", "the time of the measurement, if an angle was measured", 0},
-    {"measured", "", "the measurement: a speed in m/s, a time in s, or an angle", 0},
+    {"run", "", "the number of the run, if a hit was measured", 5},
+    {"domino", "", "the number of the domino, if a hit was measured", 0},
+    {"measured", "", "the measurement: a speed in m/s or a time in s", 0},
     {"fitted", "", "the model's result with the fitted values", 0},
     {"residual", "", "measured - fitted; for a speed or a total time, measured / fitted - 1", 0},
     {"friction", "", "the fitted value of friction; every fitted parameter has a column", 0},
@@ -84,7 +83,16 @@ const struct column fit_columns[] = {
      "the correlation of friction and push; every pair of fitted parameters has a column", 0},
     {NULL, NULL, NULL, 0},
 };
-enum { GAP, DOMINOES, RUN, DOMINO, TIME, MEASURED, FITTED, RESIDUAL, UNKNOWN };
+enum { GAP, DOMINOES, RUN, DOMINO, MEASURED, FITTED, RESIDUAL, UNKNOWN };
+
+/* What differs between the kinds of measurements: the columns that are not used, and how all are weighted. */
+static const struct {
+    const char *unit, *unused, *residual, *alike;
+} kinds[] = {
+    [FIT_SPEEDS] = {"m/s", "dominoes run domino", "share", "All speeds have the same relative weight."},
+    [FIT_HITS] = {"s", "gap dominoes", "s", "All times have the same weight."},
+    [FIT_TOTALS] = {"s", "run domino", "share", "All times have the same relative weight."},
+};
 
 /* The keys of the columns for standard deviations and correlations. */
 struct fit_keys {
@@ -95,10 +103,6 @@ struct fit_keys {
  * table has sentences below it instead. */
 static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
 {
-    static const char *const units[] = {"m/s", "rad", "s", "s"}, *const unused[] = {
-                                                                     "dominoes run domino time",
-                                                                     "gap dominoes", "gap dominoes time",
-                                                                     "run domino time"};
     struct column *c = answer_columns(a, fit_columns) + UNKNOWN;
     for (int i = 0, n = 0; i < f->unknowns && !answer_for_people(a); i++) {
         const struct parameter *p = f->unknown[i].parameter;
@@ -112,10 +116,10 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
         }
     }
     *c = (struct column){NULL, NULL, NULL, 0};
-    answer_describe(a, "measured", units[f->data.kind], NULL);
-    answer_describe(a, "fitted", units[f->data.kind], NULL);
-    answer_describe(a, "residual", fit_has_rows(&f->data) ? "share" : units[f->data.kind], NULL);
-    answer_leave_out(a, unused[f->data.kind]);
+    answer_describe(a, "measured", kinds[f->data.kind].unit, NULL);
+    answer_describe(a, "fitted", kinds[f->data.kind].unit, NULL);
+    answer_describe(a, "residual", kinds[f->data.kind].residual, NULL);
+    answer_leave_out(a, kinds[f->data.kind].unused);
 }
 
 /* Computes the measured value, the fitted value and the residual of point k. If intervals are compared,
@@ -140,7 +144,6 @@ static void rows_write(struct answer *a, const struct fit *f)
             [DOMINOES] = cell_count((domq_real)p->domino),
             [RUN] = cell_real((domq_real)f->data.run[p->run].number),
             [DOMINO] = cell_count((domq_real)p->domino),
-            [TIME] = cell_real((domq_real)p->time),
             [MEASURED] = cell_real((domq_real)value),
             [FITTED] = cell_narrow((domq_real)fitted, 4),
             [RESIDUAL] = cell_narrow((domq_real)residual, 2),
@@ -207,11 +210,6 @@ static void values_say(struct answer *a, const struct fit *f)
 
 static void residuals_say(struct answer *a, const struct fit *f)
 {
-    static const char *const units[] = {"share", "rad", "s", "share"},
-                             *const alike[] = {"All speeds have the same relative weight.",
-                                               "All angles have the same weight.",
-                                               "All times have the same weight.",
-                                               "All times have the same relative weight."};
     double most = 0;
     size_t worst = 0;
     for (size_t k = 0; k < f->data.points; k++) {
@@ -225,26 +223,19 @@ static void residuals_say(struct answer *a, const struct fit *f)
         answer_say(
             a, "The measured times drift away from the model's times, as they do if the gaps of a row are "
                "not all equal. The fit and the table therefore compare the times between successive hits.");
-    else if (f->data.spread > 0)
-        answer_say(a,
-                   "Each line is the mean of its trials. Single trials differ from their mean by %s, and the "
-                   "mean of n "
-                   "trials has this error divided by sqrt(n)%s.",
-                   measured((domq_real)f->data.spread, "share", 2).text,
-                   f->reduced_chi_squared > 2 ? ", which is smaller than the residuals" : "");
     else if (f->data.has_errors)
         answer_say(a, "The measurements are weighted by their errors%s.",
                    f->reduced_chi_squared > 2 ? ", which are smaller than the residuals" : "");
     else
-        answer_say(a, "%s", alike[f->data.kind]);
-    if (fit_has_rows(&f->data))
-        answer_say(a, "The largest residual is %s.", measured((domq_real)most, units[f->data.kind], 2).text);
-    else
-        answer_say(a, "The largest residual is %s, at domino %zu.",
-                   measured((domq_real)most, units[f->data.kind], 2).text, f->data.point[worst].domino);
+        answer_say(a, "%s", kinds[f->data.kind].alike);
+    char where[48] = "";
+    if (!fit_has_rows(&f->data))
+        snprintf(where, sizeof where, ", at domino %zu", f->data.point[worst].domino);
+    answer_say(a, "The largest residual is %s%s.",
+               measured((domq_real)most, kinds[f->data.kind].residual, 2).text, where);
 }
 
-/* ---- The command ---- */
+/* ---- The fit ---- */
 
 /* Checks that no gap is longer than a domino is tall, and that there are as many different rows as unknowns.
  * Several measurements of one row determine one unknown. */
@@ -273,47 +264,23 @@ static bool rows_check(const struct fit *f, const char *shown, struct problem *p
                              gaps == 1 ? "" : "s", f->unknowns);
 }
 
-/* The gaps follow from pitches and the thickness, which must therefore be known. */
-static bool pitch_check(const struct fit *f, const char *shown, struct problem *problem)
-{
-    bool known = true;
-    for (int i = 0; i < f->unknowns && f->data.has_pitch; i++)
-        known = known && f->unknown[i].parameter != parameter_find("d") &&
-                f->unknown[i].parameter != parameter_find("h");
-    return known ||
-           problem_no_answer(problem,
-                             "%s has pitches, from which the gaps follow only if the thickness is known; "
-                             "measure gaps to fit the size of a domino",
-                             shown);
-}
-
-static const struct parameter *undetermined(const struct fit *f)
-{
-    for (int i = 0; i < f->unknowns; i++)
-        if (f->unknown[i].deviation == HUGE_VAL)
-            return f->unknown[i].parameter;
-    return NULL;
-}
-
 bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
 {
     const struct fit_given *given = query->given->bound;
     const char *shown = names_shown(query->given->word[1]);
     *f = (struct fit){.query = query, .unknowns = given->count};
-    for (int i = 0; i < given->count; i++) {
+    for (int i = 0; i < given->count; i++)
         f->unknown[i].parameter = given->parameter[i];
-        f->unknown[i].lowest = given->parameter[i]->from;
-        f->unknown[i].highest = given->parameter[i]->to;
-    }
     const double rate = query->given->count > 2 ? (double)query->given->number[2] : (double)NAN;
-    if (!fit_read(query, query->given->word[1], rate, &f->data, problem) || !pitch_check(f, shown, problem) ||
-        (fit_has_rows(&f->data) && !rows_check(f, shown, problem)) || !fit_number(f, problem) ||
-        !fit_solve(f, problem))
+    if (!fit_read(query, query->given->word[1], rate, &f->data, problem) ||
+        (fit_has_rows(&f->data) && !rows_check(f, shown, problem)) || !fit_solve(f, problem))
         return false;
-    const struct parameter *open = undetermined(f);
-    return !open || problem_no_answer(
-                        problem, "%s: the measurements do not depend on %s%s", shown, open->name,
-                        f->unknowns > 1 ? ", or not separately from the others; fit fewer parameters" : "");
+    for (int i = 0; i < f->unknowns; i++)
+        if (f->unknown[i].deviation == HUGE_VAL)
+            return problem_no_answer(
+                problem, "%s: the measurements do not depend on %s%s", shown, f->unknown[i].parameter->name,
+                f->unknowns > 1 ? ", or not separately from the others; fit fewer parameters" : "");
+    return true;
 }
 
 void fit_free(struct fit *f)
@@ -336,3 +303,41 @@ bool run_fit(const struct query *query, struct answer *a, struct problem *proble
     fit_free(&f);
     return done;
 }
+
+/* ---- The command ---- */
+
+static const struct command fit_commands[] = {
+    {.name = "fit",
+     .synonyms = "measured camera video tracker regression estimate calibrate",
+     .argument = {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = fit_parse, .choices = fit_names},
+                  {.name = "FILE", .kind = ARGUMENT_FILE},
+                  {.name = "FPS", .kind = ARGUMENT_NUMBER, .optional = true}},
+     .summary = "the parameters that explain measurements best",
+     .help =
+         "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
+         "'friction, push'. FILE is a csv file of one of three kinds. In a file with 'gap (mm)' and 'speed "
+         "(m/s)', each line has the speed of one row of equal dominoes. With 'gap (mm)', 'dominoes' and "
+         "'time (s)', each line has the time that a row of that many equal dominoes takes to fall: from the "
+         "push or the release or, without these, from the first hit, until the last one lies on the floor. "
+         "The columns 'domino' and 'time (s)' (or 'frame') say when each domino of the row is hit, as a "
+         "camera shows it.\n\n"
+         "FPS is the number of frames per second; a column 'rate' can give this number instead. A column "
+         "'run' numbers several runs, each with its own clock. A column 'gap (mm)' gives the gap of each "
+         "run. A column 'error' gives the standard errors. Repeated measurements are lines of their own.\n\n"
+         "Hits are those of the row of 'set row' or, without it, of a row with the growth r. Each residual "
+         "is divided by its error, and 'fit' finds the values with the smallest sum of squares. It also "
+         "finds their standard deviations and correlations. 'fit ... > fit.svg' (or .png, .pdf) draws the "
+         "measurements against the fitted values.",
+     .see = "plot solve duration fall sensitivity",
+     .access.files = true,
+     .rows = true,
+     ANSWER(fit)},
+    {.name = NULL},
+};
+
+static const struct command_group groups[] = {
+    {"What measurements say", "planning", fit_commands},
+    {NULL, NULL, NULL},
+};
+
+const struct feature fit_feature = {.name = "fit", .groups = groups};

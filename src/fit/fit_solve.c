@@ -6,7 +6,6 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Finds the unknowns that are not at a limit and discards the correlations of an earlier search. */
 static void free_find(struct fit *f)
@@ -20,31 +19,15 @@ static void free_find(struct fit *f)
     }
 }
 
-/* Returns how many numbers are fitted: the free unknowns and, if the data are angles, the start time of each
- * run. */
-static size_t numbers_of(const struct fit *f)
-{
-    return f->free_count + (f->data.kind == FIT_ANGLES ? f->data.runs : 0);
-}
-
-static size_t residuals_of(const struct fit *f)
-{
-    return f->data.points - (f->data.intervals ? f->data.runs : 0);
-}
-
 static bool is_interrupted(const struct fit *f)
 {
     return dom_raised(f->query->scene->compute.interrupt);
 }
 
-/* Reflects a value at the limits of its parameter's range, so that it lies in the range. The sum of squares
- * then has a mirror image beyond a limit. If the sum decreases all the way to a limit, the limit is therefore
- * a minimum. */
-static double inside(const struct fit_unknown *u, double value)
+/* The width of the range in which the search looks for starting values. */
+static double width_of(const struct fit_unknown *u)
 {
-    const double lowest = (double)u->parameter->value->lowest, highest = (double)u->parameter->value->highest;
-    value = value < lowest ? 2 * lowest - value : value;
-    return value > highest ? 2 * highest - value : value;
+    return (double)u->parameter->to - (double)u->parameter->from;
 }
 
 /* Fills in the residuals, each divided by its error, and returns the sum of their squares. */
@@ -66,23 +49,28 @@ static double residuals_fill(const struct fit *f, gsl_vector *residual)
     return squares;
 }
 
-/* Fills in all unknowns from *x. Returns the start times of the runs, which follow the free unknowns
- * in *x. */
-static const double *values_of(const struct fit *f, const gsl_vector *x, double *value)
+/* Fills in all unknowns. The values of the free ones are in *x, or those of an earlier search if x is NULL. A
+ * value beyond a limit of its range is reflected there. The sum of squares then has a mirror image beyond a
+ * limit. If the sum decreases all the way to a limit, the limit is therefore a minimum. */
+static void values_of(const struct fit *f, const gsl_vector *x, double *value)
 {
     for (int i = 0; i < f->unknowns; i++)
         value[i] = f->unknown[i].value;
-    for (size_t n = 0; n < f->free_count; n++)
-        value[f->free[n]] = inside(&f->unknown[f->free[n]], x->data[n]);
-    return x->data + f->free_count;
+    for (size_t n = 0; x && n < f->free_count; n++) {
+        const struct parameter *p = f->unknown[f->free[n]].parameter;
+        const double lowest = (double)p->value->lowest, highest = (double)p->value->highest;
+        double inside = gsl_vector_get(x, n);
+        inside = inside < lowest ? 2 * lowest - inside : inside;
+        value[f->free[n]] = inside > highest ? 2 * highest - inside : inside;
+    }
 }
 
 /* Fills in the residuals. Returns false if the model has no answer, or after an interrupt. */
 static bool residuals_at(struct fit *f, const gsl_vector *x, gsl_vector *residual)
 {
     double value[FIT_UNKNOWNS];
-    const double *clock = values_of(f, x, value);
-    bool done = !is_interrupted(f) && fit_compute(f, value, clock, f->computed);
+    values_of(f, x, value);
+    bool done = !is_interrupted(f) && fit_compute(f, value);
     if (done)
         residuals_fill(f, residual);
     else
@@ -96,29 +84,20 @@ static int residuals_of_gsl(const gsl_vector *x, void *context, gsl_vector *resi
     return GSL_SUCCESS;
 }
 
-/* Returns the step h of the difference quotients. The error of such a quotient is of the order h^2 + tol / h:
- * a large step is inexact, and a small step amplifies the errors of the model. */
-static double step_of(const struct fit *f, size_t i, double x)
-{
-    /* The engine's answers are accurate to about three digits. */
-    const bool engine = scene_has_engine(f->query->scene);
-    const double relative = engine ? 0.02 : fmax(1e-5, 10 * sqrt((double)f->query->scene->compute.tol));
-    if (i >= f->free_count) {
-        const struct fit_run *run = &f->data.run[i - f->free_count];
-        return relative * (f->data.point[run->first + run->count - 1].time - f->data.point[run->first].time);
-    }
-    const struct fit_unknown *u = &f->unknown[f->free[i]];
-    return relative * fmax(fabs(x), (u->highest - u->lowest) / 50);
-}
-
-/* Fills in the derivatives of the residuals, by central differences if possible. */
+/* Fills in the derivatives of the residuals, by central differences if possible. The error of a difference
+ * quotient with the step h is of the order h^2 + tol / h: a large step is inexact, and a small step amplifies
+ * the errors of the model. The engine's answers are accurate to about three digits. */
 static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 {
     struct fit *f = context;
+    const struct scene *scene = f->query->scene;
+    const double relative =
+        scene_has_engine(scene) ? 0.02 : fmax(1e-5, 10 * sqrt((double)scene->compute.tol));
     gsl_vector *at = gsl_vector_alloc(x->size), *left = gsl_vector_alloc(J->size1),
                *right = gsl_vector_alloc(J->size1);
     for (size_t i = 0; i < x->size && at && left && right; i++) {
-        const double here = gsl_vector_get(x, i), step = step_of(f, i, here);
+        const double here = gsl_vector_get(x, i),
+                     step = relative * fmax(fabs(here), width_of(&f->unknown[f->free[i]]) / 50);
         gsl_vector_memcpy(at, x);
         gsl_vector_set(at, i, here - step);
         double width = residuals_at(f, at, left) ? step : 0;
@@ -141,48 +120,33 @@ static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 
 /* ---- Where the search begins ---- */
 
-/* Returns starting value k of an unknown, or NaN after the last one. Value 0 is the current value. If the
- * unknown is an effect that is off, value 0 is instead just above the lower end of the unknown's range. The
- * other values are spread over the range. */
-static double start_of(const struct fit *f, int i, int k)
+/* Tries all combinations of starting values and stores the one with the smallest sum of squares in the
+ * unknowns. The starting values of an unknown are its current value and others that are spread over its
+ * range. If the unknown is an effect that is off, a value just above the lower end of the range takes the
+ * place of the current one. Fails if the model has no answer for any combination. */
+static bool start_find(struct fit *f, gsl_vector *residual)
 {
-    static const double few[] = {0.06, 0.25, 0.6}, many[] = {0.025, 0.06, 0.125, 0.25, 0.5, 0.85};
-    const struct fit_unknown *u = &f->unknown[i];
-    const int count = f->unknowns > 2 ? 3 : 6;
-    const domq_real now = parameter_get(f->query->state, u->parameter);
-    if (k == 0)
-        return now == EFFECT_OFF ? u->lowest + (u->highest - u->lowest) / 100 : (double)now;
-    return k > count ? (double)NAN
-                     : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
-}
-
-/* Tries all combinations of starting values and finds the one with the smallest sum of squares. Stores these
- * values in the unknowns, and the start times of the runs in *clock. Fails if the model has no answer for any
- * combination. */
-static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
-{
-    int k[FIT_UNKNOWNS] = {0};
-    double least = HUGE_VAL, value[FIT_UNKNOWNS] = {0};
-    double *at = calloc(f->data.runs, sizeof *at);
+    static const double few[] = {0.01, 0.06, 0.25, 0.6}, many[] = {0.01, 0.025, 0.06, 0.125, 0.25, 0.5, 0.85};
+    const double *share = f->unknowns > 2 ? few : many;
+    const int each = f->unknowns > 2 ? 4 : 7, all = (int)lround(pow(each, f->unknowns));
+    double least = HUGE_VAL, value[FIT_UNKNOWNS];
     struct problem first = {.kind = PROBLEM_NONE};
-    for (int i = 0; at && i < f->unknowns && !is_interrupted(f);) {
-        double squares = HUGE_VAL;
-        for (i = 0; i < f->unknowns; i++)
-            value[i] = start_of(f, i, k[i]);
-        if (fit_clocks(f, value, at) && fit_compute(f, value, at, f->computed))
-            squares = residuals_fill(f, residual);
-        else if (first.kind == PROBLEM_NONE)
-            first = f->problem;
-        if (squares < least) {
-            least = squares;
-            memcpy(clock, at, f->data.runs * sizeof *at);
-            for (i = 0; i < f->unknowns; i++)
-                f->unknown[i].value = value[i];
+    for (int k = 0; k < all && !is_interrupted(f); k++) {
+        for (int i = 0, rest = k; i < f->unknowns; i++, rest /= each) {
+            const struct parameter *p = f->unknown[i].parameter;
+            const domq_real now = parameter_get(f->query->state, p);
+            value[i] = rest % each == 0 && now != EFFECT_OFF
+                           ? (double)now
+                           : (double)p->from + share[rest % each] * width_of(&f->unknown[i]);
         }
-        for (i = 0; i < f->unknowns && isnan(start_of(f, i, ++k[i])); i++)
-            k[i] = 0;
+        const bool done = fit_compute(f, value);
+        const double squares = done ? residuals_fill(f, residual) : HUGE_VAL;
+        if (!done && first.kind == PROBLEM_NONE)
+            first = f->problem;
+        for (int i = 0; i < f->unknowns && squares < least; i++)
+            f->unknown[i].value = value[i];
+        least = fmin(least, squares);
     }
-    free(at);
     if (!(least < HUGE_VAL))
         f->problem = first;
     return least < HUGE_VAL;
@@ -196,17 +160,16 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
 {
     const size_t n = derivatives->size2;
     gsl_matrix *J = gsl_matrix_alloc(derivatives->size1, n), *covariance = gsl_matrix_calloc(n, n);
-    gsl_vector *size = gsl_vector_alloc(n);
-    const bool done = J && covariance && size;
+    double norm[FIT_UNKNOWNS] = {0};
+    const bool done = J && covariance;
     if (done) {
         gsl_matrix_memcpy(J, derivatives);
         /* The columns are scaled to the same length, so that all unknowns matter equally. */
         for (size_t i = 0; i < n; i++) {
             gsl_vector_view column = gsl_matrix_column(J, i);
-            const double norm = gsl_blas_dnrm2(&column.vector);
-            gsl_vector_set(size, i, norm);
-            if (norm > 0)
-                gsl_vector_scale(&column.vector, 1 / norm);
+            norm[i] = gsl_blas_dnrm2(&column.vector);
+            if (norm[i] > 0)
+                gsl_vector_scale(&column.vector, 1 / norm[i]);
         }
         gsl_multifit_nlinear_covar(J, 1e-7, covariance);
     }
@@ -214,53 +177,55 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
      * residuals are too large for the given errors, the size of the errors is taken from the residuals
      * instead. */
     const double factor = f->data.has_errors ? fmax(f->reduced_chi_squared, 1) : f->reduced_chi_squared;
-    for (size_t a = 0; a < f->free_count && done; a++) {
-        const double variance = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
+    for (size_t a = 0; a < n && done; a++) {
+        const double variance = gsl_matrix_get(covariance, a, a);
         f->unknown[f->free[a]].deviation =
-            variance > 0 && norm > 0 ? sqrt(factor * variance) / norm : HUGE_VAL;
+            variance > 0 && norm[a] > 0 ? sqrt(factor * variance) / norm[a] : HUGE_VAL;
         for (size_t b = 0; b < a; b++)
             f->correlation[f->free[b]][f->free[a]] =
                 gsl_matrix_get(covariance, a, b) / sqrt(variance * gsl_matrix_get(covariance, b, b));
     }
     gsl_matrix_free(J);
     gsl_matrix_free(covariance);
-    gsl_vector_free(size);
     return done;
 }
 
-/* Moves the unknowns and *clock to a local minimum of the sum of squares. Returns a GSL status. */
-static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
+/* Moves the unknowns that are not at a limit to a local minimum of the sum of squares. Returns a GSL
+ * status. */
+static int minimum_search(struct fit *f, gsl_vector *residual)
 {
     enum { STEPS_MOST = 50 };
     const gsl_multifit_nlinear_parameters usual = gsl_multifit_nlinear_default_parameters();
-    gsl_vector *x = gsl_vector_alloc(numbers_of(f));
     gsl_multifit_nlinear_fdf problem = {.f = residuals_of_gsl,
                                         .df = derivatives_of_gsl,
                                         .n = residual->size,
-                                        .p = numbers_of(f),
+                                        .p = f->free_count,
                                         .params = f};
-    gsl_multifit_nlinear_workspace *w =
-        x ? gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &usual, problem.n, problem.p) : NULL;
-    int info = 0, status = GSL_ENOMEM;
-    if (w) {
-        for (size_t n = 0; n < f->free_count; n++)
+    gsl_vector *x = NULL;
+    gsl_multifit_nlinear_workspace *w = NULL;
+    int info = 0, status = GSL_SUCCESS;
+    double value[FIT_UNKNOWNS];
+    if (f->free_count > 0) {
+        x = gsl_vector_alloc(f->free_count);
+        w = x ? gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &usual, problem.n, problem.p) : NULL;
+        for (size_t n = 0; n < f->free_count && w; n++)
             gsl_vector_set(x, n, f->unknown[f->free[n]].value);
-        memcpy(x->data + f->free_count, clock, (x->size - f->free_count) * sizeof *clock);
-        status = gsl_multifit_nlinear_init(x, &problem, w);
+        status = w ? gsl_multifit_nlinear_init(x, &problem, w) : GSL_ENOMEM;
+        if (status == GSL_SUCCESS)
+            status = gsl_multifit_nlinear_driver(STEPS_MOST, 1e-10, 1e-12, 0, NULL, NULL, &info, w);
+        if (info == GSL_ENOPROG) /* the starting point is already the minimum */
+            status = GSL_SUCCESS;
+        if (w)
+            gsl_vector_memcpy(x, gsl_multifit_nlinear_position(w));
     }
-    if (status == GSL_SUCCESS)
-        status = gsl_multifit_nlinear_driver(STEPS_MOST, 1e-10, 1e-12, 0, NULL, NULL, &info, w);
-    if (info == GSL_ENOPROG) /* the starting point is already the minimum */
-        status = GSL_SUCCESS;
-    if (w && !is_interrupted(f)) {
-        double value[FIT_UNKNOWNS];
-        gsl_vector_memcpy(x, gsl_multifit_nlinear_position(w));
-        residuals_at(f, x, residual); /* recomputes f->computed at the minimum */
+    if ((w || f->free_count == 0) && !is_interrupted(f)) {
+        if (!residuals_at(f, x, residual) && f->free_count == 0) /* recomputes f->computed at the minimum */
+            status = GSL_EDOM;
         f->reduced_chi_squared = residuals_fill(f, residual) / (double)f->freedom;
-        memcpy(clock, values_of(f, x, value), (x->size - f->free_count) * sizeof *clock);
+        values_of(f, x, value);
         for (int i = 0; i < f->unknowns; i++)
             f->unknown[i].value = value[i];
-        if (!deviations_find(f, gsl_multifit_nlinear_jac(w)))
+        if (w && !deviations_find(f, gsl_multifit_nlinear_jac(w)))
             status = GSL_ENOMEM;
     }
     gsl_multifit_nlinear_free(w);
@@ -276,8 +241,8 @@ static bool limit_take(struct fit *f, double near)
         struct fit_unknown *u = &f->unknown[i];
         const double lowest = (double)u->parameter->value->lowest,
                      highest = (double)u->parameter->value->highest;
-        const bool low = u->value - lowest < near * (u->highest - u->lowest),
-                   high = highest - u->value < near * (u->highest - u->lowest);
+        const bool low = u->value - lowest < near * width_of(u),
+                   high = highest - u->value < near * width_of(u);
         if (!u->is_at_limit && (low || high)) {
             u->is_at_limit = true;
             u->value = low ? lowest : highest;
@@ -290,22 +255,14 @@ static bool limit_take(struct fit *f, double near)
 
 /* Finds the minimum. If an unknown is near a limit of its range, the search would jump back and forth across
  * the limit. Such an unknown is set to the limit, and the others are fitted again. */
-static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
+static int minimum_find(struct fit *f, gsl_vector *residual)
 {
     int status;
     do {
         free_find(f);
-        status = numbers_of(f) > 0 ? minimum_search(f, clock, residual) : GSL_SUCCESS;
+        status = minimum_search(f, residual);
     } while (limit_take(f, status == GSL_SUCCESS ? 1e-6 : 1e-3));
-    if (numbers_of(f) > 0)
-        return status;
-    double value[FIT_UNKNOWNS];
-    for (int i = 0; i < f->unknowns; i++)
-        value[i] = f->unknown[i].value;
-    if (!fit_compute(f, value, clock, f->computed))
-        return GSL_EDOM;
-    f->reduced_chi_squared = residuals_fill(f, residual) / (double)f->freedom;
-    return GSL_SUCCESS;
+    return status;
 }
 
 /* Returns the Durbin-Watson statistic sum (e_k - e_(k-1))^2 / sum e_k^2 of the residuals e_k. It is near 2 if
@@ -328,32 +285,30 @@ static int fit_once(struct fit *f)
     for (int i = 0; i < f->unknowns; i++)
         f->unknown[i].is_at_limit = false;
     free_find(f);
-    const size_t clocks = f->data.kind == FIT_HITS && !f->data.intervals ? f->data.runs : 0;
-    gsl_vector *residual = gsl_vector_alloc(residuals_of(f));
-    double *clock = calloc(f->data.runs, sizeof *clock);
-    f->freedom = residuals_of(f) - numbers_of(f) - clocks;
-    int status = !clock || !residual               ? GSL_ENOMEM
-                 : !start_find(f, clock, residual) ? GSL_EDOM
-                                                   : minimum_find(f, clock, residual);
+    const bool of_hits = f->data.kind == FIT_HITS;
+    const size_t residuals = f->data.points - (f->data.intervals ? f->data.runs : 0);
+    gsl_vector *residual = gsl_vector_alloc(residuals);
+    /* Each run of hits has an unknown start. */
+    f->freedom = residuals - f->free_count - (of_hits && !f->data.intervals ? f->data.runs : 0);
+    int status = !residual ? GSL_ENOMEM : !start_find(f, residual) ? GSL_EDOM : minimum_find(f, residual);
     /* If the gaps differ, the times of hits drift away from the times of the model. */
-    const bool drifts = status == GSL_SUCCESS && f->data.kind == FIT_HITS && !f->data.has_errors &&
-                        !f->data.intervals && f->freedom >= 8 && drift_of(f, residual) < 1;
+    const bool drifts = status == GSL_SUCCESS && of_hits && !f->data.has_errors && !f->data.intervals &&
+                        f->freedom >= 8 && drift_of(f, residual) < 1;
     gsl_vector_free(residual);
-    free(clock);
     f->data.intervals = f->data.intervals || drifts;
     return drifts ? GSL_CONTINUE : status;
 }
 
 bool fit_solve(struct fit *f, struct problem *problem)
 {
-    const size_t fitted = (size_t)f->unknowns + (fit_has_rows(&f->data) ? 0 : f->data.runs);
-    if (f->data.points <= fitted)
+    const bool has_rows = fit_has_rows(&f->data);
+    if (f->data.points <= (size_t)f->unknowns + (has_rows ? 0 : f->data.runs))
         return problem_no_answer(
             problem,
             "%zu measurements are too few for %d unknown%s%s; measure more, or name fewer "
             "unknowns",
             f->data.points, f->unknowns, f->unknowns > 1 ? "s" : "",
-            fit_has_rows(&f->data) ? "" : " and the start time of each run");
+            has_rows ? "" : " and the start time of each run");
     f->computed = malloc(f->data.points * sizeof *f->computed);
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
     int status = f->computed ? fit_once(f) : GSL_ENOMEM;

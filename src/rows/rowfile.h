@@ -4,7 +4,7 @@
 #define ROWS_ROWFILE_H
 
 #include "session/query.h"
-#include "tables/csv_named.h"
+#include "tables/csv.h"
 
 /*
  * A csv file that describes a measured row of dominoes looks like this:

@@ -212,16 +212,19 @@ void sheet_questions(const struct class_row *class, FILE *out)
     questions_write(class, out);
     fputs("# With the program\n", out);
     if (class->is_equal)
-        fprintf(out,
-                "Type the table into a file class.csv, with commas and without the means. Its first line is: "
-                "gap (%s), dominoes, trial 1 (s), trial 2 (s), trial 3 (s). In the session of this row, 'fit "
-                "friction class.csv' finds the friction between your dominoes.\n",
-                class->unit);
+        fprintf(
+            out,
+            "Type the times into a file class.csv, each on a line, with commas. Its first line is: gap (%s), "
+            "dominoes, time (s). In the session of this row, 'fit friction class.csv' finds the friction "
+            "between your dominoes.\n",
+            class->unit);
     else
-        fputs("Record the sound, and type the times of the clicks into a file class.csv, each on a line. Its "
-              "first line is: time (s). In the session of this row, 'fit friction class.csv' finds the "
-              "friction between your dominoes.\n",
-              out);
+        fputs(
+            "Film the row, and type the times at which dominoes are hit into a file class.csv, each on a "
+            "line. "
+            "Its first line is: domino, time (s). In the session of this row, 'fit friction class.csv' finds "
+            "the friction between your dominoes.\n",
+            out);
 }
 
 /* ---- The answers ---- */

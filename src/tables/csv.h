@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Splits csv files into lines and cells, which csv_table.h interprets.
+ * Tables in csv files. A file consists of cells:
  * - The separator is ';', a tab or ','. The first line of the table shows which one. A line "sep=;" above it
  *   may also name the separator.
  * - A quoted cell may contain separators and newlines. Within the quotes, '""' stands for one quote.
@@ -8,14 +8,23 @@
  * - A byte order mark, empty lines, and blanks around a cell are skipped.
  * - A line that begins with '#' is a comment.
  * - The decimal mark is a point, or a comma in a file whose separator is ';' or a tab, or in a quoted cell. A
- * mark that could be a thousands separator is an error.
+ *   mark that could be a thousands separator is an error.
+ *
+ * The cells make a table:
+ * - The first line names the columns, in any order, in English, German, Dutch or French. Case and accents
+ *   make no difference.
+ * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm", "height_mm",
+ *   "height/mm" or "height in mm". The second line may also give them.
+ * - A cell is an expression. A cell that contains only a dash counts as empty. If a cell has a unit, the unit
+ *   of the column does not apply to the cell.
+ * - A file means the same in every session. It cannot use variables, and angles without a unit are in
+ *   radians.
  */
 #ifndef TABLES_CSV_H
 #define TABLES_CSV_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdio.h>
+#include "language/names.h"
+#include "session/query.h"
 
 /* The maximum number of cells and bytes in a line, and of bytes in a file. */
 enum { CSV_CELLS_MOST = 80, CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
@@ -70,5 +79,115 @@ const char *csv_separator_name(const struct csv_file *file);
 /* Replaces the decimal commas in the text of a cell by points, so that the numbers can be read. `at` is the
  * position of the cell. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
+
+/* ---- Kinds of tables ---- */
+
+/* CSV_COLUMNS_MOST is the maximum number of columns that a kind of table knows. A file may also have unknown
+ * columns, but at most CSV_OTHERS_MOST. When a row is saved, the unknown columns are written next to the
+ * known ones, and a line can have at most CSV_CELLS_MOST columns. */
+enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
+
+/* Properties of a column, as bits. */
+enum {
+    CSV_REQUIRED = 1,  /* every file must have this column */
+    CSV_EMPTY = 2,     /* the cells of the column may be empty */
+    CSV_NOT_FIRST = 4, /* the cell of the first row is ignored, and may be empty or out of range */
+    CSV_WHOLE = 8,     /* the values of the column are whole numbers */
+    CSV_BARE = 16,     /* a number without a unit is in the SI unit of the column */
+    CSV_ONE_OF = 32,   /* at most one of the columns with this property may occur, and one must occur if any
+                          of them is required */
+};
+
+/* A column that a kind of table may have. */
+struct csv_column {
+    const char *name;
+    unsigned traits;
+    const char *unit;       /* the SI unit of the values; "" for plain numbers, NULL for text */
+    const char *units;      /* for messages: a list of the units that a file may use */
+    const char *usual;      /* for messages: the unit to suggest */
+    const char *advice;     /* advice for messages, for example "write a length such as 48 mm" */
+    double lowest, highest; /* the ends of the range, which are included */
+    const char *range;      /* for messages: the range, such as "0 .. 1e9 m" */
+};
+#define CSV_ABOVE_0 4.9e-324 /* the smallest double above 0, for a range that does not include 0 */
+
+/* Initialises the members unit, units and usual for a column of lengths. */
+#define CSV_LENGTH "m", "m, mm, cm, km, in, ft, yd", "mm"
+
+/* A kind of table, such as a row of dominoes or a series of measurements. */
+struct csv_kind {
+    const struct csv_column *column;
+    int columns; /* at most CSV_COLUMNS_MOST */
+    size_t rows_most;
+    /* for messages: the noun for what a row describes, and its plural, such as "domino" and "dominoes" */
+    const char *item, *items;
+    const char *names;   /* for messages: a list of the names of the columns */
+    const char *example; /* for messages: an example of a first line */
+    /* If the file lacks a required column of this kind, the table may be of the kind `otherwise`, which is
+     * tried next. NULL if there is no other kind. If no kind fits, messages are about the first kind that was
+     * tried. */
+    const struct csv_kind *otherwise;
+};
+
+/* ---- Tables ---- */
+
+/* A table that is being read. The arrays `column`, `unit` and `value` have an element for each column in
+ * kind->column. */
+struct csv_table {
+    const struct csv_kind *kind; /* chosen when the first line has been read */
+    struct csv_file file;
+    char *path;             /* the path of the file, for messages */
+    struct csv_record head; /* the first line */
+    /* The second line, if this line gives the units. Otherwise a record without cells. */
+    struct csv_record units;
+    struct csv_record row; /* the current row */
+    bool is_read_ahead;    /* `row` has been read ahead: it is the next row, not the current one */
+    size_t rows;           /* the number of rows that have been read */
+    /* The position of each column in the file, counted from 1, or 0 if the file does not have the column. */
+    int column[CSV_COLUMNS_MOST];
+    /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives none. */
+    domq_real unit[CSV_COLUMNS_MOST];
+    domq_real value[CSV_COLUMNS_MOST];      /* the values of the current row, in SI units, or NaN */
+    bool other[CSV_CELLS_MOST];             /* true for each unknown column of the file */
+    const volatile sig_atomic_t *interrupt; /* once this flag is raised, no more rows are read; may be NULL */
+    /* the names of the unknown columns of the file, except columns of notes */
+    char unused[200];
+};
+
+/* Reads a file and interprets the first line of its table. The table then owns the path. If there is an
+ * error in the file, the table holds the problem. If memory runs out, returns NULL and sets errno. */
+struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind);
+
+/* Frees a table, which may be NULL. */
+void csv_close(struct csv_table *csv);
+
+/* Reads the next row. Returns false at the end. After an error, sets the file's problem and returns false. */
+bool csv_next(struct csv_table *csv);
+
+/* Returns the cell of column k in the current row. If the row is too short or the file does not have this
+ * column, returns an empty cell, whose position is the beginning of the row. */
+struct csv_cell csv_cell(const struct csv_table *csv, int k);
+
+/* Returns true if a value is in the range of a column. Otherwise writes a message and returns false. */
+enum { CSV_MESSAGE = 256 };
+bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV_MESSAGE]);
+
+/* Returns true if a value is in the range of column k. Otherwise sets the file's problem. */
+bool csv_check(struct csv_table *csv, int k, domq_real value);
+
+/* Writes the unknown columns of the file. Each of them is preceded by a comma. If `names` is true, writes the
+ * names and units of the columns. Otherwise writes their cells in the current row. */
+void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
+
+/* Opens a csv file and reads the first line of its table. The file may be beside the running script, or else
+ * in the current directory. If `standard` is true, the name '-' means standard input. On failure, sets
+ * *problem and returns NULL. */
+struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
+                            const char *name, bool standard, const struct csv_kind *kind,
+                            struct problem *problem);
+
+/* Closes a table after it has been read. Returns true if there was no error. Otherwise copies the error from
+ * the table to *problem and returns false. If `csv` is NULL, only returns false. */
+bool csv_end(struct csv_table *csv, struct problem *problem);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tables/csv_named.h"
+#include "interpreter/feature.h"
 #include "io/io.h"
-#include "language/names.h"
+#include "tables/csv.h"
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,3 +39,6 @@ struct csv_table *csv_named(const struct scene *scene, const struct run_context 
         csv = NULL;
     return csv;
 }
+
+/* Other features take rows, measurements and studies from tables. */
+const struct feature tables_feature = {.name = "tables"};

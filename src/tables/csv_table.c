@@ -1,14 +1,117 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tables/csv_table.h"
 #include "io/escape.h"
 #include "language/expression.h"
-#include "language/names.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "tables/csv_names.h"
+#include "language/units.h"
+#include "tables/csv.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* ---- Headings ---- */
+
+enum { UNIT = 32 };
+
+/* Extracts the unit from a string such as "mm", "(mm)" or "[mm]". Returns false if the string is not a
+ * unit. */
+static bool unit_copy(const char *text, char unit[UNIT])
+{
+    const char *begin = text + strspn(text, " \t(["), *end = begin + strcspn(begin, " \t)]");
+    struct quantity q = {.value = 1};
+    bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
+    char *cube = strstr(unit, "\u00b3");
+    if (cube) { /* "³" and "^3" both take two bytes in UTF-8 */
+        cube[0] = '^';
+        cube[1] = '3';
+    }
+    const char *stop = one && *unit ? unit_scan(unit, &q) : NULL;
+    return stop && *stop == '\0';
+}
+
+/* What files call their columns: first the name of the column, then its other names in English, German, Dutch
+ * and French, without accents. */
+static const char *const column_words[] = {
+    "height,length,hohe,hoehe,lange,laenge,hoogte,lengte,hauteur,longueur,hauteurs",
+    "thickness,depth,thick,dicke,starke,staerke,tiefe,dikte,diepte,epaisseur,profondeur",
+    "gap,spacing,distance,separation,abstand,lucke,luecke,afstand,tussenruimte,ecart,espacement,intervalle",
+    "pitch,period,centre to centre,center to center,teilung,raster,rastermass,steek,pas,entraxe",
+    ("position,positions,pos,front,front face,position of the front face,position of front face,"
+     "lage,ort,positie,plaats,emplacement"),
+    "dominoes,dominos,n,count,number of dominoes,no. of dominoes,anzahl,anzahl steine,aantal,nombre",
+    "mass,weight,masse,gewicht,massa,poids",
+    "density,dichte,dichtheid,densite",
+    "width,breite,breedte,largeur",
+    "radius,rounding,rayon,straal",
+    "lean,plumb,tilt,neigung,helling,inclinaison",
+    "relative,relativ,relatief,relatif",
+    "domino,#,nr,nr.,no,no.,number,domino #,domino nr,domino no,domino no.,nummer,stein,steen,numero",
+    ("time,t,times,hit,zeit,tijd,temps,total time,total,gesamtzeit,totale tijd,temps total,"
+     "duration,dauer,duur,duree"),
+    ("speed,velocity,v,average speed,geschwindigkeit,durchschnittsgeschwindigkeit,snelheid,vitesse"),
+    "frame,frames,frame number,step,bild,beeld,image",
+    "rate,frame rate,framerate,fps",
+    "run,trial,video,versuch,proef,essai",
+    "error,errors,sigma,uncertainty,time error,speed error,fehler,fout,erreur",
+};
+
+/* Copies a name in lower case, without accents, and with one blank between words. */
+static void name_fold(const char *text, size_t length, char name[NAMES_SHOWN])
+{
+    /* the letters from U+00C0 to U+00FF without their accents */
+    static const char plain[] = "aaaaaaaceeeeiiiidnooooo*ouuuuytsaaaaaaaceeeeiiiidnooooo/ouuuuyty";
+    size_t n = 0;
+    for (const char *c = text; c < text + length && n + 1 < NAMES_SHOWN; c++) {
+        const unsigned char next = (unsigned char)c[1];
+        const bool is_accent = (*c == '\xcc' && next >= 0x80) || (*c == '\xcd' && next < 0xb0);
+        const bool is_letter = *c == '\xc3' && next >= 0x80 && next < 0xc0;
+        const bool is_blank = isspace((unsigned char)*c) || *c == '_';
+        if (!is_accent && !(is_blank && (n == 0 || name[n - 1] == ' ')))
+            name[n++] = (char)(is_letter ? plain[next - 0x80] : is_blank ? ' ' : tolower((unsigned char)*c));
+        c += is_accent || is_letter;
+    }
+    while (n > 0 && strchr(" /", name[n - 1]))
+        n--;
+    name[n] = '\0';
+}
+
+/* Splits the heading of a column into a name, which is folded, and a unit, which is returned. The unit
+ * follows a bracket or a comma, as in "height (mm)", or it is the last word, as in "height in mm", or it
+ * follows a
+ * '/', as in "height/mm". */
+static const char *heading_split(const char *text, char name[NAMES_SHOWN])
+{
+    char unit[UNIT];
+    size_t length = strcspn(text, "([,"), word = strlen(text);
+    while (word > 0 && !isspace((unsigned char)text[word - 1]) && text[word - 1] != '_')
+        word--;
+    const char *slash = strchr(text, '/');
+    if (text[length] == '\0' && word > 0 && unit_copy(text + word, unit))
+        length = word;
+    else if (text[length] == '\0' && slash && unit_copy(slash + 1, unit))
+        length = (size_t)(slash - text);
+    name_fold(text, length, name);
+    size_t n = strlen(name);
+    if (n > 3 && strcmp(name + n - 3, " in") == 0)
+        name[n - 3] = '\0';
+    return text + length + strspn(text + length, " \t\n,/");
+}
+
+/* Finds the column of a kind that a file calls by this folded name. Returns kind->columns if there is no such
+ * column. */
+static int column_find(const struct csv_kind *kind, const char *name)
+{
+    for (int k = 0; k < kind->columns; k++) {
+        const char *column = kind->column[k].name;
+        bool found = strcmp(column, name) == 0;
+        for (size_t i = 0; i < sizeof column_words / sizeof *column_words && !found; i++)
+            found =
+                names_index(column_words[i], ',', column) == 0 && names_index(column_words[i], ',', name) > 0;
+        if (found)
+            return k;
+    }
+    return kind->columns;
+}
 
 struct csv_cell csv_cell(const struct csv_table *csv, int k)
 {
@@ -22,61 +125,43 @@ static bool is_empty(const char *text)
     return names_index("|-|\u2013|\u2014|\u2212", '|', text) >= 0;
 }
 
-/* ---- Units ---- */
+/* ---- The first two lines ---- */
 
 static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv_place at)
 {
-    char unit[CSV_UNIT];
+    char unit[UNIT];
     const struct csv_column *c = &csv->kind->column[k];
-    if (strstr(c->name, " %") && strchr(text, '%')) {
-        csv->unit[k] = (domq_real)1 / 100;
-        return true;
-    }
-    bool known = csv_unit_copy(text, unit) && c->unit && *c->unit;
-    struct quantity q = expression_unit(unit);
+    const bool known = unit_copy(text, unit) && c->unit && *c->unit;
+    const struct quantity q = expression_unit(unit);
     const char *shown = names_shown(text);
     if (!known || !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, at, "'%s' is not a unit of %s; its units are: %s", shown, c->name,
                          c->units);
     if (csv->unit[k] > 0 && csv->unit[k] != q.value)
-        return csv_wrong(
-            &csv->file, at, "'%s' differs from the unit of %s in the first line; %s", shown, c->name,
-            c->traits & CSV_REPEATED ? "use one unit in all its columns" : "delete one of the two units");
+        return csv_wrong(&csv->file, at,
+                         "'%s' differs from the unit of %s in the first line; delete one of the two units",
+                         shown, c->name);
     csv->unit[k] = q.value;
     return true;
-}
-
-/* Returns the column of a kind that may occur several times. */
-static int repeated_find(const struct csv_kind *kind)
-{
-    int k = 0;
-    while (k + 1 < kind->columns && !(kind->column[k].traits & CSV_REPEATED))
-        k++;
-    return k;
 }
 
 /* Reads the second line. If the line does not give units, it is the first row. */
 static bool units_read(struct csv_table *csv)
 {
-    char unit[CSV_UNIT];
+    char unit[UNIT];
     bool units = false, good = true;
     if (!csv_read(&csv->file, &csv->row))
         return !*csv->file.problem.text;
     for (int k = 0; k < csv->kind->columns; k++)
-        units = units || csv_unit_copy(csv_cell(csv, k).text, unit);
+        units = units || unit_copy(csv_cell(csv, k).text, unit);
     for (int k = 0; k < csv->kind->columns && units && good; k++)
         good =
             is_empty(csv_cell(csv, k).text) || unit_read(csv, k, csv_cell(csv, k).text, csv_cell(csv, k).at);
-    for (int i = 0; i < csv->row.cells && units && good; i++)
-        good = !csv->repeats[i] || is_empty(csv->row.cell[i].text) ||
-               unit_read(csv, repeated_find(csv->kind), csv->row.cell[i].text, csv->row.cell[i].at);
     if (units)
         csv->units = csv->row;
     csv->is_read_ahead = !units;
     return good;
 }
-
-/* ---- The first line ---- */
 
 static const char *column_names(const void *context, int k)
 {
@@ -84,44 +169,33 @@ static const char *column_names(const void *context, int k)
     return k < kind->columns ? kind->column[k].name : NULL;
 }
 
-/* Returns true if the first line names all columns that a file of this kind must have. */
-static bool kind_fits(const struct csv_table *csv, const struct csv_kind *kind)
+/* Finds the columns of a kind in the first line. Returns the name of a required column that is missing, or
+ * NULL. */
+static const char *columns_find(struct csv_table *csv, const struct csv_kind *kind)
 {
-    bool found[CSV_COLUMNS_MOST + 1] = {false}, fits = true;
     char name[NAMES_SHOWN];
+    const char *missing = NULL;
     bool one_of = false;
-    for (int i = 0; i < csv->head.cells; i++) {
-        const char *unit = csv_name_split(csv->head.cell[i].text, name);
-        const int k = csv_column_find(kind, name, unit);
-        found[k] = true;
+    memset(csv->column, 0, sizeof csv->column);
+    for (int i = csv->head.cells - 1; i >= 0; i--) {
+        heading_split(csv->head.cell[i].text, name);
+        const int k = column_find(kind, name);
+        csv->other[i] = k == kind->columns;
+        if (k < kind->columns)
+            csv->column[k] = i + 1;
         one_of = one_of || (k < kind->columns && kind->column[k].traits & CSV_ONE_OF);
     }
-    for (int k = 0; k < kind->columns; k++)
-        fits = fits && (found[k] || !(kind->column[k].traits & CSV_REQUIRED) ||
-                        (one_of && kind->column[k].traits & CSV_ONE_OF));
-    return fits;
-}
-
-/* Returns the column of a kind of which there may be only one that the file has, or -1. */
-static int one_of_find(const struct csv_table *csv)
-{
-    int found = -1;
-    for (int k = 0; k < csv->kind->columns && found < 0; k++)
-        found = csv->column[k] > 0 && csv->kind->column[k].traits & CSV_ONE_OF ? k : -1;
-    return found;
-}
-
-/* Returns true if the file lacks column k and needs it. */
-static bool is_missing(const struct csv_table *csv, int k)
-{
-    const unsigned traits = csv->kind->column[k].traits;
-    return traits & CSV_REQUIRED && csv->column[k] == 0 && !(traits & CSV_ONE_OF && one_of_find(csv) >= 0);
+    for (int k = kind->columns - 1; k >= 0; k--) {
+        const unsigned traits = kind->column[k].traits;
+        if (traits & CSV_REQUIRED && csv->column[k] == 0 && !(traits & CSV_ONE_OF && one_of))
+            missing = kind->column[k].name;
+    }
+    return missing;
 }
 
 /* Reports that a required column is missing. */
 static bool column_missing(struct csv_table *csv, const char *missing)
 {
-    const struct csv_kind *kind = csv->kind;
     char found[320] = "";
     bool is_utf8 = true;
     for (int i = 0; i < csv->head.cells; i++) {
@@ -136,86 +210,67 @@ static bool column_missing(struct csv_table *csv, const char *missing)
     return csv_wrong(&csv->file, csv->head.at,
                      "the column '%s' is missing; the first line must name %s (delete a title above it, or "
                      "begin the title with '#'); found: %s",
-                     missing, kind->names, found);
+                     missing, csv->kind->names, found);
 }
 
-/* Returns true if the file has single trials of a measurement, so that their average is not used. */
-static bool has_trials(const struct csv_table *csv)
-{
-    bool found = false;
-    char name[NAMES_SHOWN];
-    for (int i = 0; i < csv->head.cells && !found; i++) {
-        const int k = csv_column_find(csv->kind, name, csv_name_split(csv->head.cell[i].text, name));
-        found = k < csv->kind->columns && csv->kind->column[k].traits & CSV_REPEATED && !csv_is_average(name);
-    }
-    return found;
-}
-
-static bool name_read(struct csv_table *csv, int i, const char *text)
+/* Checks heading i, whose column has been found, and reads its unit. */
+static bool heading_read(struct csv_table *csv, int i)
 {
     const struct csv_kind *kind = csv->kind;
+    const char *text = csv->head.cell[i].text, *close;
     const struct csv_place at = csv->head.cell[i].at;
     char name[NAMES_SHOWN];
-    const char *unit = csv_name_split(text, name), *close = NULL;
-    bool note =
-        names_index(",note,notes,comment,comments,remark,notiz,bemerkung,opmerking,remarque", ',', name) >= 0;
-    const int k = csv_column_find(kind, name, unit);
-    const bool repeated = k < kind->columns && kind->column[k].traits & CSV_REPEATED;
-    csv->other[i] = k == kind->columns;
+    const char *unit = heading_split(text, name);
+    const int k = column_find(kind, name);
     if (isdigit((unsigned char)*text) || *text == '.')
         return csv_wrong(&csv->file, at,
                          "the first line has a number, but must name the columns: write '%s' above it",
                          kind->example);
-    if (csv->other[i] && !note && (close = names_closest(column_names, kind, name)) != NULL)
-        return csv_wrong(&csv->file, at, "unknown column '%s'; did you mean '%s'?", name, close);
-    if (csv->other[i] && !note)
+    if (csv->other[i]) {
+        if (names_index(",note,notes,comment,comments,remark,notiz,bemerkung,opmerking,remarque", ',',
+                        name) >= 0)
+            return true;
+        if ((close = names_closest(column_names, kind, name)) != NULL)
+            return csv_wrong(&csv->file, at, "unknown column '%s'; did you mean '%s'?", name, close);
         text_add(csv->unused, sizeof csv->unused, "%s'%.40s'", *csv->unused ? ", " : "", names_shown(text));
-    csv->other[i] = csv->other[i] || (repeated && csv_is_average(name) && has_trials(csv));
-    if (csv->other[i])
         return true;
-    const int other = kind->column[k].traits & CSV_ONE_OF ? one_of_find(csv) : -1;
-    if (other >= 0 && other != k)
-        return csv_wrong(&csv->file, at, "both %s and %s are given; leave one of these columns out",
-                         kind->column[other].name, kind->column[k].name);
-    if (repeated && csv->column[k] > 0) {
-        csv->repeats[csv->column[k] - 1] = csv->repeats[i] = true;
-        return *unit == '\0' || unit_read(csv, k, unit, at);
     }
-    if (csv->column[k] > 0)
+    for (int other = 0; other < k && kind->column[k].traits & CSV_ONE_OF; other++)
+        if (kind->column[other].traits & CSV_ONE_OF && csv->column[other] > 0)
+            return csv_wrong(&csv->file, at, "both %s and %s are given; leave one of these columns out",
+                             kind->column[other].name, kind->column[k].name);
+    if (csv->column[k] != i + 1)
         return csv_wrong(&csv->file, at,
                          "column name '%s' stands for the %s, but so does column %d; rename one of the two",
                          name, kind->column[k].name, csv->column[k]);
-    csv->column[k] = i + 1;
     return *unit == '\0' || unit_read(csv, k, unit, at);
 }
 
 static bool head_read(struct csv_table *csv)
 {
-    const struct csv_kind *kind = csv->kind;
-    struct text text;
+    const struct csv_kind *const first = csv->kind;
+    const char *missing = NULL;
     int others = 0;
     bool good = true;
     if (!csv_read(&csv->file, &csv->head))
         return !*csv->file.problem.text; /* csv_next reports an empty file */
-    while (kind && !kind_fits(csv, kind))
-        kind = kind->otherwise;
-    kind = csv->kind = kind ? kind : csv->kind;
+    for (; csv->kind && (missing = columns_find(csv, csv->kind)) != NULL; csv->kind = csv->kind->otherwise) {
+    }
+    if (!csv->kind) {
+        csv->kind = first;
+        missing = columns_find(csv, first);
+    }
     if (csv->head.cells == 1 && strncmp(csv->head.cell[0].text, "set ", strlen("set ")) == 0)
         return csv_wrong(&csv->file, csv->head.at, "this is not a table but a session; 'source %s' runs it",
                          names_shown(csv->path));
-    if (csv->head.cells == 1 && !kind_fits(csv, kind))
+    if (csv->head.cells == 1 && missing)
         return csv_wrong(&csv->file, csv->head.at,
-                         "there is only one column; %sthe first line must name %s, separated by ',', ';' or "
-                         "tabs; delete a "
-                         "title above it, or begin the title with '#'",
-                         csv_single_advice(kind, (char[CSV_ADVICE]){""}), kind->names);
+                         "there is only one column; the first line must name %s, separated by ',', ';' or "
+                         "tabs; delete a title above it, or begin the title with '#'",
+                         csv->kind->names);
     for (int i = 0; i < csv->head.cells && good; i++) {
-        const char *name = csv->head.cell[i].text;
-        if (!text_make(&text, name, strlen(name)))
-            return csv_wrong(&csv->file, csv->head.at, "out of memory");
-        good = name_read(csv, i, text.line);
+        good = heading_read(csv, i);
         others += csv->other[i];
-        text_free(&text);
     }
     /* if this file were saved with more columns, it could not be read again */
     if (good && others > CSV_OTHERS_MOST)
@@ -223,10 +278,9 @@ static bool head_read(struct csv_table *csv)
             &csv->file, csv->head.at,
             "the file has %d columns that are not used, but the limit is %d; delete some of them", others,
             CSV_OTHERS_MOST);
-    for (int k = 0; k < kind->columns && good; k++)
-        if (is_missing(csv, k))
-            return column_missing(csv, kind->column[k].name);
-    return good && (csv->is_read_ahead || units_read(csv));
+    if (good && missing)
+        return column_missing(csv, missing);
+    return good && units_read(csv);
 }
 
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind)
@@ -299,10 +353,9 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     bool bare = quantity_is_number(q);
     if (!bare && !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q), c->advice);
-    const bool percent = strchr(text->line, '%');
-    if (percent && *c->unit)
+    if (*c->unit && strchr(text->line, '%'))
         return csv_wrong(&csv->file, cell, "%s: this is a percentage; %s", c->name, c->advice);
-    domq_real unit = csv->unit[k] > 0 && !percent ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
+    const domq_real unit = csv->unit[k] > 0 ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
     if (bare && unit == 0 && q.value != 0)
         return unit_missing(csv, k, text->line);
     csv->value[k] = bare ? q.value * unit : q.value;
@@ -335,7 +388,7 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
 
 /* ---- Rows ---- */
 
-static bool single_read(struct csv_table *csv, int k)
+static bool value_read(struct csv_table *csv, int k)
 {
     const struct csv_column *c = &csv->kind->column[k];
     const char *typed = csv_cell(csv, k).text;
@@ -355,36 +408,6 @@ static bool single_read(struct csv_table *csv, int k)
     bool good = csv_marks_read(&csv->file, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
                 (unused || csv_check(csv, k, csv->value[k]));
     text_free(&text);
-    return good;
-}
-
-/* Reads column k. If the file has it several times, some of its cells may be empty, and the value is the mean
- * of the others. */
-static bool value_read(struct csv_table *csv, int k)
-{
-    const int first = csv->column[k];
-    domq_real value[CSV_CELLS_MOST], mean = 0;
-    int count = 0;
-    bool good = true;
-    if (!(csv->kind->column[k].traits & CSV_REPEATED) || first == 0 || !csv->repeats[first - 1])
-        return single_read(csv, k);
-    for (int i = 0; i < csv->row.cells && good; i++) {
-        csv->column[k] = i + 1; /* the cell that is read now */
-        if (csv->repeats[i] && !is_empty(csv->row.cell[i].text)) {
-            good = single_read(csv, k);
-            value[count++] = csv->value[k];
-        }
-    }
-    csv->column[k] = first;
-    for (int i = 0; i < count; i++)
-        mean += value[i] / count;
-    csv->squares = 0;
-    for (int i = 0; i < count; i++)
-        csv->squares += (value[i] - mean) * (value[i] - mean);
-    csv->repeated = count;
-    if (count == 0)
-        return single_read(csv, k); /* reports that the value is missing */
-    csv->value[k] = mean;
     return good;
 }
 

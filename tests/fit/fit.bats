@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fit: parameters from measured speeds, hit times and angles.
+# Fit: parameters from measured speeds, times of rows, and times of hits.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load ../shell/common
@@ -87,13 +87,15 @@ END
     printf 'domino, time (s)\n2, 0.1\n2, 0.2\n' >twice.csv
     printf 'domino, time (s)\n1, 0.2\n2, 0.1\n' >back.csv
     printf 'domino, place (m)\n1, 0.2\n2, 0.1\n' >timeless.csv
-    printf 'time (s), angle\n0, 1\n1, 12\n' >angle.csv
+    printf 'time (s)\n0.1\n0.2\n' >clicks.csv
+    printf 'domino, time (s), frame\n1, 0.1, 3\n' >two.csv
     wrong 'fit friction frames.csv' 'frames.csv:2:4: frames need a frame rate: enter .fit ... FILE 240.'
     wrong 'fit friction mixed.csv' 'mixed.csv:4:9: the lines of run 1 are interrupted by another run'
     wrong 'fit friction twice.csv' 'twice.csv:3:1: domino 2 comes after domino 2'
     wrong 'fit friction back.csv' 'back.csv:3:1: the time 0.1 s is not later than 0.2 s'
-    wrong 'fit friction timeless.csv' "timeless.csv:1:1: there is neither a column 'time \(s\)' nor a column 'frame'"
-    wrong 'fit friction angle.csv' "angle.csv:2:4: angle has no unit: .*write 'angle \(deg\)'"
+    wrong 'fit friction timeless.csv' "timeless.csv:1:1: the column 'gap' is missing; the first line must name .* domino, time \(s\)"
+    wrong 'fit friction clicks.csv' "clicks.csv:1:1: which domino is hit at each time\? Add a column 'domino'"
+    wrong 'fit friction two.csv' 'two.csv:1:19: both time and frame are given; leave one of these columns out'
     wrong 'fit friction, push frames.csv 240' '3 measurements are too few for 2 unknowns and the start time of each run'
     wrong 'effect row 2; effect push 5; fit friction frames.csv 240' 'domino 3 was measured in run 1, but the row has only 2 dominoes'
 }
@@ -105,8 +107,8 @@ noisy_hits() { # SEED
             printf "%d,%d,%.6f\n", run, k, 3 * run + hit[k] + 0.001 * sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }' exact.csv
 }
 
-# bats test_tags=rows,pictures
-@test "fit: several parameters of the model are found from hits and angles, within the stated uncertainty" {
+# bats test_tags=rows
+@test "fit: several parameters of the model are found from hits, within the stated uncertainty" {
     scene='set r 1; set s 0.4; effect row 12; '
     "$DOMINO" -e "$scene effect push 4; effect friction 0.25; fall > exact.csv"
     awk -F , 'NR == 1 { print "domino,frame,rate" } NR > 1 { printf "%d,%.9f,1000\n", $1, 1000 * $3 + 77 }' exact.csv >frames.csv
@@ -118,12 +120,6 @@ noisy_hits() { # SEED
     # Without 'effect row', the gap of each run may be in the file.
     awk -F , -v gap="$(awk 'BEGIN { print 0.4 * 48 }')" 'NR == 1 { print "gap (mm),domino,time" } NR > 1 { print gap "," $1 "," $3 }' exact.csv >gaps.csv
     close gap 0.25 "$(json 'set r 1; set s 0.9; fit friction, push gaps.csv' | tail -n 1 | values friction)" 1e-6
-    # Tilts of all dominoes as functions of time.
-    "$DOMINO" -e "set output csv; $scene effect row 4; effect push 4; effect friction 0.25; animate x.gif speed 0.2 rate 50" |
-        sed '1s/.*/time (s),domino,angle (rad)/; /,$/d' >angles.csv
-    fit=$(json "$scene effect row 4; fit friction, push angles.csv" | tail -n 1)
-    close 'angles: friction' 0.25 "$(values friction <<<"$fit")" 1e-4
-    close 'angles: push' 4 "$(values push <<<"$fit")" 1e-4
     # With errors of 1 ms, the 95 % interval must contain the true value in at least 34 of 40 trials.
     for seed in $(seq 40); do
         noisy_hits "$seed" >"noisy$seed.csv"
@@ -175,6 +171,11 @@ noisy_hits() { # SEED
     done
 }
 
+@test "an interval ends where the range of the parameter does" {
+    printf 'gap (mm),speed (m/s)\n10,0.8\n20,1.0\n30,1.05\n' >three.csv
+    "$DOMINO" -e 'set r 1; fit friction three.csv' | grep -qF 'a 95 % interval of 0 to 0.7475.'
+}
+
 # The times of a row of equal blocks without friction, by plain sums of energies (row.awk).
 row_times() { awk -v n="$1" -v h=0.044 -v d=0.007 -v gap="$2" -v push=5 -f "$BATS_TEST_DIRNAME/row.awk"; }
 block='set h 44 mm; set d 7 mm; set r 1; '
@@ -187,11 +188,9 @@ block='set h 44 mm; set d 7 mm; set r 1; '
         done
     done >totals
     awk 'BEGIN { print "gap (mm),dominoes,time (s)" } { print $1 "," $2 "," $3 }' totals >plain.csv
-    awk 'BEGIN { print "pitch (mm),Number of dominoes,Total time (ms)" } { printf "%d,%d,%.6f\n", $1 + 7, $2, 1000*$3 }' totals >pitch.csv
-    awk 'BEGIN { print "Abstand [cm];Anzahl;Gesamtzeit (s);Fehler (%)" } { printf "%g;%d;%s;2,5\n", $1/10, $2, $3 }' totals | sed 's/\./,/g' >german.csv
-    awk 'BEGIN { print "Spacing (in),n,Trial 1 (s),Trial 2 (s),Trial 3 (s),Average time (s)" }
-        { printf "%.12g,%d,%.9f,%.9f,,99\n", $1/25.4, $2, 0.98*$3, 1.02*$3 }' totals >trials.csv
-    for file in plain pitch german trials; do
+    awk 'BEGIN { print "Abstand [cm];Anzahl;Gesamtzeit (s);Fehler (ms)" } { printf "%g;%d;%s;2,5\n", $1/10, $2, $3 }' totals | sed 's/\./,/g' >german.csv
+    awk 'BEGIN { print "Spacing (in),n,Total time (ms)" } { printf "%.12g,%d,%.9f\n", $1/25.4, $2, 1000*$3 }' totals >inches.csv
+    for file in plain german inches; do
         close "$file: push" 5 "$(json "$block set push 4; fit push $file.csv" | values push | head -n 1)" 1e-6
     done
     # Without the column, 'set row' says how many dominoes fell.
@@ -203,90 +202,6 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     wrong "$block set push 0.1; fit friction plain.csv" "the fall ends at domino [0-9]+; the push may be too weak; enter a larger one with 'set push', or 'fit friction, push'$"
     printf 'domino,time (s)\n2,0.1\n3,0.2\n5,0.3\n6,0.4\n' >hits.csv
     wrong "$block set row 6; set push 0.1; fit friction hits.csv" "the fall ends at domino 1: 'fall' shows why; the push may be too weak; enter a larger one with 'set push', or 'fit friction, push'$"
-    printf '0.1\n0.2\n0.3\n' >single.csv
-    wrong "$block fit friction single.csv" "single.csv:1:1: there is only one column; if it lists hits, write 'time .s.' above it; otherwise the first line must name gap .mm., speed"
-    wrong "$block set d 17 mm; set push 4; fit push pitch.csv" "pitch.csv:2:1: the pitch 1.7 cm must exceed the thickness of a domino, d h = 1.7 cm"
-    wrong "$block set push 4; fit d pitch.csv" 'pitch.csv has pitches, from which the gaps follow only if the thickness is known'
-    printf 'gap (mm),pitch (mm),n,time (s)\n10,17,20,0.6\n' >both.csv
-    wrong "$block fit friction both.csv" 'both.csv:1:10: both gap and pitch are given; leave one of these columns out'
-}
-
-# bats test_tags=rows
-@test "errors in per cent, trials in columns of their own, and averages" {
-    printf 'gap (mm),speed (m/s),error (m/s)\n9,1.3,0.026\n15,1.1,0.022\n21,1.05,0.021\n' >plain.csv
-    printf 'gap (cm);Average speed (cm/s);error (%%)\n0,9;130;2\n1,5;110;2 %%\n2,1;105;2\n' >share.csv
-    local words=('(percent)' '[per cent]' Percent pct)
-    for k in 0 1 2 3; do
-        sed "1s/(%)/${words[k]}/" share.csv >words$k.csv
-    done
-    printf 'Gap in cm,Mean velocity (mm/s),Relative error\n0.9,1300,0.02\n1.5,1100,2 %%\n2.1,1050,2 %%\n' >relative.csv
-    # The deviations are +-3 %, +-1 % and +-2 %, in 6 trials at 3 gaps: the spread is sqrt(28/3) %, and a mean of two has
-    # the error sqrt(14/3) %.
-    printf 'gap (mm),speed 1 (cm/s),speed 2 (cm/s),average speed (m/s)\n9,133.9,126.1,77\n15,108.9,111.1,77\n21,107.1,102.9,77\n' >trials.csv
-    sed '1s/.*/gap (mm),v1 (cm\/s),v2 (cm\/s),mean/' trials.csv >letters.csv
-    sed '1s/.*/gap (mm),Trial 1 (cm\/s),Trial #2 (cm\/s),Average/' trials.csv >numbers.csv
-    sed '1s/.*/gap (mm),speed (cm\/s),speed (cm\/s),Durchschnittsgeschwindigkeit (cm\/s)/' trials.csv >alike.csv
-    awk 'BEGIN { print "gap (mm),speed (m/s),error (m/s)"; e = sqrt(14/3)/100; print "9,1.3," 1.3*e; print "15,1.1," 1.1*e; print "21,1.05," 1.05*e }' >spread.csv
-    fitted() { json "set r 1; set d 7.5/48; fit friction $1.csv" | head -n 1 | jq -r '"\(.friction) \(.friction_sd)"'; }
-    like() { # EXPECTED FILE...
-        local expected file
-        read -ra expected <<<"$(fitted "$1")"
-        for file in "${@:2}"; do
-            close "$file: friction" "${expected[0]}" "$(fitted "$file" | cut -d ' ' -f 1)" 1e-5
-            close "$file: its error" "${expected[1]}" "$(fitted "$file" | cut -d ' ' -f 2)" 1e-4
-        done
-    }
-    like plain share relative words0 words1 words2 words3
-    like spread trials letters numbers alike
-    run -0 "$DOMINO" -e 'set r 1; set d 7.5/48; fit friction trials.csv'
-    [[ $output == *'Single trials differ from their mean by 3.1 %'* ]]
-    try() { # PATTERN TEXT
-        printf '%b' "$2" >wrong.csv
-        wrong 'set r 1; fit friction wrong.csv' "wrong.csv:$1"
-    }
-    try '1:28: both error and error % are given; leave one' 'gap (mm), speed (m/s), m,  error (%), error (m/s)\n9, 1.3, 1, 2, 0.1\n'
-    try '1:31: both repeated measurements, whose spread is their error, and a column of errors are given' 'gap (mm), v1 (m/s), v2 (m/s), error (%)\n9, 1.3, 1.2, 2\n'
-    try '1:25: .\(m/s\). differs from the unit of speed in the first line; use one unit in all its columns' 'gap (mm), v1 (cm/s),    v2 (m/s)\n9, 130, 1.2\n'
-    try '2:7: speed is missing' 'gap (mm), v1 (m/s), v2 (m/s)\n9,    , -\n'
-    try '2:9: error: this is a percentage; write a speed such as 1.3 m/s' 'gap (mm), speed (m/s), error\n9, 1.3, 2 %\n'
-    try '2:9: error: this is a percentage; write a speed' 'gap (mm), speed (m/s), error (m/s)\n9, 1.3, 2 %\n'
-    try '2:9: error % = 2 is too large; the range of error % is more than 0, up to 100 %' 'gap (mm), speed (m/s), relative error\n9, 1.3, 2\n'
-    # An interval ends where the range of the parameter does.
-    printf 'gap (mm),speed (m/s)\n10,0.8\n20,1.0\n30,1.05\n' >three.csv
-    "$DOMINO" -e 'set r 1; fit friction three.csv' | grep -qF 'a 95 % interval of 0 to 0.7475.'
-    printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 50 %%, 20\n' >share.csv
-    wrong 'set row share.csv' 'share.csv:3:5: thickness: this is a percentage; write a length'
-}
-
-# bats test_tags=rows
-@test "hits by sound are numbered, although some are missing" {
-    local numbers
-    # The times in ms on the clock of the recorder, with errors of up to 5 % of an interval, without dominoes 5, 9, 10, 17.
-    row_times 26 0.018 | head -n 25 | awk 'BEGIN { srand(3); print "time (ms)" }
-        { n++; shift = 0.002*(rand() - 0.5) } n != 4 && n != 8 && n != 9 && n != 16 { printf "%.3f\n", 1000*($1 + 7 + shift) }' >sound.csv
-    numbers=$(seq 2 26 | grep -vxE '5|9|10|17' | paste -sd ' ')
-    hits() { json "$block set s 18 mm; set push $2; fit push $1.csv" | jq -r "select(.run).domino" | paste -sd ' '; }
-    same 'with the right push' "$numbers" "$(hits sound 5)"
-    same 'with another push' "$numbers" "$(hits sound 4)"
-    awk -v push="$(json "$block set s 18 mm; set push 4; fit push sound.csv" | values push | head -n 1)" 'BEGIN { exit !(push > 4.8 && push < 5.2) }'
-    # Some lines may have numbers: here the first hits are missing.
-    sed '1s/.*/domino, time (ms)/; 2,4d; 2,$s/^/,/' sound.csv | sed '2s/,/6,/' >some.csv
-    same 'some numbers' "$(cut -d ' ' -f 4- <<<"$numbers")" "$(hits some 5)"
-    # Real hits, on film, of rows with uneven gaps: without every fifth hit, none gets a wrong number. With all hits, as
-    # many as the row has, there is nothing to doubt.
-    measured=$BATS_TEST_DIRNAME/../../examples/measured
-    for run in 3 7 15; do
-        awk -F , -v run=$run '$1 == run && $4 > 4 { print $4, $5/$2 }' "$measured/hard-floor-frames.csv" >film
-        awk 'BEGIN { print "domino,time (s)" } NR == 1 { print $1 "," $2 } NR > 1 && NR % 5 { print "," $2 }' film >film.csv
-        wrong "set r 1; set d 7.5438/48; set s 9.38 mm; set push 4; set row 300; fit friction film.csv" 'film.csv:[0-9]+: the hit .* cannot be numbered'
-        awk 'BEGIN { print "time (s)" } NR <= 30 { print $2 }' film >whole.csv
-        same "run $run, of which the answer compares intervals" "$(seq 3 31 | paste -sd ' ')" \
-            "$(json "set r 1; set d 7.5438/48; set s 9.38 mm; set push 4; set row 31; fit friction whole.csv" | jq -r 'select(.run).domino' | paste -sd ' ')"
-    done
-    # An echo, half of an interval late; a row that is too short; a push that the session does not know.
-    awk 'NR == 12 { before = $1 } NR == 13 { print (before + $1)/2 } { print }' sound.csv >echo.csv
-    wrong "$block set s 18 mm; set push 5; fit push echo.csv" 'echo.csv:13: the hit [0-9.]+ s after that of domino 15 cannot be numbered: the next one is due after about [0-9.]+ s; if it is an echo, delete the line'
-    wrong "$block set s 18 mm; set push 5; set row 20; fit push sound.csv" "sound.csv:17: this hit would be that of domino 21 or a later one, but the row has only 20 dominoes"
-    printf 'domino,time (s)\n6,0\n,0.028\n7,0.056\n' >twice.csv
-    wrong "$block set s 18 mm; set push 5; fit push twice.csv" 'twice.csv:4: domino 7 comes after domino 7'
+    sed 's/,0\.[0-9]*$/,-1/' plain.csv >negative.csv
+    wrong "$block set push 4; fit push negative.csv" 'negative.csv:2:7: the time in which a row falls must be more than 0'
 }

@@ -3,7 +3,7 @@
 /* The reader of csv files: separators, quotes, line ends, units, decimal marks, limits, and errors. */
 #include "suite.h"
 
-#include "tables/csv_table.h"
+#include "tables/csv.h"
 #include <math.h>
 #include <string.h>
 
@@ -156,6 +156,7 @@ TEST(units)
         {"size (m),gap (m)\nmm,\n", "2:1: 'mm' differs from the unit of size in the first line"},
         {"size (mm),gap\nmm,m\n2,3", "0.002 3 - ; "},
         {"size,gap\nmm,1\n", "2:4: '1' is not a unit of gap"},
+        {"size (m),gap (m)\n50 %,0", "2:1: size: this is a percentage; write a length"},
         {"size (m),gap (m)\n1 g,0", "2:1: size: this is a mass; write a length"},
         {"size (m),gap (m)\nh,0", "2:1: size at 'h': 'h' has no value in a csv file; write a length"},
         {"size (m),gap,shop,\"a; b\"\n,mm,EUR\n1,2,3", ",shop (EUR),\"a; b\"1 0.002 - ,3,; "},

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws a fit, for 'plot fit' and for 'fit ... > FILE': measured values against fitted values. */
 #include "fit/fit.h"
+#include "interpreter/feature.h"
 #include "language/text.h"
 #include "pictures/plots/plots.h"
 #include <string.h>
@@ -9,8 +10,7 @@ enum { RUNS_NAMED = CHART_CURVES - 1 };
 
 /* Adds runs i to end - 1 as one curve. The times of hits are relative to the fitted time of the first hit of
  * their run. */
-static void run_points(struct chart *chart, const struct fit *f, size_t i, size_t end, double unit,
-                       double *most)
+static void run_points(struct chart *chart, const struct fit *f, size_t i, size_t end, double *most)
 {
     static const enum ink inks[RUNS_NAMED] = {INK_BLUE, INK_RED,    INK_GREEN, INK_PURPLE, INK_ORANGE,
                                               INK_SKY,  INK_PURPLE, INK_GREEN, INK_RED};
@@ -23,8 +23,8 @@ static void run_points(struct chart *chart, const struct fit *f, size_t i, size_
         const struct fit_run *run = &f->data.run[i];
         const double clock = f->data.kind == FIT_HITS ? f->computed[run->first] : 0;
         for (size_t k = run->first; k < run->first + run->count; k++) {
-            const double x = (f->computed[k] - clock) / unit, y = (f->data.point[k].measured - clock) / unit,
-                         error = f->data.point[k].error / unit;
+            const double x = f->computed[k] - clock, y = f->data.point[k].measured - clock,
+                         error = f->data.point[k].error;
             chart_range(chart, points, x, y, error > 0 ? y - error : (double)NAN,
                         error > 0 ? y + error : (double)NAN);
             *most = fmax(*most, fmax(x, y));
@@ -33,16 +33,13 @@ static void run_points(struct chart *chart, const struct fit *f, size_t i, size_
 }
 
 /* Draws a point for each measurement, and the line on which measured and fitted values are equal. */
-static void points_draw(struct chart *chart, const struct fit *f, const struct answer_style *style)
+static void points_draw(struct chart *chart, const struct fit *f)
 {
-    static const char *const what[] = {"speed", "angle", "time", "time"}, *const units[] = {"m/s", NULL, "s",
-                                                                                            "s"};
-    const char *unit = units[f->data.kind] ? units[f->data.kind] : style_angle_unit(style);
-    const double size = f->data.kind == FIT_ANGLES ? 1 / (double)style_angle(style, 1) : 1;
+    const char *what = f->data.kind == FIT_SPEEDS ? "speed in m/s" : "time in s";
     double most = 0;
     snprintf(chart->title, sizeof chart->title, "Measured against fitted");
-    snprintf(chart->x.label, sizeof chart->x.label, "fitted %s in %s", what[f->data.kind], unit);
-    snprintf(chart->y.label, sizeof chart->y.label, "measured %s in %s", what[f->data.kind], unit);
+    snprintf(chart->x.label, sizeof chart->x.label, "fitted %s", what);
+    snprintf(chart->y.label, sizeof chart->y.label, "measured %s", what);
     for (int i = 0; i < f->unknowns; i++) {
         const struct fit_unknown *u = &f->unknown[i];
         const char *of = strcmp(u->parameter->value->unit, "h") == 0 ? "" : u->parameter->value->unit;
@@ -50,7 +47,7 @@ static void points_draw(struct chart *chart, const struct fit *f, const struct a
                  measured((domq_real)u->value, of, 4).text);
     }
     for (size_t i = 0; i < f->data.runs && i < RUNS_NAMED; i++)
-        run_points(chart, f, i, i + 1 == RUNS_NAMED ? f->data.runs : i + 1, size, &most);
+        run_points(chart, f, i, i + 1 == RUNS_NAMED ? f->data.runs : i + 1, &most);
     struct chart_curve *line = chart_curve(chart, CHART_LINE, INK_GREY, 0, "measured = fitted");
     chart_point(chart, line, 0, 0);
     chart_point(chart, line, most, most);
@@ -64,12 +61,12 @@ static bool fit_draw(const struct query *query, struct answer *a, struct chart *
         return run_fit(query, a, problem);
     const bool done = fit_make(query, &f, problem);
     if (done)
-        points_draw(chart, &f, &a->style);
+        points_draw(chart, &f);
     fit_free(&f);
     return done;
 }
 
-bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
+static bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct plot plot = {.run = fit_draw, .title = "", .columns = a->columns};
     const struct chart_look usual = {.title = NULL};
@@ -104,10 +101,16 @@ static const struct column fit_plot_columns[] = {{NULL, NULL, NULL, 0}};
 static const struct argument fit_argument = {
     .name = "NAME FILE", .kind = ARGUMENT_COMMAND, .parse = plot_fit_parse};
 
-const struct plot fit_plots[] = {
+static const struct plot fit_plots[] = {
     {"fit", plot_fit,
      "measurements against the values that the model gives with the fitted parameter, as in 'plot fit "
      "friction FILE'; the columns are those of 'fit'",
      fit_plot_columns, .title = "", .argument = &fit_argument},
     {.name = NULL},
 };
+
+static const struct plot *const plots[] = {fit_plots, NULL};
+
+static const struct feature_picture picture[] = {{"fit", picture_fit}, {NULL, NULL}};
+
+const struct feature fit_pictures_feature = {.name = "fit_pictures", .plots = plots, .picture = picture};
