@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/feature.h"
-#include "sweeps/sweep.h"
 #include "sweeps/sweeps.h"
 #include "train/train.h"
 
@@ -44,13 +43,12 @@ static const struct command sweep_commands[] = {
      .run = run_sweep},
     {.name = "solve",
      .precision = PRECISION_AS_SET,
-     .argument =
-         {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
-          {.name = ": ANSWER",
-           .kind = ARGUMENT_COMMAND,
-           .parse = solve_parse_answer,
-           .bind = solve_bind,
-           .choices = question_names}},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_name, .choices = solve_names},
+                  {.name = ": ANSWER",
+                   .kind = ARGUMENT_COMMAND,
+                   .parse = solve_parse_answer,
+                   .bind = varied_bind,
+                   .choices = question_names}},
      .summary = "the values of a parameter at which ANSWER has a given value",
      .help = "'solve d : rmax = 5/3' is an example of 'solve NAME : ANSWER = VALUE'. It finds the values of "
              "the parameter NAME at which ANSWER has this VALUE, and whether ANSWER rises or falls there. "
@@ -66,12 +64,13 @@ static const struct command sweep_commands[] = {
      ANSWER(solve)},
     {.name = "maximize",
      .synonyms = "optimize optimise maximise maximum best largest highest fastest longest greatest",
-     .argument = {{.name = "X", .kind = ARGUMENT_GRID, .parse = maximize_parse, .choices = optimum_names},
-                  {.name = ": ANSWER",
-                   .kind = ARGUMENT_COMMAND,
-                   .parse = optimum_parse_answer,
-                   .bind = optimum_bind,
-                   .choices = question_names}},
+     .argument =
+         {{.name = "X", .kind = ARGUMENT_GRID, .parse = optimum_parse_names, .choices = optimum_names},
+          {.name = ": ANSWER",
+           .kind = ARGUMENT_COMMAND,
+           .parse = varied_parse_answer,
+           .bind = varied_bind,
+           .choices = question_names}},
      .summary = "the values of one or two parameters at which ANSWER is largest",
      .help =
          "'maximize s : duration.speed' finds the gap at which the dominoes fall fastest. X is one or two "
@@ -88,15 +87,17 @@ static const struct command sweep_commands[] = {
      .sweep.refusal = "it already varies a parameter",
      .rows = true,
      .brief = "",
-     ANSWER(optimum)},
+     .columns = optimum_columns,
+     .run = run_maximize},
     {.name = "minimize",
      .synonyms = "optimize optimise minimise minimum best smallest lowest fewest shortest slowest least",
-     .argument = {{.name = "X", .kind = ARGUMENT_GRID, .parse = minimize_parse, .choices = optimum_names},
-                  {.name = ": ANSWER",
-                   .kind = ARGUMENT_COMMAND,
-                   .parse = optimum_parse_answer,
-                   .bind = optimum_bind,
-                   .choices = question_names}},
+     .argument =
+         {{.name = "X", .kind = ARGUMENT_GRID, .parse = optimum_parse_names, .choices = optimum_names},
+          {.name = ": ANSWER",
+           .kind = ARGUMENT_COMMAND,
+           .parse = varied_parse_answer,
+           .bind = varied_bind,
+           .choices = question_names}},
      .summary = "the values of one or two parameters at which ANSWER is smallest",
      .help = "'minimize' works like 'maximize', which 'help maximize' describes.",
      .example = "minimize r : count(20 m)",
@@ -104,7 +105,8 @@ static const struct command sweep_commands[] = {
      .sweep.refusal = "it already varies a parameter",
      .rows = true,
      .brief = "",
-     ANSWER(optimum)},
+     .columns = optimum_columns,
+     .run = run_minimize},
     {.name = "sensitivity",
      .argument = {{.name = "COMMAND",
                    .kind = ARGUMENT_COMMAND,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "sweeps/grid.h"
 #include "language/quad.h"
+#include "sweeps/sweeps.h"
 
 static const char form[] = "for each parameter, enter NAME FROM TO N or NAME VALUE, VALUE, ...";
 

@@ -6,32 +6,12 @@
 #include "language/text.h"
 #include "parallel/workers.h"
 #include "session/parameters.h"
-#include "sweeps/peak.h"
 #include "sweeps/sweeps.h"
 #include "train/falling.h"
-#include <gsl/gsl_errno.h>
+#include "train/seek.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- The question ---- */
-
-enum { OPTIMUM_AXES = 2, OPTIMUM_POINTS = 41 /* along each of two parameters */ };
-
-/* The arguments of a search, after binding. */
-struct optimum {
-    struct ranged range[OPTIMUM_AXES];
-    int axes;
-    const struct question *question;
-    bool is_minimum;
-};
-
-struct optimum_parsed {
-    struct ranged_parsed range[OPTIMUM_AXES];
-    int axes;
-    bool is_minimum;
-    struct question question;
-};
 
 const char *optimum_names(const void *context, int k)
 {
@@ -43,166 +23,252 @@ const char *optimum_names(const void *context, int k)
     return p->name;
 }
 
-static bool names_parse(struct reader *r, struct question *q, bool is_minimum)
-{
-    struct optimum_parsed *o = q->parsed = reader_memory(r, sizeof *o);
-    if (!o)
-        return false;
-    o->is_minimum = is_minimum;
-    for (;;) {
-        if (!ranged_parse(r, optimum_names, &o->range[o->axes++]))
-            return false;
-        if (o->axes == 2 && o->range[0].parameter == o->range[1].parameter)
-            return problem_error(r->problem, "'%s' is named twice; name each parameter once",
-                                 o->range[0].parameter->name);
-        if (*r->at != ',')
-            return ranges_end(r);
-        if (o->axes == OPTIMUM_AXES)
-            return problem_error(r->problem, "at most two parameters can be varied; 'set' gives the others a "
-                                             "value");
-        r->at = skip_blanks(r->at + 1);
-        reader_place(r, r->at);
-    }
-}
-
-bool maximize_parse(struct reader *r, struct question *q)
-{
-    return names_parse(r, q, false);
-}
-
-bool minimize_parse(struct reader *r, struct question *q)
-{
-    return names_parse(r, q, true);
-}
-
-bool optimum_parse_answer(struct reader *r, struct question *q)
-{
-    struct optimum_parsed *o = q->parsed;
-    return colon_pass(r) && question_parse_any(r, &o->question, true);
-}
-
-bool optimum_bind(const struct question *q, const struct query *query, struct arguments *given,
-                  struct problem *problem)
-{
-    const struct optimum_parsed *parsed = q->parsed;
-    struct optimum *o = arguments_take(given, sizeof *o, query, problem);
-    if (!o)
-        return false;
-    *o = (struct optimum){
-        .axes = parsed->axes, .question = &parsed->question, .is_minimum = parsed->is_minimum};
-    for (int i = 0; i < o->axes; i++)
-        if (!ranged_bind(&parsed->range[i], q->text, query, &o->range[i], problem))
-            return false;
-    return true;
-}
-
 /* ---- The search ---- */
 
-/* A search for the best answer. With two parameters, the answer for a value of the first one is the best
- * answer over the range of the second one. Values that are sought as minima have the opposite sign here. */
-struct hunt {
-    const struct optimum *optimum;
-    struct probe probe;
-    struct slope slope[OPTIMUM_AXES];
-    double first;               /* the value of the first parameter, while the second one is varied */
-    struct problem fault;       /* the last error in the question itself; its kind is PROBLEM_NONE before */
-    double value[PEAK_POINTS];  /* the answers at the points along the first parameter */
-    bool is_wrong[PEAK_POINTS]; /* the question itself turned out to be wrong at this point */
-    size_t count, missing;      /* the number of these points, and of those without an answer */
-    struct peak peak[OPTIMUM_AXES]; /* the result for each parameter */
-    domq_real best;                 /* the best answer, with its own sign */
-    domq_real off;                  /* its error is at most this */
-    char reason[PROBLEM_TEXT / 2];  /* why the first of the missing answers is missing */
-    char beyond[PROBLEM_TEXT / 2];  /* why there is no answer beyond the best place, or "" */
+enum { POINTS = 241, POINTS_OF_TWO = 41 /* along each of two parameters */ };
+
+struct peak {
+    double x, value;  /* NaN if there is no value at all */
+    double within;    /* the error of x is at most this; 0 for an end of the range */
+    double off;       /* the error of the value is at most this */
+    double low, high; /* the value is the same from `low` to `high`; without such a plateau, both are x */
+    enum { PEAK_INSIDE, PEAK_AT_FROM, PEAK_AT_TO, PEAK_BEFORE_HOLE, PEAK_AFTER_HOLE } end;
 };
 
-/* Returns the answer at a place, with its sign changed for a minimum. */
-static double ask(struct hunt *h, const double place[OPTIMUM_AXES])
+struct hunt;
+
+/* The search along one parameter. With two parameters, the value at a place of the first one is the largest
+ * value along the second one. */
+struct line {
+    struct hunt *hunt;
+    int axis;
+    double from, to, grain; /* the range, and how accurately a place is found */
+    bool whole;             /* only whole numbers are places */
+    size_t count;
+    struct spot point[POINTS]; /* evenly spaced */
+    double level;              /* for line_above */
+};
+
+struct hunt {
+    const struct varied *varied;
+    struct probe probe;
+    double sign;  /* minima are sought as maxima of the answer times -1 */
+    double noise; /* the relative error of the answers */
+    struct line line[VARIED_MOST];
+    double place[VARIED_MOST];
+    struct problem fault; /* the last error in the question itself; its kind is PROBLEM_NONE before */
+    size_t missing;       /* the number of points along the first parameter without an answer */
+    struct peak peak[VARIED_MOST]; /* the result for each parameter */
+    domq_real best;                /* the best answer, with its own sign */
+    char reason[PROBLEM_TEXT / 2]; /* why the first of the missing answers is missing */
+    char beyond[PROBLEM_TEXT / 2]; /* why there is no answer beyond the best place, or "" */
+};
+
+/* Returns the answer at h->place, or its negative for a minimum. */
+static double ask(struct hunt *h)
 {
-    struct assigned assigned[OPTIMUM_AXES];
+    struct assigned assigned[VARIED_MOST];
     if (dom_raised(h->probe.query->scene->compute.interrupt))
         return (double)NAN;
-    for (int i = 0; i < h->optimum->axes; i++)
-        assigned[i] = (struct assigned){.parameter = h->optimum->range[i].parameter, .value = place[i]};
-    h->best = probe_ask(&h->probe, assigned, h->optimum->axes);
+    for (int i = 0; i < h->varied->count; i++)
+        assigned[i] =
+            (struct assigned){.parameter = h->varied->range[i].parameter, .value = (domq_real)h->place[i]};
+    h->best = probe_ask(&h->probe, assigned, h->varied->count);
     if (h->probe.wrong)
         h->fault = h->probe.problem;
-    return (double)(h->optimum->is_minimum ? -h->best : h->best);
+    return h->sign * (double)h->best;
 }
 
-static double ask_only(double x, void *context)
+static struct peak line_best(struct line *line, bool is_rough);
+
+static double line_at(double x, void *context)
 {
-    return ask(context, (const double[]){x, 0});
+    struct line *l = context;
+    l->hunt->place[l->axis] = l->whole ? round(x) : x;
+    return l->axis + 1 < l->hunt->varied->count ? line_best(l + 1, true).value : ask(l->hunt);
 }
 
-static double ask_second(double y, void *context)
+static double line_above(double x, void *context)
 {
-    struct hunt *h = context;
-    return ask(h, (const double[]){h->first, y});
+    const struct line *l = context;
+    return line_at(x, context) - l->level;
 }
 
-/* Finds the best answer along the second parameter. */
-static struct peak second_find(struct hunt *h, double first, bool is_rough)
+/* Returns the highest spot around point k, whose neighbours are not higher. */
+static struct spot top_around(struct line *l, size_t k, double grain)
 {
-    double value[OPTIMUM_POINTS];
-    const struct slope *s = &h->slope[1];
-    const size_t count = peak_points(s, OPTIMUM_POINTS);
-    h->first = first;
-    for (size_t k = 0; k < count; k++)
-        value[k] = s->at(peak_point(s, count, k), s->context);
-    return peak_find(s, value, count, is_rough);
+    struct spot top = l->point[k];
+    const struct spot here = top;
+    double bound[2] = {here.x, here.x};
+    for (int side = 0; side < 2; side++) {
+        if (side ? k + 1 == l->count : k == 0)
+            continue;
+        struct spot beside = l->point[side ? k + 1 : k - 1], last = here;
+        if (isnan(beside.value)) { /* the values end before it */
+            l->level = -HUGE_VAL;
+            seek_edge(line_above, l, &last, &beside, 1e-4 * l->grain);
+            beside = (struct spot){last.x, line_at(last.x, l)};
+            top = beside.value > top.value ? beside : top;
+        }
+        bound[side] = beside.x;
+    }
+    top = seek_top(line_at, l, bound[0], top, bound[1], grain, HUGE_VAL);
+    top.x = l->whole ? round(top.x) : top.x;
+    return top;
 }
 
-static double ask_first(double x, void *context)
+/* Returns how far the values that count as equal to that at x reach on one side. */
+static double plateau_end(struct line *l, double x, int side)
 {
-    return second_find(context, x, true).value;
+    struct spot good = {x, 0}, bad = {side < 0 ? l->from : l->to, (double)NAN};
+    bool is_end = true;
+    for (size_t i = 0; i < l->count && is_end; i++) {
+        const struct spot point = l->point[side < 0 ? l->count - 1 - i : i];
+        if (side * (point.x - x) <= 0)
+            continue;
+        is_end = point.value >= l->level;
+        *(is_end ? &good : &bad) = (struct spot){point.x, point.value - l->level};
+    }
+    if (is_end)
+        return good.x;
+    bool is_equal = good.x == x; /* the values become smaller before the next point */
+    for (double by = l->grain; is_equal && by < side * (bad.x - x); by *= 2) {
+        const struct spot next = {x + side * by, line_above(x + side * by, l)};
+        is_equal = next.value >= 0;
+        *(is_equal ? &good : &bad) = next;
+    }
+    seek_edge(line_above, l, &good, &bad, l->grain);
+    return l->whole ? round(good.x) : good.x;
 }
 
-static void hunt_prepare(struct hunt *h)
+/* Finds out how exact a peak is, and what is around it. */
+static void peak_measure(struct line *l, struct peak *p)
 {
-    const struct any_compute *compute = &h->probe.query->scene->compute;
-    for (int i = 0; i < h->optimum->axes; i++) {
-        const struct ranged *range = &h->optimum->range[i];
-        h->slope[i] = (struct slope){.from = (double)range->from,
-                                     .to = (double)range->to,
-                                     .whole = range->parameter->value->whole,
-                                     .at = i == 1                  ? ask_second
-                                           : h->optimum->axes == 2 ? ask_first
-                                                                   : ask_only,
-                                     .context = h,
-                                     .noise = fmax(4 * (double)compute->tol, 1e-15),
-                                     .least = i == 0 && h->optimum->axes == 2 ? 2e-6 : 1e-10,
-                                     .interrupt = compute->interrupt};
+    const double noise = l->hunt->noise * fabs(p->value), range = l->to - l->from,
+                 part = l->whole ? 0.5 : 0.05 * range / (double)(l->count - 1),
+                 near = l->whole ? 1 : fmax(1e-9 * range, 2 * l->grain);
+    l->level = p->value - noise;
+    p->low = plateau_end(l, p->x, -1);
+    p->high = plateau_end(l, p->x, 1);
+    const bool is_plateau = p->high - p->low > part;
+    if (!is_plateau) {
+        p->end = p->x - l->from < near / 2 ? PEAK_AT_FROM
+                 : l->to - p->x < near / 2 ? PEAK_AT_TO
+                                           : PEAK_INSIDE;
+        p->within =
+            p->end != PEAK_INSIDE || l->whole ? 0 : fmax(l->grain, fmax(p->x - p->low, p->high - p->x));
+        p->low = p->high = p->x;
+    }
+    if (p->end == PEAK_INSIDE)
+        p->end = p->high + near <= l->to && isnan(line_at(p->high + near, l))   ? PEAK_BEFORE_HOLE
+                 : p->low - near >= l->from && isnan(line_at(p->low - near, l)) ? PEAK_AFTER_HOLE
+                                                                                : PEAK_INSIDE;
+    const double middle = l->whole ? floor((p->low + p->high) / 2) : (p->low + p->high) / 2;
+    if (is_plateau && line_above(middle, l) >= 0)
+        p->x = middle;
+    p->off = noise;
+    for (int side = -1; side < 2 && p->within > 0; side += 2)
+        p->off = fmax(p->off, noise + p->value - line_at(p->x + side * p->within, l));
+}
+
+/* Finds the largest value. The search looks around each point whose neighbours are not larger. It can miss a
+ * maximum that is narrower than the distance between two points. If `is_rough` is true, it finds only x and
+ * value. After an interrupt, the result is of no use. */
+static struct peak peak_find(struct line *l, bool is_rough)
+{
+    struct peak p = {.x = (double)NAN, .value = (double)NAN};
+    for (size_t k = 0; k < l->count; k++) {
+        const double left = k > 0 ? l->point[k - 1].value : (double)NAN, here = l->point[k].value,
+                     right = k + 1 < l->count ? l->point[k + 1].value : (double)NAN;
+        /* On a plateau, only its first and its last point have neighbours that may lead to a larger value. */
+        if (isnan(here) || left > here || right > here || (left == here && right == here))
+            continue;
+        const struct spot top = top_around(l, k, is_rough ? 100 * l->grain : l->grain);
+        if (!(top.value <= p.value)) {
+            p.x = top.x;
+            p.value = top.value;
+        }
+    }
+    p.low = p.high = p.x;
+    if (!isnan(p.x) && !is_rough)
+        peak_measure(l, &p);
+    return p;
+}
+
+/* Places the points of a line, and computes their values if `all` is true. */
+static void points_place(struct line *l, bool all)
+{
+    const size_t most = l->hunt->varied->count == 2 ? POINTS_OF_TWO : POINTS;
+    const double span = l->to - l->from;
+    l->count = l->whole && span < (double)most ? (size_t)span + 1 : most;
+    for (size_t k = 0; k < l->count; k++) {
+        const double part = (double)k / (double)(l->count - 1),
+                     x = k + 1 == l->count ? l->to : (1 - part) * l->from + part * l->to;
+        l->point[k].x = l->whole ? round(x) : x;
+        if (all)
+            l->point[k].value = line_at(l->point[k].x, l);
     }
 }
+
+static struct peak line_best(struct line *l, bool is_rough)
+{
+    points_place(l, true);
+    return peak_find(l, is_rough);
+}
+
+static void hunt_begin(struct hunt *h, const struct varied *varied, struct probe probe, bool is_minimum)
+{
+    h->varied = varied;
+    h->probe = probe;
+    h->sign = is_minimum ? -1 : 1;
+    h->noise = fmax(4 * (double)probe.query->scene->compute.tol, 1e-15);
+    for (int i = 0; i < varied->count; i++) {
+        struct line *l = &h->line[i];
+        *l = (struct line){.hunt = h,
+                           .axis = i,
+                           .from = (double)varied->range[i].from,
+                           .to = (double)varied->range[i].to,
+                           .whole = varied->range[i].parameter->value->whole};
+        l->grain = l->whole ? 0.5 : (l->to - l->from) * (i == 0 && varied->count == 2 ? 2e-6 : 1e-10);
+    }
+}
+
+/* The answers along the first parameter, which are computed in parallel. */
+struct points {
+    struct hunt *hunt;
+    bool is_wrong[POINTS]; /* the question itself turned out to be wrong at this point */
+};
 
 /* A dom_task, which computes the answer at point k. Each task has its own copy of the search. */
 static void point_task(size_t k, void *context)
 {
-    struct hunt *all = context, mine = {.optimum = all->optimum, .probe = all->probe};
-    hunt_prepare(&mine);
-    all->value[k] = mine.slope[0].at(peak_point(&mine.slope[0], all->count, k), &mine);
-    all->is_wrong[k] = mine.fault.kind != PROBLEM_NONE;
+    struct points *points = context;
+    struct line *all = points->hunt->line;
+    struct hunt mine = {.best = 0};
+    hunt_begin(&mine, points->hunt->varied, points->hunt->probe, points->hunt->sign < 0);
+    all->point[k].value = line_at(all->point[k].x, mine.line);
+    points->is_wrong[k] = mine.fault.kind != PROBLEM_NONE;
 }
 
-/* Computes the answers along the first parameter. */
 static bool points_ask(struct hunt *h, struct problem *problem)
 {
     const struct scene *scene = h->probe.query->scene;
     struct task_pool pool = {.threads = h->probe.query->state->settings.threads,
                              .progress = true,
                              .interrupt = scene->compute.interrupt};
-    h->count = peak_points(&h->slope[0], h->optimum->axes == 2 ? OPTIMUM_POINTS : PEAK_POINTS);
-    const enum dom_status status = workers_tasks(h->count, point_task, h, &pool);
+    struct points points = {.hunt = h};
+    struct line *l = h->line;
+    points_place(l, false);
+    const enum dom_status status = workers_tasks(l->count, point_task, &points, &pool);
     progress_end();
     if (status != DOM_OK)
         return problem_status(problem, scene, status);
-    for (size_t k = 0; k < h->count; k++) {
-        const bool is_first = isnan(h->value[k]) && h->missing++ == 0;
-        if (!is_first && !h->is_wrong[k])
+    for (size_t k = 0; k < l->count; k++) {
+        const bool is_first = isnan(l->point[k].value) && h->missing++ == 0;
+        if (!is_first && !points.is_wrong[k])
             continue;
-        (void)h->slope[0].at(peak_point(&h->slope[0], h->count, k), h);
-        if (h->is_wrong[k]) {
+        (void)line_at(l->point[k].x, l);
+        if (points.is_wrong[k]) {
             *problem = h->fault;
             return false;
         }
@@ -214,101 +280,70 @@ static bool points_ask(struct hunt *h, struct problem *problem)
 /* If the best place is beside a hole along parameter i, stores why the hole has no answers. */
 static void hole_ask(struct hunt *h, int i)
 {
-    const enum peak_end end = h->peak[i].end;
-    const double range = h->slope[i].to - h->slope[i].from,
-                 by = h->slope[i].whole ? 1 : 1e-6 * range; /* nearer, the place may not be in the hole */
-    double place[] = {h->peak[0].x, h->peak[1].x};
-    if (end != PEAK_BEFORE_HOLE && end != PEAK_AFTER_HOLE)
+    const struct peak *p = &h->peak[i];
+    const struct line *l = &h->line[i];
+    const double by = l->whole ? 1 : 1e-6 * (l->to - l->from); /* nearer, the place may not be in the hole */
+    if (p->end != PEAK_BEFORE_HOLE && p->end != PEAK_AFTER_HOLE)
         return;
-    place[i] = end == PEAK_BEFORE_HOLE ? h->peak[i].high + by : h->peak[i].low - by;
-    if (isnan(ask(h, place)))
+    for (int k = 0; k < h->varied->count; k++)
+        h->place[k] = h->peak[k].x;
+    h->place[i] = p->end == PEAK_BEFORE_HOLE ? p->high + by : p->low - by;
+    if (isnan(ask(h)))
         snprintf(h->beyond, sizeof h->beyond, "For a %s %s it has no answer: %.*s",
-                 end == PEAK_BEFORE_HOLE ? "larger" : "smaller", h->optimum->range[i].parameter->name,
+                 p->end == PEAK_BEFORE_HOLE ? "larger" : "smaller", h->varied->range[i].parameter->name,
                  (int)sizeof h->beyond - 64, h->probe.problem.text);
 }
 
-/* The second parameter changes with the first one along the ridge of the best answers, so the error of the
- * first one adds to its own. */
-static void errors_add(struct hunt *h)
+/* Finds the best place of the second parameter. It changes with the first one along the ridge of the best
+ * answers, so the error of the first one adds to its own. */
+static void second_find(struct hunt *h)
 {
     struct peak *p = h->peak;
-    const double step = fmax(1e-4 * (h->slope[0].to - h->slope[0].from), p[0].within);
-    const double x = p[0].x + (p[0].x + step <= h->slope[0].to ? step : -step);
-    const struct peak beside = second_find(h, x, true);
+    const double step = fmax(1e-4 * (h->line[0].to - h->line[0].from), p[0].within);
+    h->place[0] = p[0].x;
+    p[1] = line_best(&h->line[1], false);
+    h->place[0] = p[0].x + (p[0].x + step <= h->line[0].to ? step : -step);
+    const struct peak beside = line_best(&h->line[1], true);
     if (isfinite(beside.x) && p[1].low == p[1].high)
         p[1].within = hypot(p[1].within, fabs(beside.x - p[1].x) / step * p[0].within);
 }
 
+/* Searches the whole range. Fails if there is no answer at all, or only one. */
 static bool hunt_run(struct hunt *h, struct problem *problem)
 {
     const struct scene *scene = h->probe.query->scene;
-    hunt_prepare(h);
+    const struct varied *v = h->varied;
+    char ranges[192] = "";
+    bool is_constant = true;
     if (!points_ask(h, problem))
         return false;
-    h->peak[0] = peak_find(&h->slope[0], h->value, h->count, false);
-    if (h->optimum->axes == 2 && isfinite(h->peak[0].x)) {
-        h->peak[1] = second_find(h, h->peak[0].x, false);
-        errors_add(h);
+    h->peak[0] = peak_find(h->line, false);
+    const bool is_found = isfinite(h->peak[0].x);
+    if (is_found && v->count == 2)
+        second_find(h);
+    for (int i = 0; i < v->count && is_found; i++) {
+        hole_ask(h, i);
+        is_constant = is_constant && h->peak[i].low <= h->line[i].from && h->peak[i].high >= h->line[i].to;
     }
-    if (isfinite(h->peak[0].x)) {
-        for (int i = 0; i < h->optimum->axes; i++)
-            hole_ask(h, i);
-        (void)ask(h, (const double[]){h->peak[0].x, h->peak[1].x}); /* h->best is the answer of this place */
-        h->off = fmax(h->peak[0].off, h->peak[1].off);
-    }
-    return !dom_raised(scene->compute.interrupt) || problem_status(problem, scene, DOM_INTERRUPTED);
-}
-
-/* ---- What is not an optimum ---- */
-
-/* Writes the ranges, as in "s = 0.02 .. 1 and r = 1 .. 4". */
-static void ranges_write(const struct optimum *o, char *text, size_t size)
-{
-    *text = '\0';
-    for (int i = 0; i < o->axes; i++)
-        text_add(text, size, "%s%s = %s .. %s", i ? " and " : "", o->range[i].parameter->name,
-                 quad_text(o->range[i].from, 10), quad_text(o->range[i].to, 10));
-}
-
-/* Fails if there is no answer at all, or only one. */
-static bool hunt_check(const struct hunt *h, struct problem *problem)
-{
-    const struct optimum *o = h->optimum;
-    char ranges[192], names[64];
-    bool is_constant = true;
-    for (int i = 0; i < o->axes; i++)
-        is_constant = is_constant && h->peak[i].low <= h->slope[i].from && h->peak[i].high >= h->slope[i].to;
-    ranges_write(o, ranges, sizeof ranges);
-    snprintf(names, sizeof names, "%.24s%s%.24s", o->range[0].parameter->name, o->axes == 2 ? " and " : "",
-             o->axes == 2 ? o->range[1].parameter->name : "");
-    if (isnan(h->peak[0].x))
-        return problem_no_answer(problem, "%s has no answer for any %s: %s", o->question->name, ranges,
+    for (int i = 0; i < v->count; i++)
+        h->place[i] = h->peak[i].x;
+    if (is_found)
+        (void)ask(h); /* h->best is the answer of this place */
+    if (dom_raised(scene->compute.interrupt))
+        return problem_status(problem, scene, DOM_INTERRUPTED);
+    for (int i = 0; i < v->count; i++)
+        text_add(ranges, sizeof ranges, "%s%s = %s .. %s", i ? " and " : "", v->range[i].parameter->name,
+                 quad_text(v->range[i].from, 10), quad_text(v->range[i].to, 10));
+    if (!is_found)
+        return problem_no_answer(problem, "%s has no answer for any %s: %s", v->question->name, ranges,
                                  h->reason);
-    return !is_constant || problem_no_answer(problem,
-                                             "%s does not depend on %s: it is %s everywhere in %s; "
-                                             "'sensitivity' shows what it depends on",
-                                             o->question->name, names, quad_text(h->best, 10), ranges);
-}
-
-/* Searches the whole range. The caller frees *hunt. On failure, sets *problem and returns NULL. */
-static struct hunt *optimum_find(const struct optimum *optimum, const struct query *query,
-                                 struct problem *problem)
-{
-    struct hunt *h = calloc(1, sizeof *h);
-    if (!h) {
-        problem_status(problem, query->scene, DOM_NO_MEMORY);
-        return NULL;
-    }
-    h->optimum = optimum;
-    h->probe = (struct probe){
-        .query = query, .command = problem->command, .question = optimum->question, .seeks_yes = true};
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    const bool done = hunt_run(h, problem) && hunt_check(h, problem);
-    gsl_set_error_handler(handler);
-    if (done)
-        return h;
-    free(h);
-    return NULL;
+    return !is_constant ||
+           problem_no_answer(problem,
+                             "%s does not depend on %s%s%s: it is %s everywhere in %s; "
+                             "'sensitivity' shows what it depends on",
+                             v->question->name, v->range[0].parameter->name, v->count == 2 ? " and " : "",
+                             v->count == 2 ? v->range[1].parameter->name : "", quad_text(h->best, 10),
+                             ranges);
 }
 
 /* ---- The answer ---- */
@@ -327,127 +362,135 @@ const struct column optimum_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-enum { PLACE = 2 * CELL_TEXT + 64 };
-
-/* Writes a value of a parameter with its unit. A share of the height is followed by the length. */
-static void place_write(const struct hunt *h, int i, domq_real value, int digits, char text[PLACE])
-{
-    const struct query *query = h->probe.query;
-    const struct answer_style style = state_style(query->state);
-    const char *unit = h->optimum->range[i].parameter->value->unit;
-    if (strcmp(unit, "h") == 0) {
-        domq_real height = query->scene->scale.h;
-        for (int k = 0; k < h->optimum->axes; k++)
-            if (strcmp(h->optimum->range[k].parameter->name, "h") == 0)
-                height = h->peak[k].x;
-        snprintf(text, PLACE, "%s (%s)", quad_text(value, digits),
-                 measured(value * height, "m", digits < 4 ? digits : 4).text);
-    } else if (strncmp(unit, "rad", 3) == 0) {
-        snprintf(text, PLACE, "%s %s%s", quad_text(style_angle(&style, value), digits),
-                 style_angle_unit(&style), unit + 3);
-    } else {
-        snprintf(text, PLACE, "%s", measured(value, unit, digits).text);
-    }
-}
-
 /* Returns how many digits of a number are right, from 1 to the digits of the session. */
 static int digits_right(const struct hunt *h, double x, double within)
 {
-    const int most = (int)h->probe.query->state->settings.style.digits;
-    if (!(within > 0) || x == 0)
-        return most;
-    const double digits = floor(log10(fabs(x) / within));
-    return digits < 1 ? 1 : digits < most ? (int)digits : most;
+    const double most = (double)h->probe.query->state->settings.style.digits;
+    return (int)(!(within > 0) || x == 0 ? most : fmin(most, fmax(1, floor(log10(fabs(x) / within)))));
 }
 
-/* Writes "s = 0.63056 (3.0267 cm)", or "every s from 0.4 to 0.6" for a plateau. */
-static void parameter_write(const struct hunt *h, int i, bool is_range, char *text, size_t size)
+/* Writes a number with its unit, angles in the session's unit. */
+static void number_write(const struct hunt *h, domq_real value, const char *unit, int digits, char *text,
+                         size_t size)
 {
-    const struct peak *p = &h->peak[i];
-    const char *name = h->optimum->range[i].parameter->name;
-    char place[PLACE], high[PLACE];
-    const bool whole = h->slope[i].whole;
-    const domq_real nearly = 1e-12; /* 1.45 must not be rounded down to 1.449 */
-    if (!is_range) {
-        place_write(h, i, p->x, digits_right(h, p->x, p->within), place);
-        text_add(text, size, "%s = %s", name, place);
+    const struct answer_style style = state_style(h->probe.query->state);
+    if (strncmp(unit, "rad", 3) == 0)
+        text_add(text, size, "%s %s%s", quad_text(style_angle(&style, value), digits),
+                 style_angle_unit(&style), unit + 3);
+    else
+        text_add(text, size, "%s", measured(value, unit, digits).text);
+}
+
+/* Writes a value of a parameter with its unit. A share of the height is followed by the length. */
+static void place_write(const struct hunt *h, int i, domq_real value, int digits, char *text, size_t size)
+{
+    const char *unit = h->varied->range[i].parameter->value->unit;
+    domq_real height = h->probe.query->scene->scale.h;
+    if (strcmp(unit, "h") != 0) {
+        number_write(h, value, unit, digits, text, size);
         return;
     }
-    domq_real from = whole ? p->low : round_digits((domq_real)p->low * (1 - nearly), 4, true),
-              to = whole ? p->high : round_digits((domq_real)p->high * (1 + nearly), 4, false);
-    if (!(from <= to)) { /* the range is narrower than its rounding */
-        from = p->low;
-        to = p->high;
-    }
-    place_write(h, i, from, 10, place);
-    place_write(h, i, to, 10, high);
-    text_add(text, size, "every %s from %s to %s", name, place, high);
+    for (int k = 0; k < h->varied->count; k++)
+        if (strcmp(h->varied->range[k].parameter->name, "h") == 0)
+            height = (domq_real)h->peak[k].x;
+    text_add(text, size, "%s (%s)", quad_text(value, digits),
+             measured(value * height, "m", digits < 4 ? digits : 4).text);
 }
 
-static void best_say(const struct hunt *h, struct answer *a)
+/* Writes "every s from 0.4 to 0.6" for a plateau. */
+static void plateau_write(const struct hunt *h, int i, char *text, size_t size)
 {
-    const struct optimum *o = h->optimum;
-    const domq_real best_value = quad(fabs)(h->best) > h->off ? h->best : 0;
-    char best[CELL_TEXT], where[1024] = "", same[1024] = "";
-    const int digits = digits_right(h, (double)h->best, (double)h->off);
-    if (strcmp(h->probe.unit_text, "rad") == 0)
-        snprintf(best, sizeof best, "%s %s", quad_text(style_angle(&a->style, best_value), digits),
-                 style_angle_unit(&a->style));
-    else
-        snprintf(best, sizeof best, "%s", measured(best_value, h->probe.unit_text, digits).text);
-    for (int i = 0; i < o->axes; i++) {
+    const struct peak *p = &h->peak[i];
+    const domq_real nearly = 1e-12; /* 1.45 must not be rounded down to 1.449 */
+    domq_real from = (domq_real)p->low, to = (domq_real)p->high;
+    const domq_real up = round_digits(from * (1 - nearly), 4, true),
+                    down = round_digits(to * (1 + nearly), 4, false);
+    if (!h->line[i].whole && up <= down) { /* otherwise the range is narrower than its rounding */
+        from = up;
+        to = down;
+    }
+    text_add(text, size, "every %s from ", h->varied->range[i].parameter->name);
+    place_write(h, i, from, 10, text, size);
+    text_add(text, size, " to ");
+    place_write(h, i, to, 10, text, size);
+}
+
+static void best_say(const struct hunt *h, struct answer *a, double off)
+{
+    const struct varied *v = h->varied;
+    char best[CELL_TEXT] = "", where[1024] = "", same[1024] = "";
+    number_write(h, quad(fabs)(h->best) > (domq_real)off ? h->best : 0, h->probe.unit_text,
+                 digits_right(h, (double)h->best, off), best, sizeof best);
+    for (int i = 0; i < v->count; i++) {
         const struct peak *p = &h->peak[i];
         const bool is_range = p->low < p->high;
-        text_add(where, sizeof where, i ? " and " : "");
-        parameter_write(h, i, is_range && o->axes == 1, where, sizeof where);
+        const char *name = v->range[i].parameter->name;
+        text_add(where, sizeof where, "%s", i ? " and " : is_range && v->count == 1 ? "for " : "at ");
+        if (is_range && v->count == 1) {
+            plateau_write(h, i, where, sizeof where);
+            continue;
+        }
+        text_add(where, sizeof where, "%s = ", name);
+        place_write(h, i, (domq_real)p->x, digits_right(h, p->x, p->within), where, sizeof where);
         if (p->end == PEAK_AT_FROM || p->end == PEAK_AT_TO)
             text_add(where, sizeof where, ", the %s value that was tried%s",
-                     p->end == PEAK_AT_FROM ? "smallest" : "largest", i + 1 < o->axes ? "," : "");
-        if (!is_range || o->axes == 1)
+                     p->end == PEAK_AT_FROM ? "smallest" : "largest", i + 1 < v->count ? "," : "");
+        if (!is_range)
             continue;
         text_add(same, sizeof same, *same ? ", and for " : "It is the same for ");
-        parameter_write(h, i, true, same, sizeof same);
-        text_add(same, sizeof same, " at this %s", o->range[1 - i].parameter->name);
+        plateau_write(h, i, same, sizeof same);
+        text_add(same, sizeof same, " at this %s", v->range[1 - i].parameter->name);
     }
-    answer_say(a, "%s is %s, %s, %s %s.", o->question->name, o->is_minimum ? "smallest" : "largest", best,
-               o->axes == 1 && h->peak[0].low < h->peak[0].high ? "for" : "at", where);
+    answer_say(a, "%s is %s, %s, %s.", v->question->name, h->sign < 0 ? "smallest" : "largest", best, where);
     if (*same)
         answer_say(a, "%s.", same);
-}
-
-static void missing_say(const struct hunt *h, struct answer *a)
-{
-    char missing[256];
-    snprintf(missing, sizeof missing, "%zu of the %zu values of %s that were tried gave no answer",
-             h->missing, h->count, h->optimum->range[0].parameter->name);
     if (*h->beyond)
         answer_say(a, "%s.", h->beyond);
     else if (h->missing > 0)
-        answer_say(a, "%s; 'details' says why.", missing);
+        answer_say(a, "%zu of the %zu values of %s that were tried gave no answer; 'details' says why.",
+                   h->missing, h->line->count, v->range->parameter->name);
     if (h->missing > 0)
         answer_detail(a, "The first of the %zu values of %s without an answer: %s.", h->missing,
-                      h->optimum->range[0].parameter->name, h->reason);
+                      v->range->parameter->name, h->reason);
 }
 
-bool run_optimum(const struct query *query, struct answer *a, struct problem *problem)
+static bool optimum_answer(const struct query *query, struct answer *a, struct problem *problem,
+                           bool is_minimum)
 {
     static const char *const ends[] = {[PEAK_INSIDE] = "inside",
                                        [PEAK_AT_FROM] = "from",
                                        [PEAK_AT_TO] = "to",
                                        [PEAK_BEFORE_HOLE] = "hole",
                                        [PEAK_AFTER_HOLE] = "hole"};
-    const struct optimum *o = query->given->bound;
-    struct hunt *h = optimum_find(o, query, problem);
+    const struct varied *v = query->given->bound;
+    struct hunt *h = calloc(1, sizeof *h);
     if (!h)
-        return false;
-    best_say(h, a);
-    missing_say(h, a);
-    for (int i = 0; i < o->axes && !answer_lost(a); i++) {
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    hunt_begin(h, v,
+               (struct probe){
+                   .query = query, .command = problem->command, .question = v->question, .seeks_yes = true},
+               is_minimum);
+    const bool done = hunt_run(h, problem);
+    const double off = fmax(h->peak[0].off, h->peak[1].off);
+    if (done)
+        best_say(h, a, off);
+    for (int i = 0; i < v->count && done && !answer_lost(a); i++) {
         const struct peak *p = &h->peak[i];
-        answer_cells(a, cell_word(o->range[i].parameter->name), cell_real(p->x), cell_real(p->within),
-                     cell_real(p->low), cell_real(p->high), cell_word(ends[p->end]), cell_real(h->best),
-                     cell_real(h->off), cell_word(*h->probe.unit_text ? h->probe.unit_text : "-"));
+        answer_cells(a, cell_word(v->range[i].parameter->name), cell_real((domq_real)p->x),
+                     cell_real((domq_real)p->within), cell_real((domq_real)p->low),
+                     cell_real((domq_real)p->high), cell_word(ends[p->end]), cell_real(h->best),
+                     cell_real((domq_real)off), cell_word(*h->probe.unit_text ? h->probe.unit_text : "-"));
     }
     free(h);
-    return true;
+    return done;
+}
+
+bool run_maximize(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return optimum_answer(query, a, problem, false);
+}
+
+bool run_minimize(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return optimum_answer(query, a, problem, true);
 }

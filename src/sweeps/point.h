@@ -3,7 +3,7 @@
 #ifndef SHELL_POINT_H
 #define SHELL_POINT_H
 
-#include "sweeps/grid.h"
+#include "sweeps/sweeps.h"
 
 /* The question that is evaluated at each point. In a list of questions, each answer is one number. */
 struct point_question {

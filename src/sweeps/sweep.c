@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'sweep', which prints the answers of a command at all points of a grid. */
-#include "sweeps/sweep.h"
 #include "answer/format.h"
 #include "interpreter/command_read.h"
 #include "language/text.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Types and functions that 'solve', 'sensitivity', 'assert' and 'watch' share, and the commands themselves.
- */
+/* What the commands of this feature share: answers at many points of the parameters. */
 #ifndef SHELL_SWEEPS_H
 #define SHELL_SWEEPS_H
 
@@ -8,12 +7,12 @@
 
 /* ---- An answer along a parameter ---- */
 
-/* A question that is evaluated many times, each time with a different value of one parameter. */
+/* A question that is evaluated many times, each time with other values of parameters. */
 struct probe {
     const struct query *query;
     const char *command; /* the name of the command that uses the probe, for messages */
     const struct question *question;
-    const struct parameter *parameter; /* the parameter that is changed, or NULL */
+    const struct parameter *parameter; /* the parameter that probe_at changes, or NULL */
     bool verdict;           /* true if the answer is a verdict, which is stored as 1 for yes and -1 for no */
     bool seeks_yes;         /* see struct run_context */
     struct problem problem; /* why the last evaluation gave no answer */
@@ -22,91 +21,118 @@ struct probe {
     char unit_text[UNIT_TEXT];
 };
 
-/* Returns the answer for these values of parameters. If there is no answer, returns NaN and sets
- * probe->problem. */
+/* Returns the answer for these values of parameters, or for this value of the probe's parameter. If there is
+ * no answer, returns NaN and sets probe->problem. */
 domq_real probe_ask(struct probe *probe, const struct assigned *assigned, int count);
-
-/* Returns the answer for this value of the parameter. If there is no answer, returns NaN and sets
- * probe->problem. */
 domq_real probe_at(struct probe *probe, domq_real value);
 
 /* Reports in *problem why the last evaluation gave no answer, or that it was interrupted. Returns false. */
 bool probe_report(const struct probe *probe, struct problem *problem);
 
-/* A parameter, or "NAME FROM TO" with its range; the words 'from' and 'to' may stand before the values. */
-struct ranged {
-    const struct parameter *parameter;
-    domq_real from, to;
-};
-struct ranged_parsed {
-    const struct parameter *parameter;
-    struct item from, to; /* zero if they were not typed */
-};
+enum { VARIED_MOST = 2 };
 
-/* Parses a parameter with its range up to a ':' or ','. ranges_end checks that the ':' is next, and
- * colon_pass skips it and checks that something follows. */
-bool ranged_parse(struct reader *reader, names_list *names, struct ranged_parsed *parsed);
-bool ranges_end(const struct reader *reader);
-bool colon_pass(struct reader *reader);
-bool ranged_bind(const struct ranged_parsed *parsed, const struct text *text, const struct query *query,
-                 struct ranged *range, struct problem *problem);
-
-/* The arguments of 'solve' and 'watch'. */
-struct solve {
-    const struct parameter *parameter;
-    domq_real from, to;
+/* The arguments of 'solve', 'watch', 'maximize' and 'minimize'. */
+struct varied {
+    struct ranged {
+        const struct parameter *parameter;
+        domq_real from, to;
+    } range[VARIED_MOST];
+    int count;
     const struct question *question;
-    bool verdict;          /* true to search for changes of a verdict, not for a value */
-    struct quantity value; /* the value that the answer should have */
+    bool verdict;          /* 'solve' searches for changes of a verdict, not for a value */
+    struct quantity value; /* the value that 'solve' seeks */
 };
 
-enum { ROOTS_MOST = 64, SCAN_POINTS = 241 };
-
-/* A search for the values x of a parameter at which an answer is equal to a given value. */
-struct scan {
-    struct probe probe;
-    const struct solve *solve;
-    struct root {
-        domq_real x, answer;
-        /* "rising" or "falling"; for a verdict, "true up to here" or "true from here on" */
-        const char *branch;
-    } root[ROOTS_MOST]; /* the roots found so far; at the end they are sorted by x */
-    int roots;
-    domq_real jump; /* an x at which the answer jumps past the given value */
-    struct scan_point {
-        domq_real x, f;                /* f is the answer minus the value, or NaN if there is no answer */
-    } most, least, point[SCAN_POINTS]; /* the highest and the lowest point, and the points of the grid */
-    size_t answers;                    /* the number of points with an answer */
-    char no_answer[PROBLEM_TEXT / 2];  /* the reason for the first missing answer */
-};
-
-/* Searches the whole range. Returns false after an error or an interrupt; then call probe_report. */
-bool scan_run(struct scan *scan);
+/* Parsers of the arguments NAME, X, ': ANSWER' and ': ANSWER = VALUE', and the function that binds them. */
+bool solve_parse_name(struct reader *reader, struct question *question);
+bool optimum_parse_names(struct reader *reader, struct question *question);
+bool varied_parse_answer(struct reader *reader, struct question *question);
+bool solve_parse_answer(struct reader *reader, struct question *question);
+bool varied_bind(const struct question *question, const struct query *query, struct arguments *given,
+                 struct problem *problem);
 
 /* ---- The commands ---- */
 
 extern const struct column solve_columns[], sensitivity_columns[], optimum_columns[];
+bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);
 bool run_solve(const struct query *query, struct answer *a, struct problem *problem);
 bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem);
-bool run_optimum(const struct query *query, struct answer *a, struct problem *problem);
+bool run_maximize(const struct query *query, struct answer *a, struct problem *problem);
+bool run_minimize(const struct query *query, struct answer *a, struct problem *problem);
 bool run_assert(const struct query *query, struct answer *a, struct problem *problem);
 
-bool solve_parse_parameter(struct reader *reader, struct question *question);
-bool solve_parse_answer(struct reader *reader, struct question *question);
-bool watch_parse_answer(struct reader *reader, struct question *question);
-bool solve_bind(const struct question *question, const struct query *query, struct arguments *given,
-                struct problem *problem);
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
-bool maximize_parse(struct reader *reader, struct question *question);
-bool minimize_parse(struct reader *reader, struct question *question);
-bool optimum_parse_answer(struct reader *reader, struct question *question);
-bool optimum_bind(const struct question *question, const struct query *query, struct arguments *given,
-                  struct problem *problem);
 
 /* names_lists (see names.h) */
 const char *solve_names(const void *context, int k);   /* the parameters that 'solve' and 'watch' change */
 const char *assert_names(const void *context, int k);  /* the commands with a verdict */
 const char *optimum_names(const void *context, int k); /* the parameters of 'maximize' and 'minimize' */
+
+/* ---- Grids: "s 0.1 0.9 81 q hollow, solid friction 0 0.5 6" ---- */
+
+/* The values of one parameter, or of the first argument of one effect. */
+struct axis {
+    const struct parameter *parameter;
+    size_t count;
+    domq_real from, to;
+    bool logarithmic; /* true if neighbouring values have a constant ratio instead of a constant difference */
+    const domq_real *list; /* the values of a list, or NULL */
+};
+
+struct grid {
+    struct axis axis[ASSIGNED_MAX]; /* the value of the first axis changes slowest */
+    int axes;
+    size_t points; /* the product of the counts of all axes */
+};
+
+struct grid_parsed {
+    struct axis_parsed {
+        const struct parameter *parameter;
+        struct value_parsed {
+            struct item item;
+            struct value_parsed *next;
+        } * first;    /* the value FROM, or a linked list of all values if the axis is a list */
+        size_t count; /* the number of values in a list, or 0 if the axis has the form FROM TO N */
+        struct item to, steps;
+        const char *log_at; /* points to the word 'log' in the command, or is NULL */
+    } axis[ASSIGNED_MAX];
+    int axes;
+    size_t listed; /* the number of values in all lists */
+};
+
+/* Parses a grid up to the ':'. */
+bool grid_parse(struct reader *reader, struct grid_parsed *grid);
+
+/* Evaluates a parsed grid in the state of a query. `listed` has room for the values of all lists. */
+bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
+               domq_real *listed, struct grid *grid, struct problem *problem);
+
+/* Returns value number k of an axis, counted from 0. */
+domq_real axis_value(const struct axis *axis, size_t k);
+
+struct cell axis_cell(const struct axis *axis, domq_real value);
+
+/* ---- Sweeps ---- */
+
+/* Callbacks of the arguments GRID and ': ANSWER'. They parse the grid, parse the list of requested answers
+ * after the ':', and bind both. */
+bool sweep_parse_grid(struct reader *reader, struct question *question);
+bool sweep_parse_answers(struct reader *reader, struct question *question);
+bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
+                struct problem *problem);
+/* The argument N of 'curve FROM TO N', which is a sweep over s of what growths_command answers. */
+bool curve_bind(const struct question *question, const struct query *query, struct arguments *given,
+                struct problem *problem);
+
+struct sweep_shape {
+    const struct grid *grid;
+    const struct command *command; /* the command that is swept, or the first one of a list */
+    const char *typed;             /* the answers as they were typed */
+    size_t answers;                /* the number of answers; if there are several, each has one column */
+};
+
+/* Returns the grid and the answers of a sweep whose arguments have been bound. */
+struct sweep_shape sweep_shape(const struct arguments *given);
 
 #endif

@@ -90,6 +90,6 @@ $quad set threads 2; sweep s 0.3 0.5 2 : barrier
 $quad effect row 4; fall; verdict
 effect row 4; effect placement 5 mm; set threads 4; placement 40; rowmax; mend; budget 0.9 20; effect floor 0.5; fall
 effect row 5; set output csv; row > row.csv; effect row row.csv; place 3 1 cm; row; save x.dom; source x.dom; show
-help; help rmax; apropos fuel; complete f; scene; effects; cost rmax; best; count 112
+help; help rmax; apropos fuel; complete f; effects; cost rmax; best; count 112
 END
 }

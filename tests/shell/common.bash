@@ -27,7 +27,6 @@ best|s r_max
 curve 0.3 0.5 3|s exact paper pair reach reason
 count 112|height r dominoes exact first_height last_height feasible goes_on stops_at push r_start
 count 112 2|height r dominoes exact first_height last_height feasible goes_on stops_at push r_start reason
-scene|part dominoes why solved
 slip|motion theta domino hit hit_domino slips slips_hit
 effect row 5; fall|domino height hit falls omega kinetic barrier margin energy
 effect row 5; effect floor 0.5; fall|domino height hit falls omega kinetic barrier margin energy floor floor_hit

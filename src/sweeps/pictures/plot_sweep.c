@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The plot 'sweep': a number from any answer against one or two parameters, as curves or as a map. */
 #include "pictures/plots/plots.h"
-#include "sweeps/sweep.h"
+#include "sweeps/sweeps.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -18,7 +18,7 @@ enum {
 };
 
 struct watch {
-    const struct solve *solve;
+    const struct varied *varied;
     struct probe probe;
     double from, to;
     double curve[STEPS / COARSE + 1]; /* the answers along the curve, or NaN if there is no answer */
@@ -35,7 +35,7 @@ static double watch_x(const struct watch *w, int step)
 /* Computes the curve and puts the point at the parameter's value. Fails if the curve has no points. */
 static bool watch_begin(struct watch *w, struct problem *problem)
 {
-    const struct parameter *p = w->solve->parameter;
+    const struct parameter *p = w->varied->range->parameter;
     int answers = 0;
     for (int i = 0; i <= STEPS / COARSE; i++) {
         w->curve[i] = (double)probe_at(&w->probe, (domq_real)watch_x(w, COARSE * i));
@@ -63,16 +63,17 @@ static void watch_draw(struct watch *w, FILE *out)
     chart_point(&chart, point, x, y);
     chart.x.low = w->from;
     chart.x.high = w->to;
-    snprintf(chart.x.label, sizeof chart.x.label, "%s", w->solve->parameter->name);
+    snprintf(chart.x.label, sizeof chart.x.label, "%s", w->varied->range->parameter->name);
     (void)chart_prepare(&chart); /* an empty chart is shown if there are no points */
     fputs("\033[H\033[J", out);
     char answer[160];
     if (isfinite(y))
-        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->solve->question->name, y,
+        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->varied->question->name, y,
                  expression_unit_text(w->probe.unit));
     else
         snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
-    fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);
+    fprintf(out, "%s = %.6g: %.*s\n", w->varied->range->parameter->name, x, width > 24 ? width - 20 : 4,
+            answer);
     if (height >= 8 && width >= 34) /* a smaller window has no room for a chart */
         chart_text(&chart, display_of(out), width - 1, height - 3, out);
     fputs(width >= 72 ? "left, right: large steps  up, down: small steps  Enter: keep it  q: quit"
@@ -128,13 +129,13 @@ static bool watch_possible(const struct session *session, struct problem *proble
 static bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
                       struct problem *problem)
 {
-    const struct solve *solve = given->bound;
+    const struct varied *varied = given->bound;
     const struct query query = session_query(session);
-    struct watch w = {.solve = solve, .from = (double)solve->from, .to = (double)solve->to};
+    struct watch w = {.varied = varied, .from = (double)varied->range->from, .to = (double)varied->range->to};
     w.probe = (struct probe){.query = &query,
                              .command = problem->command,
-                             .question = solve->question,
-                             .parameter = solve->parameter};
+                             .question = varied->question,
+                             .parameter = varied->range->parameter};
     if (!watch_possible(session, problem))
         return false;
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
@@ -147,10 +148,11 @@ static bool run_watch(struct session *session, const struct arguments *given, st
     }
     gsl_set_error_handler(handler);
     domq_real value = w.x;
-    if (w.state == WATCH_KEEP && !parameter_set(&session->state, solve->parameter, &value, 1, NULL, problem))
+    if (w.state == WATCH_KEEP &&
+        !parameter_set(&session->state, varied->range->parameter, &value, 1, NULL, problem))
         return false;
     if (begun)
-        answer_say(a, "%s %s %.6g", solve->parameter->name,
+        answer_say(a, "%s %s %.6g", varied->range->parameter->name,
                    w.state == WATCH_KEEP ? "is now" : "stays as it was; the point was at", w.x);
     return begun;
 }
@@ -158,13 +160,12 @@ static bool run_watch(struct session *session, const struct arguments *given, st
 const struct command watch_commands[] = {
     {.name = "watch",
      .synonyms = "interactive slider live keys explore",
-     .argument =
-         {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
-          {.name = ": ANSWER",
-           .kind = ARGUMENT_COMMAND,
-           .parse = watch_parse_answer,
-           .bind = solve_bind,
-           .choices = question_names}},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_name, .choices = solve_names},
+                  {.name = ": ANSWER",
+                   .kind = ARGUMENT_COMMAND,
+                   .parse = varied_parse_answer,
+                   .bind = varied_bind,
+                   .choices = question_names}},
      .summary = "vary a parameter with the arrow keys, and see ANSWER on a curve",
      .help =
          "An example is 'watch s 0.1 0.9 : rmax'. The left and right arrow keys make large steps, and the up "
