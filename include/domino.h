@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * libdomino computes how a row of dominoes falls. It also finds how much larger each domino may be than the
- * one before.
- *
- * Introduction
+ * libdomino computes how a row of dominoes falls, and how much larger each domino may be than the one before.
  *
  * A train is an endless row of dominoes (J. M. J. van Leeuwen, "Domino Magnification"). Each domino is r
  * times as large as the one before. The falling dominoes lean on each other. The library determines whether a
- * train keeps falling, how large r may be, how fast the train runs and which forces act. It answers the same
- * questions about a finite row of dominoes of any sizes. Describe the train, call a function, and check the
- * status:
+ * train keeps falling, how large r may be, how fast the train runs and which forces act, and the same for a
+ * finite row of any dominoes (<domino_row.h>). Describe the train, call a function, and check the status:
  *
  *     struct dom_train train = dom_train_default();
  *     struct dom_limit limit;
@@ -74,21 +70,10 @@ typedef double dom_real;
 /* The value of a result that does not exist. */
 #define DOM_NAN ((dom_real)NAN)
 
-/* ---- Simple API: each function returns a number, or NaN if it fails ---- */
-
-/* Returns the largest growth of a train. The separation s and the thickness d are multiples of the height.
- * The mass exponent q is 4 for solid dominoes and 3 for hollow ones. */
-dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
-
-/* Returns the number of dominoes that it takes to topple one of the given height: the smallest n with
- * first * r^n >= height. */
-dom_real dom_dominoes(dom_real first, dom_real height, dom_real r);
-
-/* Returns the front speed in m/s of equal solid dominoes at g = 9.81 m/s^2. h is the height in m. The
- * separation s and the thickness d are multiples of the height. */
-dom_real dom_speed(dom_real h, dom_real s, dom_real d);
-
 /* ---- The train ---- */
+
+/* Returns the largest growth of a train, or NaN: dom_limit_rmax in one call. */
+dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
 /* The parameters of a train: X(name, default, lowest, highest, unit, meaning). Both ends of a range are
  * allowed. */
@@ -103,30 +88,22 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 #define DOM_MU_HIGHEST 100
 
 /*
- * A self-similar train. Start from dom_train_default() and change the members that differ. The last six
- * members before `later` are the values of DOM_DYNAMICS, 0 by default. All but the last are effects, which
- * are off at 0.
+ * A self-similar train. Start from dom_train_default() and change the members that differ. These are the
+ * effects of DOM_DYNAMICS, which are off at 0:
+ * - mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. The equation of motion is
+ *   then solved in place of equations (21; c3) and (24; c6).
+ * - alpha: the slope of the floor in radians, -1.5 ... 1.5, positive if the floor slopes down in the
+ *   direction of the train. DOM_NO_STAND if no domino can stand upright on that slope.
+ * - walls: the thickness of the walls of hollow boxes divided by the height, 1e-9 ... 1. Walls increase tau
+ *   and the friction that the floor must supply, and nothing else. The width counts only together with walls
+ *   or air. DOM_NO_ROOM if the walls do not fit.
+ * - rho: the radius of the edges divided by the height, 0 ... 0.49. DOM_NO_ROUND if rho is more than d/2.
+ * - air: the density of the air divided by that of the dominoes, 0 ... 100. Air brakes dominoes and adds to
+ *   their inertia, and so to tau. DOM_NO_AIR unless q is 4, because other trains are not self-similar in air.
+ *   drag is the drag coefficient, 0.001 ... 100, where 0 stands for 1.2.
  *
- * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. With friction, energy is
- * not conserved. The equation of motion is then solved in place of equations (21; c3) and (24; c6).
- *
- * alpha: the slope of the floor in radians, -1.5 ... 1.5. It is positive if the floor slopes down in the
- * direction of the train. The status is DOM_NO_STAND if no domino can stand upright on that slope.
- *
- * walls: the thickness of the walls divided by the height, 1e-9 ... 1. With walls, the dominoes are boxes of
- * six walls. The status is DOM_NO_ROOM if the walls do not fit. Walls increase the unit of time tau
- * (dom_scale_tau) and the friction that the floor must supply. They change nothing else. The width of the
- * dominoes counts only together with walls.
- *
- * rho: the radius of the edges divided by the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
- * than d/2.
- *
- * air: the density of the air divided by that of the dominoes, 0 ... 100. Air brakes dominoes and adds to
- * their inertia, and so to tau. The status is DOM_NO_AIR unless q is 4, because other trains are not
- * self-similar in air. drag: the drag coefficient, 0.001 ... 100, where 0 stands for 1.2.
- *
- * If mu, alpha, rho or air is not 0, the method must be DOM_METHOD_OURS. If the answer depends on the fuel,
- * the fuel must also be DOM_FUEL_EXACT. With any other method or fuel, the status is DOM_NO_METHOD.
+ * If mu, alpha, rho or air is not 0, the status is DOM_NO_METHOD for any method but DOM_METHOD_OURS, and for
+ * DOM_FUEL_PAPER if the answer depends on the fuel.
  */
 struct dom_train {
     dom_real s, r, d, q, width; /* see DOM_TRAIN_PARAMETERS */
@@ -139,14 +116,11 @@ struct dom_train {
     X(h, (dom_real)48 / 1000, (dom_real)1 / 1000000000, 1e9, "m", "height of the first domino")              \
     X(g, (dom_real)981 / 100, (dom_real)1 / 1000000000, 1e9, "m/s^2", "acceleration of gravity")
 
-/* The height of the head, and the acceleration of gravity, in SI units. */
 struct dom_scale {
     dom_real h, g;
 };
 
-/* Returns the defaults of DOM_TRAIN_PARAMETERS, with all effects off. */
 struct dom_train dom_train_default(void);
-/* Returns the defaults of DOM_SCALE_PARAMETERS. */
 struct dom_scale dom_scale_default(void);
 
 /* ---- How to compute ---- */
@@ -154,20 +128,16 @@ struct dom_scale dom_scale_default(void);
 #define DOM_COMPUTE_PARAMETERS(X)                                                                            \
     X(tol, 1 / (dom_real)1e12, 1e-34, 0.1, "", "relative tolerance of the answers")
 
-/* How to compute. Start from dom_compute_default() and change members as needed. Pass NULL to a function to
- * use the defaults. */
+/* How to compute. Start from dom_compute_default(), or pass NULL to use the defaults. */
 struct dom_compute {
-    dom_real tol; /* relative tolerance of the results */
-    /* Default DOM_METHOD_OURS. The other methods answer few questions. If a method cannot answer a question,
-     * the status is DOM_NO_METHOD. */
-    enum dom_method method;
-    struct dom_work *work; /* counters to which the work is added; may be NULL */
+    dom_real tol;           /* relative tolerance of the results */
+    enum dom_method method; /* the status is DOM_NO_METHOD if the method cannot answer a question */
+    struct dom_work *work;  /* counters to which the work is added; may be NULL */
     /* A long computation returns DOM_INTERRUPTED soon after *interrupt becomes non-zero. May be NULL. */
     const volatile sig_atomic_t *interrupt;
     size_t later[DOM_LATER]; /* must be 0, see "Versions" */
 };
 
-/* Returns the defaults. */
 struct dom_compute dom_compute_default(void);
 
 /* The properties of the floating-point type dom_real. */
@@ -183,23 +153,18 @@ struct dom_arithmetic {
 const struct dom_arithmetic *dom_arithmetic(void);
 
 /*
- * Checks a train. Returns DOM_OK if
- * - every parameter is in its range,
- * - tol is at least dom_arithmetic()->tol_floor,
- * - the head reaches the next domino: r <= dom_train_reach.
- *
- * Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. For an
- * effect with a value that is impossible for this train, returns DOM_NO_STAND, DOM_NO_ROOM or DOM_NO_ROUND.
- * The check is made by our own method: with any other method, the status is DOM_NO_METHOD.
- * Every function below that takes a train makes this check and may return these statuses.
+ * Checks a train, as every function below does that takes one. Returns DOM_OK if every parameter is in its
+ * range, tol is at least dom_arithmetic()->tol_floor, and the head reaches the next domino: r <=
+ * dom_train_reach. Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or
+ * DOM_NO_PRECISION, or a status named at struct dom_train.
  *
  * If r is 1/s rounded to the precision, the product r s counts as 1, even if rounding has made it slightly
  * larger.
  */
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
 
-/* Returns the largest growth at which the head can still touch the next domino. With sharp edges this growth
- * is 1/s. With rounded edges it is (1 - 2 rho + rho pi/2)/s. Does not use train->r. */
+/* Returns the largest growth at which the head can still touch the next domino: (1 - 2 rho + rho pi/2)/s,
+ * which is 1/s with sharp edges. Does not use train->r. */
 dom_real dom_train_reach(const struct dom_train *train);
 
 /* ---- One domino leaning on the next (section 'Two dominoes' and appendix A) ---- */
@@ -214,7 +179,6 @@ struct dom_angles {
     bool detaches; /* true if followers detach from their leaders (41; A17) */
 };
 
-/* Finds the angles of a train. */
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_angles *angles);
 
@@ -227,8 +191,7 @@ struct dom_contact {
     dom_real arm_b;   /* lever arm of the contact force on the follower, in h */
 };
 
-/* Finds the contact of a domino that leans at theta, 0 <= theta <= theta_c. For a tilt outside this range,
- * this function and all functions below return DOM_BAD_TILT. */
+/* For a tilt theta outside 0 ... theta_c, this function and all functions below return DOM_BAD_TILT. */
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact);
 
@@ -236,8 +199,8 @@ enum dom_status dom_contact_find(const struct dom_train *train, const struct dom
 
 /* Domino i of the train. */
 struct dom_link {
-    size_t i;       /* number of the domino, 0 = head */
-    dom_real theta; /* the angle theta_i of the domino (27; A2) */
+    size_t i;
+    dom_real theta; /* its angle theta_i (27; A2) */
     dom_real slope; /* d theta_i / d theta (33; A9) */
     /* The lever arms, in h, of the contact between this domino and domino i + 1 (table 1). NaN if the two do
      * not touch. */
@@ -245,9 +208,8 @@ struct dom_link {
     dom_real weight; /* r^(-q i), the weight of the domino in H (19; c1) */
 };
 
-/* Visits the dominoes of a train while its head leans at theta. Calls visit for the head, and then for each
- * follower that is not negligible at the tolerance. visit may return false to end the walk early; the status
- * is still DOM_OK. */
+/* Visits the head and each follower that is not negligible at the tolerance, while the head leans at theta.
+ * Here and below, a visitor may return false to end the walk early; the status is still DOM_OK. */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
                                dom_real theta, dom_visit *visit, void *context);
@@ -260,7 +222,6 @@ struct dom_energy {
     dom_real J0; /* J(0) = 1 + r^(-(q+1)) J(theta_c), by equation (50; d8, corrected) */
 };
 
-/* Finds the energy of the train when the head leans at theta. */
 enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_energy *energy);
 
@@ -270,8 +231,8 @@ struct dom_fuels {
     dom_real paper;
 };
 
-/* Finds the fuel, which is the energy that drives a cycle, by both formulas. Both fuels are in m g h / 2. If
- * the fuel is <= 0, the train does not keep falling. */
+/* Finds the fuel, which is the energy that drives a cycle, by both formulas. If it is <= 0, the train does
+ * not keep falling. */
 enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
                               struct dom_fuels *fuels);
 
@@ -289,15 +250,9 @@ struct dom_launch {
     dom_real kinetic; /* J(0) tau^2 omega(0)^2 */
 };
 
-/*
- * Finds the motion just after a collision.
- *
- * If the status is DOM_NO_FUEL (P <= 0), the members fuel, J0 and velocity_ratio are written, and the members
- * omegasq and kinetic are NaN.
- *
- * If the status is DOM_LOCKS, friction prevents the cycle from beginning, and no member is written. Every
- * function that computes a cycle may return DOM_LOCKS.
- */
+/* Finds the motion just after a collision. With DOM_NO_FUEL (P <= 0), omegasq and kinetic are NaN, and the
+ * other members are written. If friction prevents the cycle from beginning, this function and all that
+ * compute a cycle return DOM_LOCKS. */
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch);
 
@@ -305,9 +260,8 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
 
 struct dom_barrier {
     dom_real theta_m; /* the tilt at the top of the barrier, 0 <= theta_m <= theta_c */
-    /* The energy that the train must climb in a cycle: the maximum of H(theta) - H(0), >= 0. With friction
-     * or air, it is instead the kinetic energy that the train needs just after the collision to pass every
-     * tilt. */
+    /* The maximum of H(theta) - H(0), >= 0. With friction or air, it is instead the kinetic energy that the
+     * train needs just after the collision to pass every tilt. */
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
@@ -318,41 +272,29 @@ struct dom_barrier {
 };
 
 /*
- * Determines whether the train keeps falling, and computes the energies that decide this. The status is the
- * verdict:
+ * Determines whether the train keeps falling. The status is the verdict:
  * - DOM_OK: the train keeps falling (margin >= 0).
  * - DOM_STOPS: the train stops. All members are written.
- * - DOM_NO_FUEL: a cycle releases no energy. Only theta_m and barrier are computed, and the other members are
- *   NaN.
+ * - DOM_NO_FUEL: a cycle releases no energy. Only theta_m and barrier are computed.
  *
- * All functions that compute a cycle give the same verdict. If the tolerance is too coarse to tell whether
- * the train stops, they compute with a finer tolerance.
+ * All functions that compute a cycle give the same verdict. If the tolerance is too coarse for it, they
+ * compute with a finer one.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
 
 /* ---- One cycle ---- */
 
-/*
- * Finds how fast the head rotates when it leans at theta, between one collision and the next. The result is
- * the square of its angular velocity, tau^2 omega(theta)^2, from equation (21; c3).
- *
- * The value is NaN unless the status is DOM_OK. The status is DOM_NO_FUEL if there is no cycle, and DOM_STOPS
- * if the train stops before theta.
- */
+/* Finds tau^2 omega(theta)^2, the square of the angular velocity of the head when it leans at theta
+ * (21; c3). It is NaN unless the status is DOM_OK. The status is DOM_NO_FUEL if there is no cycle, and
+ * DOM_STOPS if the train stops before theta. */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, dom_real *omegasq);
 
-/*
- * Finds the duration t_f of a cycle, in tau. It is the integral of 1/(tau omega) over the tilts from 0 to
- * theta_c.
- *
- * If the margin is small, the train almost stops. The duration then grows like ln(1 / margin), and its
- * relative error grows like kinetic / margin times the unit roundoff.
- *
- * The status is DOM_NO_MARGIN if the margin is 0 within rounding errors. It is DOM_NO_FUEL or DOM_STOPS if
- * there is no complete cycle.
- */
+/* Finds the duration t_f of a cycle in tau, the integral of 1/(tau omega) from 0 to theta_c. Where the margin
+ * is small, it grows like ln(1 / margin), and its relative error like kinetic / margin times the unit
+ * roundoff. The status is DOM_NO_MARGIN if the margin is 0 within rounding errors, and DOM_NO_FUEL or
+ * DOM_STOPS if there is no complete cycle. */
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    dom_real *duration);
 
@@ -365,12 +307,9 @@ struct dom_event {
     size_t domino;  /* number of the domino that detaches; 0 for all other events */
 };
 
-/*
- * Finds the events of the cycle in order. `events` must have room for DOM_EVENTS_MAX events. If the train
- * stops, the status is DOM_STOPS and the last event is DOM_EVENT_STOP. If there is no fuel, the status is
- * DOM_NO_FUEL and *count is 0. Like every function that finds a time, this function may return DOM_NO_MARGIN
- * (see dom_cycle_duration).
- */
+/* Finds the events of the cycle in order, at most DOM_EVENTS_MAX. If the train stops, the status is DOM_STOPS
+ * and the last event is DOM_EVENT_STOP. If there is no fuel, the status is DOM_NO_FUEL and *count is 0. Every
+ * function that finds a time may return DOM_NO_MARGIN, as dom_cycle_duration does. */
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count);
 
@@ -390,8 +329,7 @@ struct dom_state {
     dom_real friction_work; /* energy lost to friction and to the air since the launch */
 };
 
-/* Finds the state at theta. The status is DOM_STOPS if the train stops before theta, and DOM_NO_FUEL if it
- * does not start. */
+/* The statuses are those of dom_cycle_omegasq. */
 enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_state *state);
 
@@ -400,14 +338,9 @@ enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_
 enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
                                dom_real time, dom_real *theta);
 
-/*
- * Visits the states of a cycle in chronological order: `count` states that are evenly spaced over the cycle,
- * and one state at each event. For an evenly spaced state, `event` is NULL. visit may return false to end the
- * walk early.
- *
- * A walk takes far less time than calling dom_cycle_state for each state. The statuses are those of
- * dom_cycle_events. If the train stops, all states are visited before DOM_STOPS is returned.
- */
+/* Visits the states of a cycle in chronological order: `count` states that are evenly spaced over the cycle,
+ * for which `event` is NULL, and one state at each event. This takes far less time than dom_cycle_state for
+ * each. The statuses are those of dom_cycle_events; DOM_STOPS is returned after all states. */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t count,
                                enum dom_spacing by, dom_state_visit *visit, void *context);
@@ -415,22 +348,21 @@ enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_c
 /* The contact force and the impulse between domino i and its follower. The two stay in contact while the
  * force is > 0 (section 5 of the paper). */
 struct dom_force {
-    size_t i; /* number of the domino, 0 = head */
+    size_t i;
     /* contact force divided by the weight m g of the head; NaN if domino i has no follower */
     dom_real force;
     dom_real per_weight; /* the force divided by the weight of domino i */
     dom_real impulse;    /* impulse of the collision, divided by the head's m g tau; NaN if theta > 0 */
 };
 
-/* Visits the dominoes of a moving train, and the forces between them, while the head leans at theta. Calls
- * visit for each domino from the head to the last domino that contributes. visit may return false to end the
- * walk early. The statuses are those of dom_cycle_state. */
+/* Visits the dominoes from the head to the last that contributes, while the head leans at theta. The statuses
+ * are those of dom_cycle_state. */
 typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, dom_force_visit *visit, void *context);
 
-/* The smallest contact force and the smallest impulse between the dominoes of a train. If both are > 0, the
- * dominoes stay in contact. If there is no contact at all, both are infinite. */
+/* If the smallest force and the smallest impulse are > 0, the dominoes stay in contact. If there is no
+ * contact at all, both are infinite. */
 struct dom_least_force {
     dom_real force; /* the smallest force of the cycle, divided by the weight of the domino that it pushes */
     dom_real theta; /* the tilt of the head at which the smallest force occurs */
@@ -438,33 +370,23 @@ struct dom_least_force {
     dom_real impulse; /* the smallest impulse of the collision, divided by the head's m g tau */
 };
 
-/* Finds the smallest contact force during the cycle. If the train stops, finds the smallest force until the
- * stop. The error is at most 1e-5 of the weight of the pushed domino. The status is DOM_NO_FUEL if there is
- * no cycle. */
+/* Finds the smallest contact force during the cycle, or until the train stops, with an error of at most 1e-5
+ * of the weight of the pushed domino. The status is DOM_NO_FUEL if there is no cycle. */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
                                       struct dom_least_force *least);
 
-/*
- * The friction coefficient that the floor needs so that no foot slips. The floor acts on each foot with a
- * force R. The foot does not slip if the coefficient is at least |R_x| / R_z. The members `motion` and `hit`
- * are the largest values of this ratio. For `hit`, R is the impulse of the floor in the collision. If a
- * domino would be lifted off the floor, the coefficient is infinite.
- */
+/* The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z, where R is
+ * the force of the floor on a foot. It is infinite if a domino would be lifted off the floor. */
 struct dom_floor {
-    /* The coefficient needed during the motion, and the tilt of the head at which it is needed. */
-    dom_real motion, theta;
-    size_t domino;     /* the domino whose foot needs the coefficient `motion`, 0 = head */
-    dom_real hit;      /* the coefficient needed in the collision */
-    size_t hit_domino; /* the domino whose foot needs the coefficient `hit`, 0 = head */
+    dom_real motion, theta; /* the coefficient during the motion, and the tilt of the head */
+    size_t domino;          /* the domino whose foot needs it, 0 = head */
+    dom_real hit;           /* the coefficient in the collision, where R is an impulse */
+    size_t hit_domino;      /* the domino whose foot needs it */
 };
 
-/*
- * Finds the friction that the floor needs during the cycle. If the train stops, finds the friction that the
- * floor needs until the stop. Dominoes slower than a thousandth of the speed of the head are left out.
- *
- * If |R_x| / R_z is smooth around its maximum, the relative error of the coefficient is at most a millionth.
- * The status is DOM_NO_FUEL if there is no cycle.
- */
+/* Finds the friction that the floor needs during the cycle, or until the train stops. Dominoes slower than a
+ * thousandth of the speed of the head are left out. Where |R_x| / R_z is smooth around its maximum, the
+ * relative error is at most a millionth. The status is DOM_NO_FUEL if there is no cycle. */
 enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_floor *floor);
 
@@ -483,31 +405,25 @@ struct dom_limit {
 };
 
 /*
- * Finds the largest growth of a train. It is the first growth r >= 1 at which the margin falls to 0. If the
- * margin never falls to 0, the largest growth is dom_train_reach. If even equal dominoes do not keep falling,
- * the status is DOM_OK and `ends` is DOM_END_NONE. Does not use train->r.
+ * Finds the largest growth of a train: the first growth r >= 1 at which the margin falls to 0, or
+ * dom_train_reach if there is none. If even equal dominoes do not keep falling, the status is DOM_OK and
+ * `ends` is DOM_END_NONE. Does not use train->r.
  *
  * The margin can dip below 0 and rise again. The search samples the margin, with more samples where it is
- * curved, and finds the minimum of each dip. Only a dip that lies between two samples and leaves no trace in
- * them can be missed.
+ * curved, and finds the minimum of each dip. Only a dip that leaves no trace in the samples can be missed. If
+ * rounding errors hide the sign of a minimum, even in quad precision, the status is DOM_OPEN. The largest
+ * growth is then either `open`, the growth of this minimum, or `r_max`, a later root.
  *
- * If the sign of a minimum is hidden by rounding errors, even in quad precision, the status is DOM_OPEN.
- * The largest growth is then either `open`, the growth of this minimum, or `r_max`, a later root.
- *
- * dom_limit_rmax, dom_limit_pair and dom_limit_best return DOM_TOO_LONG if the computation would take more
- * than a second or two in double precision.
+ * This function and the next two return DOM_TOO_LONG if the computation would take more than a second or two
+ * in double precision.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
-/*
- * Finds the largest growth of a pair of dominoes (section "Two dominoes"). Domino 1 pushes domino 0. Domino 1
- * starts at the point of tipping over and must carry domino 0 over the barrier of the pair. Does not use
- * train->r and train->fuel.
- *
- * Domino 1 tips over only if r is large enough (5; b0). So equal dominoes (r = 1) can fail even though larger
- * growths succeed. r_max is then the upper end of the first interval of growths that succeed.
- */
+/* Finds the largest growth of a pair of dominoes (section "Two dominoes"). Domino 1 starts at the point of
+ * tipping over and must carry domino 0 over the barrier of the pair. Domino 1 tips over only if r is large
+ * enough (5; b0), so r_max is the upper end of the first interval of growths that succeed. Does not use
+ * train->r and train->fuel. */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
@@ -519,28 +435,19 @@ struct dom_best {
     dom_real s_uncertainty, r_uncertainty;
 };
 
-/*
- * Finds the separation that allows the largest growth. Does not use train->s and train->r. The status is
- * DOM_NO_GROWTH if no separation allows r > 1.
- *
- * The search samples r_max(s), with more samples where a larger value may hide between two of them. Often the
- * best separation is where r_max jumps, because a dip of the margin touches 0 there. Then s is on the side of
- * the jump where the train passes the dip.
- */
+/* Finds the separation that allows the largest growth. Does not use train->s and train->r. The status is
+ * DOM_NO_GROWTH if no separation allows r > 1. The search samples r_max(s), with more samples where a larger
+ * value may hide between two of them. Often r_max jumps at the best separation, because a dip of the margin
+ * touches 0 there. Then s is on the side of the jump where the train passes the dip. */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
 
 /* ---- Many trains at once ---- */
 
-/*
- * Answers the same question about `count` trains, one after the other.
- * - `answers` is an array of `count` structures of the type that enum dom_question names.
- * - `statuses` is an array of `count` statuses, one for each train.
- * - `tilts` is an array of `count` tilts. It may be NULL if the question needs no tilt.
- *
- * Returns DOM_OK, or DOM_NO_METHOD if the question is not in the enumeration. If the computation is
- * interrupted, returns DOM_INTERRUPTED and gives this status to all remaining trains too.
- */
+/* Answers the same question about `count` trains, so that slow languages such as Python need no loop.
+ * `answers` is an array of the type that enum dom_question names, and `statuses` has a status for each train.
+ * `tilts` may be NULL if the question needs no tilt. Returns DOM_OK, or DOM_NO_METHOD if the question is not
+ * in the enumeration. After an interrupt, returns DOM_INTERRUPTED, also for all remaining trains. */
 enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
                                const dom_real *tilts, size_t count, const struct dom_compute *compute,
                                void *answers, enum dom_status *statuses);
@@ -606,9 +513,8 @@ struct dom_box {
     dom_real inertia;
 };
 
-/* Finds the properties of a box. The four lengths have the same unit, and the first three are outer sizes.
- * The status is DOM_NO_ROOM if a size is not positive, or if the walls are thicker than half the thickness of
- * the box. */
+/* The four lengths have the same unit, and the first three are outer sizes. The status is DOM_NO_ROOM if a
+ * size is not positive, or if the walls are thicker than half the thickness of the box. */
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box);
 
@@ -629,9 +535,8 @@ struct dom_count {
 };
 
 /*
- * Finds how many dominoes it takes to topple a domino that is at least `height` tall. The first domino has
- * the height `first`, and each domino is r times as tall as the domino before. Both heights are in the same
- * unit.
+ * Finds how many dominoes it takes to topple one that is at least `height` tall, if the first domino has the
+ * height `first`, in the same unit, and each is r times as tall as the one before.
  *
  * Because of rounding, first * r^n counts as equal to `height` if the two differ by at most 2 + n/2 units in
  * the last place, and their relative difference is at most a millionth of ln r.

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The parts of <domino.h> that do not depend on the floating-point type: statuses, choices of the caller,
- * names of effects and events, and counters of work. All precisions share them. <domino.h>, which has the
- * introduction, includes this header.
- */
+/* The parts of <domino.h> that all floating-point types share: statuses, choices of the caller, names of
+ * effects and events, and counters of work. */
 #ifndef DOMINO_COMMON_H
 #define DOMINO_COMMON_H
 
@@ -90,20 +87,14 @@ const char *dom_status_text(enum dom_status status);
 /* The formula for the fuel P in (24; c6): see struct dom_fuels. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
-/* The algorithm. DOM_METHOD_OURS is the default. The other two methods are for comparison, and exist
- * in double precision only. DOM_METHOD_GSL computes energies as DOM_METHOD_OURS does, but with GSL's solvers
- * for maxima, roots and integrals. DOM_METHOD_PAPER follows the recipe of the paper, which raises theta and r
- * in steps. */
+/* The algorithm. Two are for comparison, answer few questions, and exist in double precision only:
+ * DOM_METHOD_GSL uses GSL's solvers for maxima, roots and integrals, and DOM_METHOD_PAPER follows the recipe
+ * of the paper, which raises theta and r in steps. */
 enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
-/*
- * Effects that the paper does not include. struct dom_effect describes an effect. The code of an effect runs
- * only while the effect is on. struct dom_work counts how often it runs.
- *
- * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). The value of the
+/* The effects, beyond the paper, that change how dominoes move: X(effect, member, status). The value of the
  * effect is in the member `member` of struct dom_train and of struct dom_row, where 0 means off. If the value
- * is outside its range, functions return `status`.
- */
+ * is outside its range, functions return `status`. The code of an effect runs only while the effect is on. */
 #define DOM_DYNAMICS(X)                                                                                      \
     X(friction, mu, DOM_BAD_MU)                                                                              \
     X(slope, alpha, DOM_BAD_ALPHA)                                                                           \
@@ -115,18 +106,12 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /* All effects, in the order of DOM_DYNAMICS and DOM_EFFECTS. */
 enum dom_effect_name {
-    DOM_EFFECT_friction,
-    DOM_EFFECT_slope,
-    DOM_EFFECT_walls,
-    DOM_EFFECT_edges,
-    DOM_EFFECT_air,
-    DOM_EFFECT_drag,
-    DOM_EFFECT_row,
-    DOM_EFFECT_push,
-    DOM_EFFECT_release,
-    DOM_EFFECT_placement,
-    DOM_EFFECT_floor,
-    DOM_EFFECT_COUNT
+#define DOM_DYNAMICS_ENUM(effect, member, status) DOM_EFFECT_##effect,
+#define DOM_EFFECT_ENUM(effect)                   DOM_EFFECT_##effect,
+    DOM_DYNAMICS(DOM_DYNAMICS_ENUM) DOM_EFFECTS(DOM_EFFECT_ENUM)
+#undef DOM_DYNAMICS_ENUM
+#undef DOM_EFFECT_ENUM
+        DOM_EFFECT_COUNT
 };
 
 /* The number of effects in DOM_DYNAMICS. */
@@ -143,8 +128,8 @@ enum { DOM_EFFECT_ARGUMENTS = 3 };
  * even equal dominoes do not keep falling. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/* Returns "none", "barrier" or "reach". If the number is not in the enumeration, this function returns
- * "unknown", and so do dom_event_text and dom_row_end_text. */
+/* Returns "none", "barrier" or "reach". For a number that is not in the enumeration, this function and those
+ * like it return "unknown". */
 const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
@@ -164,8 +149,7 @@ const char *dom_event_text(enum dom_event_kind kind);
 /* Whether the states that dom_cycle_walk visits are evenly spaced in time or in tilt. */
 enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
 
-/* The questions that dom_trains_ask can ask. Each comment names the function that answers the question for
- * one train, and the structure that this function fills. */
+/* The questions that dom_trains_ask can ask, each with the function that answers it for one train. */
 enum dom_question {
     DOM_ASK_ANGLES,   /* dom_angles_find fills a struct dom_angles */
     DOM_ASK_CONTACT,  /* dom_contact_find fills a struct dom_contact; needs a tilt */
@@ -182,7 +166,7 @@ enum dom_question {
 
 /* ---- Work and interrupts ---- */
 
-/* Counters of the work done. Every call adds to the counters, which the caller initializes with {0}. */
+/* Counters, to which every call adds. The caller initializes them with {0}. */
 struct dom_work {
     size_t passes;      /* number of passes down the chain of dominoes */
     size_t dominoes;    /* number of dominoes visited in all passes */

@@ -39,88 +39,67 @@ struct dom_engine; /* below */
 
 /* ---- A finite row of any dominoes ---- */
 
-/*
- * A domino of a row: a solid block, or a box if the row has walls. The gap is the clear distance to the
- * previous domino, measured at the foot as if the domino were upright. The first domino has a gap of 0.
- *
- * If the floor or the foot is not flat, the domino leans before it is hit. `lean` is its tilt at that time.
- * The domino then rests on its front edge and turns about this edge when it falls. The lean must be within
- * dom_lean_limits.
- */
+/* A domino of a row: a solid block, or a box if the row has walls. */
 struct dom_domino {
-    dom_real height, thickness, gap; /* m */
-    dom_real mass;                   /* kg */
-    /* Radius of the edges in m. It is used only if rho of the row is not 0. A radius of 0 stands for rho
-     * times the height. */
-    dom_real radius;
-    dom_real lean; /* the tilt in rad before the domino is hit, > 0 in the direction of the fall */
-    /* Width in m, used only for dominoes with walls. 0 stands for half the height. */
-    dom_real width;
+    /* Sizes in m. The gap is the clear distance to the previous domino, measured at the foot as if the domino
+     * were upright; the first domino has a gap of 0. */
+    dom_real height, thickness, gap;
+    dom_real mass;   /* kg */
+    dom_real radius; /* of the edges, in m, if rho of the row is not 0; 0 stands for rho times the height */
+    /* The tilt in rad before the domino is hit, > 0 in the direction of the fall, within dom_lean_limits. The
+     * domino rests on its front edge, and turns about this edge when it falls. */
+    dom_real lean;
+    dom_real width; /* m, used only with walls or air; 0 stands for half the height */
 };
 
-/*
- * Finds how far a domino may lean. It stands at leans between lean[0] and lean[1], in rad, and falls over by
- * itself at all other leans. On a floor with the slope alpha, lean[0] is -(limit + alpha), and lean[1] is
- * limit - alpha. The angle `limit` follows from tan limit = thickness / height - 2 rho, since the centre of
- * the block must be above the flat part of its foot. With sharp edges, `limit` is theta_u (4; b1).
- *
- * rho is the radius of the edges divided by the height, unless the domino has a radius of its own. An upright
- * domino stands if 0 is between the two leans. Does not check the arguments.
- */
+/* Finds how far a domino may lean: between lean[0] = -limit - alpha and lean[1] = limit - alpha, in rad, it
+ * stands, with tan limit = thickness / height - 2 rho, since its centre must be above the flat part of its
+ * foot. With sharp edges, `limit` is theta_u (4; b1). rho is the radius of the edges divided by the height,
+ * unless the domino has a radius of its own. Does not check the arguments. */
 void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real rho, dom_real lean[2]);
 
-/* Dominoes 1, 2, ... of any sizes, in the order in which they fall. The head is the foremost falling domino.
- * The dominoes behind the head lean on each other and on the head until it hits the next domino. */
+/* Dominoes 1, 2, ... of any sizes, in the order in which they fall. */
 struct dom_row {
     const struct dom_domino *domino; /* array of `count` dominoes; domino[0] is number 1 */
     size_t count;                    /* at least 1 */
     dom_real g;                      /* acceleration of gravity in m/s^2, > 0 */
-    /* The push: the angular velocity in rad/s, >= 0, that the first domino gets while it is upright. NaN
-     * means that there is no push. The first domino is then tipped over its edge and released. */
+    /* The angular velocity in rad/s, >= 0, that the first domino gets. NaN means that there is no push: the
+     * first domino is tipped over its edge and released. */
     dom_real push;
-    /* The tilt in rad, >= 0, at which the first domino gets the push. With a push of 0, the domino starts
-     * there at rest. INFINITY stands for the tilt at which it leans against the second domino
-     * (dom_row_touch); with a larger finite tilt, the fall ends with DOM_ROW_SKEWED. Unless the tilt is 0, it
-     * takes the place of the lean of the first domino. If `push` is NaN, `release` has no effect. */
+    /* The tilt in rad, >= 0, at which the first domino gets the push, unless `push` is NaN. If it is not 0,
+     * it takes the place of the lean of the first domino. INFINITY stands for the tilt at which the domino
+     * leans against the second one (dom_row_touch); with a larger finite tilt, the fall ends with
+     * DOM_ROW_SKEWED. */
     dom_real release;
     /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is a length in m, and `air` a density in
      * kg/m^3, so all masses must be in kg. */
     dom_real mu, alpha, walls, rho, air, drag;
-    /* An engine adds this number to the floor's friction coefficient. The model ignores the number. */
-    dom_real feet;
-    bool floor; /* true to find the friction that the floor needs */
-    /* The engine that simulates the row instead of this library, in double. May be NULL. With an engine,
-     * domf_row_run and domq_row_run return DOM_NO_METHOD. */
+    dom_real feet; /* only for an engine, which adds it to the floor's friction coefficient */
+    bool floor;    /* true to find the friction that the floor needs */
+    /* The engine that simulates the row instead of this library, or NULL. It exists in double only. */
     const struct dom_engine *engine;
-    /* The height, in m, above which dominoes have walls. 0 if all have walls. */
-    dom_real boxes_above;
+    dom_real boxes_above;      /* the height, in m, above which dominoes have walls; 0 if all have walls */
     dom_real later[DOM_LATER]; /* must be 0, see "Versions" in <domino.h> */
 };
 
-/* Returns a row with g = 9.81 m/s^2, without a push, effects or an engine. The caller adds the dominoes. */
+/* Returns a row without dominoes, a push, effects or an engine, at g = 9.81 m/s^2. */
 struct dom_row dom_row_default(void);
 
 /* One domino of the row while it is the head: from the collision in which it is hit (the hit) until it hits
  * the next domino or lies on the floor. */
 struct dom_fall {
-    size_t domino; /* number of the domino, counted from 1 */
-    /* the time of the hit in s, measured from the push or the release. Without a push, it is measured from
-     * the first hit. */
-    dom_real time;
-    /* the time in s from the hit to the next hit or to the floor; NaN if neither happens */
-    dom_real duration;
-    dom_real omega;   /* angular velocity of the domino just after the hit, in rad/s */
-    dom_real kinetic; /* kinetic energy of all moving dominoes just after the hit, in J */
-    /* the kinetic energy, in J, needed to pass the barrier; infinite if friction locks the row */
-    dom_real barrier;
-    dom_real margin; /* kinetic - barrier, in J */
-    dom_real lost;   /* energy lost in the collision, in J */
-    dom_real
-        friction_work; /* energy lost to friction and air after the hit, in J; NaN if the fall ends here */
-    dom_real theta_m;  /* tilt of the domino at the top of the barrier, in rad */
-    /* the last tilt in rad: at the next hit, on the floor, or at rest */
-    dom_real theta;
-    size_t moving; /* the number of dominoes that move just after the hit, this one included */
+    size_t domino;     /* number of the domino, counted from 1 */
+    dom_real time;     /* of the hit in s, from the push, or without a push from the first hit */
+    dom_real duration; /* in s, from the hit to the next hit or to the floor; NaN if neither happens */
+    dom_real omega;    /* angular velocity of the domino just after the hit, in rad/s */
+    dom_real kinetic;  /* kinetic energy of all moving dominoes just after the hit, in J */
+    dom_real barrier;  /* the kinetic energy, in J, needed to pass it; infinite if friction locks the row */
+    dom_real margin;   /* kinetic - barrier, in J */
+    dom_real lost;     /* energy lost in the collision, in J */
+    dom_real friction_work; /* lost to friction and air after the hit, in J; NaN if the fall ends here */
+    dom_real theta_m;       /* tilt of the domino at the top of the barrier, in rad */
+    dom_real theta;         /* the last tilt in rad: at the next hit, on the floor, or at rest */
+    size_t moving;          /* the number of dominoes that move just after the hit, this one included */
     /* The friction that the floor needs, as in struct dom_floor, but with dominoes numbered from 1. Unless
      * row->floor is set, the coefficients are NaN and the numbers of dominoes are 0. */
     dom_real floor_motion, floor_hit;
@@ -129,54 +108,41 @@ struct dom_fall {
 
 struct dom_verdict {
     enum dom_row_end end;
-    /* The domino at which the fall ends: the last domino that was hit. If the status is DOM_BAD_..., it is
-     * the domino with the bad value. */
-    size_t domino;
+    size_t
+        domino; /* the last domino that was hit; if the status is DOM_BAD_..., the one with the bad value */
     /* the missing energy in J: > 0 for DOM_ROW_STOPS and DOM_ROW_BACK, infinite if friction locks the row */
     dom_real short_by;
-    /* The time in s until all dominoes lie on the floor. If the fall ends early, the time until the last hit.
-     * NaN if times were not requested. */
-    dom_real seconds;
+    dom_real seconds; /* until all dominoes lie on the floor, or until the last hit; NaN without times */
     /* the number of the falling domino with the smallest margin / barrier, apart from dominoes that begin at
      * rest; 0 if there is none */
     size_t weakest;
     dom_real spare; /* margin / barrier of the weakest domino; infinite without a barrier */
 };
 
-/*
- * Runs a row. Calls visit, which may be NULL, for each domino that is hit, in order. visit returns false to
- * end the run early. If `times` is false, the run is faster: no times are computed, and all times are NaN.
- *
- * If a status such as DOM_BAD_HEIGHT is about one domino, verdict->domino is the number of this domino.
- * compute->method is not used.
- */
+/* Runs a row. Calls visit, which may be NULL, for each domino that is hit, in order. If `times` is false, the
+ * run is faster, and all times are NaN. compute->method is not used. */
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
 
-/* Finds the tilt in rad at which the first domino touches the second one, or pi/2 if it lies on the floor
- * without touching any. This is the largest row->release. The statuses are those of dom_row_run. */
+/* Finds the largest row->release: the tilt in rad at which the first domino touches the second one, or pi/2
+ * if it touches none. The statuses are those of dom_row_run. */
 enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt);
 
 /* The state of a row at one moment. */
 struct dom_moment {
-    dom_real time; /* the time in s, measured as in struct dom_fall */
+    dom_real time; /* in s, measured as in struct dom_fall */
     size_t head;   /* number of the last domino that was hit, counted from 1 */
     size_t moving; /* the number of dominoes that move, the head included */
     /* tilts in rad and angular velocities in rad/s, from domino 1 on; valid only during the visit */
     const dom_real *tilt, *omega;
 };
 
-/*
- * Runs a row and visits its state at given times. `times` holds `count` times in s, in ascending order. visit
- * returns false to end the run. For a time after the end of the motion, such as INFINITY, visit gets the
- * final state and the time at which the row reached it. A domino that detaches keeps its tilt from then on.
- *
- * Without a push, times may be negative, because they are measured from the first hit. The status is
- * DOM_BAD_TIME if a time is NaN, if the times are not in order, or if a time is negative although there is a
- * push. If the row comes so close to a stop that later times cannot be computed, the status is DOM_NO_MARGIN.
- * Other statuses are those of dom_row_run.
- */
+/* Runs a row and visits its state at `count` times in s, in ascending order. For a time after the end of the
+ * motion, such as INFINITY, visit gets the final state and the time at which the row reached it. A domino
+ * that detaches keeps its tilt from then on. Without a push, times may be negative. The status is
+ * DOM_BAD_TIME if they are not in order or not allowed, and DOM_NO_MARGIN if the row comes so close to a stop
+ * that later times cannot be computed. Other statuses are those of dom_row_run. */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
                               const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
@@ -190,14 +156,10 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
 
 /* ==== From here on everything exists only in double, with dom_ ==== */
 
-/*
- * An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` takes the
- * parameters of dom_row_run and returns the same results. It finds its private data in row->engine->context.
- *
- * If a row has an engine, all functions that run the row call `run`. There are two exceptions: dom_row_watch
- * returns DOM_NO_METHOD, and the search of dom_row_improve runs the model. Studies may call `run` from many
- * threads at once.
- */
+/* An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` does what
+ * dom_row_run does, and finds its private data in row->engine->context. Studies may call it from many threads
+ * at once. All functions that run a row call it, except that dom_row_watch returns DOM_NO_METHOD, as do
+ * domf_row_run and domq_row_run, and that the search of dom_row_improve runs the model. */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
                                        bool times, dom_fall_visit *visit, void *context,
                                        struct dom_verdict *verdict);
@@ -206,118 +168,92 @@ struct dom_engine {
     void *context;
 };
 
-/* A callback that reports the progress of a long computation. `of` is the number of its parts, and `done` is
- * the number of parts that are complete. */
+/* A callback that reports the progress of a long computation: `done` parts of `of` are complete. It may be
+ * NULL. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
 /* ---- The largest growth, and the weakest push ---- */
 
-/* A callback that writes a row with the growth r to domino[0] ... domino[count - 1]. */
+/* A callback that writes `count` dominoes with the growth r. */
 typedef void dom_row_make(double r, struct dom_domino *domino, size_t count, void *context);
 
-/* The largest growth of a row. */
+/* All dominoes fall at growths from r_min, which is 1 if the row falls there, to r_max. */
 struct dom_row_growth {
-    double r_max; /* NaN if no growth was found at which all dominoes fall */
-    /* All dominoes fall at growths from r_min to r_max. r_min is 1 if the row falls at r = 1. */
-    double r_min;
-    /* How the fall ends just above r_max. If r_max is NaN, `ends` is how the fall ends at r = 1. If r_max is
-     * `highest`, `ends` is DOM_ROW_FALLS. */
+    double r_max, r_min; /* NaN if no growth was found */
+    /* How the fall ends just above r_max: DOM_ROW_FALLS if r_max is `highest`. If r_max is NaN, how it ends
+     * at r = 1. */
     enum dom_row_end ends;
 };
 
 /*
- * Finds the largest growth at which all dominoes of a row fall. The growth is accurate to the relative
- * tolerance compute->tol. `make` writes the dominoes for each growth r that is tried; row->domino is not
- * used. For a train, let `make` call dom_row_of_train, and let `highest` be dom_train_reach.
+ * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance compute->tol.
+ * `make` writes the dominoes for each growth that is tried; row->domino is not used. For a train, let `make`
+ * call dom_row_of_train, and let `highest` be dom_train_reach.
  *
- * The search starts at r = 1 and raises r until the row falls, in steps of 2 %, or of 10 % with an engine.
- * From there it raises r in steps of 2 %, until the row no longer falls or r is `highest`. The search can
- * miss an interval of growths that is narrower than a step.
- *
- * The statuses are those of dom_row_run, which also checks the dominoes. The status is DOM_BAD_R if `highest`
- * is not a finite number >= 1.
+ * The search starts at r = 1 and raises r in steps of 2 %, or of 10 % with an engine, until the row falls,
+ * and then in steps of 2 %, until it no longer falls or r is `highest`. An interval of growths that is
+ * narrower than a step can be missed. The statuses are those of dom_row_run, and DOM_BAD_R if `highest` is
+ * not a finite number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, double highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);
 
-/*
- * Finds the weakest push in rad/s that makes all dominoes of a row fall. The result is rounded upwards to
- * four digits. If all dominoes already fall, writes row->push. If no push up to `strongest` is enough, writes
- * NaN.
- *
- * The search starts from the push that turns the first domino over its edge, or from row->push if that is
- * larger. It doubles the push until all dominoes fall, and then bisects.
- *
- * The statuses are those of dom_row_run. The status is DOM_BAD_PUSH unless `strongest` is finite and > 0.
- */
+/* Finds the weakest push in rad/s that makes all dominoes of a row fall, rounded upwards to four digits. It
+ * is row->push if all dominoes already fall, and NaN if no push up to `strongest` is enough. The search
+ * starts from the push that turns the first domino over its edge, or from row->push if that is larger,
+ * doubles it until all dominoes fall, and then bisects. The statuses are those of dom_row_run, and
+ * DOM_BAD_PUSH unless `strongest` is finite and > 0. */
 enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom_compute *compute,
                                      double strongest, double *push);
 
 /* ---- Mending, and how precisely a row must be set up ---- */
 
-/* What dom_row_windows changes. */
+/* What dom_row_windows changes. Friction has no unit, leans are in rad, and all other values are in m. With
+ * the height or the thickness of a domino, its mass changes in proportion to the volume of the wood. It keeps
+ * its lean and its width, and all gaps stay the same. */
 enum dom_window_of {
-    /* The gap before a domino. When the gap changes, all dominoes after it move by the same distance. */
-    DOM_WINDOW_GAP,
-    /* The place of a domino: the distance from the back of the first domino to the back of this domino. When
-     * it changes, no other domino moves. */
+    DOM_WINDOW_GAP, /* the gap before a domino; all dominoes after it move by the same distance */
+    /* the distance from the back of the first domino to the back of this one; no other domino moves */
     DOM_WINDOW_PLACE,
-    /* The height of a domino. When it changes, the mass changes in proportion to the volume of the wood. */
     DOM_WINDOW_HEIGHT,
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
-    DOM_WINDOW_LEAN,     /* the lean of a domino, in rad */
-    /* The thickness of a domino. When it changes, the mass changes in proportion to the volume of the wood,
-     * and all gaps stay the same. */
+    DOM_WINDOW_LEAN,
     DOM_WINDOW_THICKNESS
 };
 
-/* The window of one gap, place, height, thickness, friction or lean: the values at which all dominoes fall
- * while all other values stay as they are. Friction has no unit, leans are in rad, and all other values are
- * in m. */
+/* The values at which all dominoes fall while all other values stay as they are. */
 struct dom_window {
-    size_t domino; /* the number of the domino; 0 for friction */
-    double now;    /* the current value */
-    double low;    /* the smallest value, rounded to seven digits; NaN if no window was found */
-    double high;   /* the largest value of the window */
+    size_t domino;    /* the number of the domino; 0 for friction */
+    double now;       /* the current value */
+    double low, high; /* the window, rounded inward to seven digits; NaN if none was found */
     /* How the fall ends just below and just above the window. DOM_ROW_FALLS means that this is unknown,
      * because no value there was tried, or because the row does not fall at the current value. */
     enum dom_row_end below, above;
 };
 
 /*
- * Finds the windows of
- * - all gaps or places: row->count - 1 windows, from domino 2 on,
- * - all heights, thicknesses or leans: row->count windows,
- * - friction: one window.
+ * Finds the windows of all gaps or places (row->count - 1 windows, from domino 2 on), of all heights,
+ * thicknesses or leans (row->count windows), or of friction (one window).
  *
- * If the row falls, the window is the interval around the current value, low <= now <= high. If the row does
- * not fall, the window is the interval that is nearest to the current value, on either side: a value in it
- * mends the row. If the fall ends at domino k, only the dominoes from k - 29 to k + 1 have windows, and if
- * the gap after domino k is too wide to reach across, no other gap has one. If the current
- * value is larger than all values that are tried, as for a gap out of reach, and the row falls with the
- * largest of these, the window extends from there downwards.
+ * If the row falls, a window is the interval around the current value. If it does not, the window is the
+ * interval nearest to the current value, on either side: a value in it mends the row. If the fall ends at
+ * domino k, only the dominoes from k - 29 to k + 1 have windows, and if the gap after domino k is too wide to
+ * reach across, no other gap has one. If the current value is larger than all that are tried, as for a gap
+ * out of reach, and the row falls with the largest of these, the window extends from there downwards.
  *
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
  * - places up to the next domino, as long as the gap before the domino stays in the range of gaps,
- * - heights from 1/100 to 4 times the current height, if the domino can stand on the slope, if rounded edges
- *   fit, and if the height stays on the same side of row->boxes_above, so that a solid domino stays solid and
- *   a box stays a box,
- * - thicknesses from 1/100 to 4 times the current thickness, if the domino can stand on the slope, and walls
- *   and rounded edges fit,
+ * - heights and thicknesses from 1/100 to 4 times the current one, if the domino can stand on the slope, and
+ *   walls and rounded edges fit; a height stays on the same side of row->boxes_above,
  * - frictions from 0 to 2, or to 4 times the current friction if that is more, but at most DOM_MU_HIGHEST,
  * - leans in both directions, until the domino falls over by itself.
  *
- * When the height or the thickness of a domino is changed, the domino keeps its lean, its width and its
- * density. The density of a box is that of its wood.
- *
- * In each direction, the search takes up to 40 steps of increasing length, and then bisects. The first step
- * is 1/64,000 of the range. With an engine, there are up to 10 steps, and the first is 1/1,000 of the range.
- * The search can miss an interval of values that is narrower than a step. All dominoes fall at `low` and at
- * `high`. Between the two, the row may stop in an interval that is narrower than a step. With an engine,
- * `low` and `high` have three digits. If the engine returns DOM_NOT_CONVERGED for a value, this value is
- * outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
- * dom_row_run.
+ * In each direction, the search takes up to 40 steps of increasing length, of which the first is 1/64,000 of
+ * the range, and then bisects. With an engine, there are up to 10 steps, the first is 1/1,000 of the range,
+ * `low` and `high` have three digits, and a value for which it returns DOM_NOT_CONVERGED is outside the
+ * window. All dominoes fall at `low` and at `high`. An interval that is narrower than a step can be missed,
+ * within the window, too. Calls progress for each window. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -328,22 +264,16 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
 /* The sizes that the dominoes of a row may have, for designs and for dom_row_improve. */
 struct dom_limits {
     /* For dom_row_improve: true to change not only gaps but also sizes, except those of the first and the
-     * last domino. A domino whose size changes keeps its proportions. But if there are boards, it gets the
-     * thickness of a board. */
+     * last domino. A domino keeps its proportions, unless it gets the thickness of a board. */
     bool sizes;
     /* The mass exponent: a domino x times as large has x^(q - 1) times the mass. With walls, the masses
      * follow from the walls instead. */
     double q;
-    /* the length of the hall in m. The row must fit into it even after the last domino has fallen. May be
-     * infinite. */
-    double hall;
-    /* The largest mass, in kg, that dom_row_improve may give to a domino. May be infinite. */
-    double heaviest;
-    /* the grid in m: changed sizes and gaps are multiples of this length. 0 means that there is no grid */
-    double grid;
-    /* The thicknesses in m that dominoes may have: an array of `boards` numbers in increasing order. If
-     * `boards` is 0, any thickness is allowed. In a row with boxes_above > 0, boxes may have any
-     * thickness. */
+    double hall;     /* length of the hall in m, into which the fallen row must fit; may be infinite */
+    double heaviest; /* the largest mass, in kg, that dom_row_improve may choose; may be infinite */
+    double grid;     /* in m: changed sizes and gaps are multiples of it; 0 means that there is no grid */
+    /* The thicknesses in m that dominoes may have, in increasing order. If `boards` is 0, any thickness is
+     * allowed. In a row with boxes_above > 0, boxes may have any thickness. */
     const double *board;
     size_t boards;
 };
@@ -354,9 +284,8 @@ enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
 
 /* Why a wish cannot be fulfilled, and what dom_design.needs means in that case. */
 enum dom_design_limit {
-    DOM_DESIGN_FITS, /* the wish can be fulfilled */
-    /* No train has this safety. `needs` is slightly below the largest possible safety. */
-    DOM_DESIGN_SAFETY,
+    DOM_DESIGN_FITS,   /* the wish can be fulfilled */
+    DOM_DESIGN_SAFETY, /* no train has this safety; `needs` is slightly below the largest possible one */
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
     DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row, in m */
     DOM_DESIGN_ENGINE, /* rows with the required safety do not fall in the engine */
@@ -366,27 +295,22 @@ enum dom_design_limit {
 
 /* The row that a builder wants. */
 struct dom_wish {
-    double first, height; /* heights of the first and the last domino, in m; height > first */
-    /* The kinetic energy of each cycle divided by the energy that the cycle needs, > 1. */
-    double safety;
-    /* the length of the hall in m, > height, as in struct dom_limits; may be infinite */
-    double hall;
+    double first, height;    /* heights of the first and the last domino, in m; height > first */
+    double safety;           /* the kinetic energy of each cycle over the energy that it needs, > 1 */
+    double hall;             /* as in struct dom_limits; > height */
     double g, push, release; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
-    /* The thickness of the walls, and the height above which dominoes have walls, in m, as in struct dom_row.
-     * If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls of the train, and all
-     * masses follow from the volume of the wood. */
+    /* As in struct dom_row, in m. If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls
+     * of the train, and all masses follow from the volume of the wood. */
     double walls, boxes_above;
 };
 
-/* A row, built like a train, that was designed for a struct dom_wish. If no row was found, `limit` is not
- * DOM_DESIGN_FITS, and all members except `limit` and `needs` are NaN or 0. */
+/* A row, built like a train, that was designed for a struct dom_wish. If no row was found, all members except
+ * `limit` and `needs` are NaN or 0. */
 struct dom_design {
-    /* s: the gap of a domino divided by its height, a multiple of 0.001; r: the growth */
-    double s, r;
-    /* `first` r^steps = `height`, so the row has steps + 1 dominoes */
-    size_t steps;
+    double s, r;    /* the gap of a domino divided by its height, a multiple of 0.001, and the growth */
+    size_t steps;   /* `first` r^steps = `height`, so the row has steps + 1 dominoes */
     double feet;    /* length from the first domino to the last, in m */
     double length;  /* length after the last domino has fallen: `feet` + `height`, in m */
     double seconds; /* as in struct dom_verdict; computed by the engine, if any */
@@ -398,20 +322,15 @@ struct dom_design {
 };
 
 /*
- * Finds a row, built like a train, that falls reliably: every cycle has at least `safety` times the energy
- * that it needs, kinetic >= safety * barrier. This condition holds in the endless train and at each domino of
- * the row after the first. train->s and train->r are not used.
+ * Finds a row, built like a train, that falls reliably: kinetic >= safety * barrier, in the endless train and
+ * at each domino of the row after the first. train->s and train->r are not used.
  *
- * The search first finds the best separation s, at which a train with this safety has the largest growth r.
- * The largest growth gives the smallest number of dominoes. r is then reduced until the last domino is
- * exactly `height` tall. The separation stays as close to the best one as the hall and the start of the row
- * allow. DOM_LEAST_LENGTH finds the shortest row instead, which may have up to 30 more dominoes.
- *
- * The search tries separations that are multiples of 0.001. A separation at which a
- * train or a row cannot be computed is skipped.
- *
- * If the wish has an engine, the row must also fall in the engine. The engine runs rows only at separations
- * 0.1 apart. The safety is still computed by the model.
+ * The search first finds the best separation s, at which a train with this safety has the largest growth r,
+ * and so the fewest dominoes. r is then reduced until the last domino is exactly `height` tall. The
+ * separation stays as close to the best one as the hall and the start of the row allow. DOM_LEAST_LENGTH
+ * finds the shortest row instead, which may have up to 30 more dominoes. Separations are multiples of 0.001;
+ * one at which a train or a row cannot be computed is skipped. In an engine, the row must also fall, which is
+ * tried only at separations 0.1 apart.
  *
  * The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the
  * wish is outside its range.
@@ -419,31 +338,21 @@ struct dom_design {
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);
 
-/*
- * Finds a row as dom_design_find does, but one that can be built:
- * - Sizes and gaps are multiples of the grid, except the sizes of the first domino and the height of the
- *   last.
- * - If there are boards, every thickness is that of a board.
- * - The rounded row is still as safe as wish->safety demands and fits into wish->hall.
- *
- * The results about the endless train are computed before rounding.
- *
- * The members `sizes`, `hall` and `heaviest` of the limits have no effect; the hall is wish->hall. Even so,
- * `hall` and `heaviest` must be positive. If a member of the limits is outside its range, the status is
- * DOM_BAD_Q, DOM_BAD_HALL, DOM_BAD_MASS, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board).
- */
+/* Finds a row as dom_design_find does, but one that can be built: sizes and gaps are multiples of the grid,
+ * except the sizes of the first domino and the height of the last, and every thickness is that of a board, if
+ * there are boards. The rounded row is as safe as wish->safety demands and fits into wish->hall. The results
+ * about the endless train are computed before rounding. The members `sizes`, `hall` and `heaviest` of the
+ * limits have no effect. If a member of the limits is outside its range, the status is DOM_BAD_Q,
+ * DOM_BAD_HALL, DOM_BAD_MASS, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board). */
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
                                const struct dom_limits *limits, const struct dom_compute *compute,
                                struct dom_design *design);
 
-/*
- * Finds a row that falls and fits into the hall, with `steps` (>= 1) steps from the first domino to the last.
- * Its separation is as close to the best separation (see dom_design_find) as the hall and the start of the
- * row allow. wish->least and wish->engine are not used. `limits` may be NULL.
- *
- * If no such row falls, design->limit is DOM_DESIGN_SAFETY. If the hall is too short even without gaps, it is
- * DOM_DESIGN_HALL. In both cases design->needs is NaN. The status is DOM_BAD_COUNT if `steps` is 0.
- */
+/* Finds a row that falls and fits into the hall, with `steps` (>= 1) steps from the first domino to the last,
+ * and with a separation as dom_design_find chooses it. wish->least and wish->engine are not used. `limits`
+ * may be NULL. If no such row falls, design->limit is DOM_DESIGN_SAFETY. If the hall is too short even
+ * without gaps, it is DOM_DESIGN_HALL. In both cases design->needs is NaN. The status is DOM_BAD_COUNT if
+ * `steps` is 0. */
 enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
                                  const struct dom_limits *limits, const struct dom_compute *compute,
                                  size_t steps, struct dom_design *design);
@@ -456,13 +365,10 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
 
 /* ---- Parallel work ---- */
 
-/*
- * The library starts no threads. It divides parallel work into tasks and calls a callback, dom_parallel, to
- * run them. The callback must call task(0, context) to task(count - 1, context), each exactly once. It may do
- * so in any order and on any threads. It waits until all tasks are done and returns DOM_OK. If it has left
- * out tasks, it returns the reason, such as DOM_INTERRUPTED. The library passes `pool` to the callback
- * unchanged.
- */
+/* The library starts no threads. It divides parallel work into tasks, and a callback of the caller runs them:
+ * task(0, context) to task(count - 1, context), each exactly once, in any order and on any threads. The
+ * callback returns DOM_OK when all tasks are done, or the reason why it left out some. The library passes
+ * `pool` to it unchanged. */
 typedef void dom_task(size_t index, void *context);
 typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
 
@@ -496,8 +402,7 @@ enum dom_error_of {
 
 /* A random error. */
 struct dom_random_error {
-    /* The standard deviation of a normal distribution, or the limit of a uniform one; >= 0. */
-    double size;
+    double size;  /* >= 0: the standard deviation of a normal distribution, or the limit of a uniform one */
     bool uniform; /* true if all errors from -size to size are equally likely */
 };
 
@@ -540,29 +445,21 @@ struct dom_study {
 /*
  * Runs the rows of a placement and counts how many of them fall. The tolerance is 1e-9 or compute->tol,
  * whichever is larger. The result does not depend on placement->parallel. After DOM_INTERRUPTED, only the
- * rows that were run are counted.
- *
- * Unless `stops` is NULL, stops[k] is set to the number of rows that ended at domino k + 1. Rows that the
- * model cannot decide (study->unknown) are not counted in `stops`.
+ * rows that were run are counted. Unless `stops` is NULL, stops[k] is set to the number of rows that ended at
+ * domino k + 1, except those that the model cannot decide.
  *
  * The status is DOM_BAD_ERROR if the size of an error is not a finite number >= 0. It is DOM_NO_LEAN if leans
- * have errors, and either the row has rounded edges or an engine runs it. A status that dom_row_run or the
- * function placement->parallel returns is passed on.
+ * have errors, and either the row has rounded edges or an engine runs it. A status that dom_row_run or
+ * placement->parallel returns is passed on.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *placement, struct dom_study *study,
                                     size_t *stops);
 
-/*
- * Finds which kinds of error make rows stop. First runs all rows and fills *study, as dom_placement_study
- * does. Then, for each kind of error, runs the same rows again without the errors of this kind. All other
- * errors stay the same. without[kind] is how many of these rows fall.
- *
- * Unless `stops` is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count numbers:
- * - The first row->count numbers are those of dom_placement_study.
- * - For each kind of error, row->count numbers follow, one for each domino. They count the rows that end at
- *   this domino, but would fall without the errors of this kind.
- */
+/* Finds which kinds of error make rows stop. Runs all rows as dom_placement_study does, and then, for each
+ * kind of error, the same rows without the errors of this kind, of which without[kind] fall. Unless `stops`
+ * is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count numbers: those of dom_placement_study, and then
+ * for each kind how many rows end at a domino, but would fall without the errors of this kind. */
 enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, struct dom_study *study,
                                      size_t without[DOM_ERROR_COUNT], size_t *stops);
@@ -570,11 +467,10 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
 /* Sets `low` and `high` from the counts. The counts may be sums over several studies of one placement. */
 enum dom_status dom_study_interval(struct dom_study *study);
 
-/* How precisely a row must be set up. */
+/* How precisely a row must be set up: the size of an error in its unit, or a factor for all errors, with its
+ * 95 % interval. `sigma` is infinite if enough rows fall even with the largest size that is tried, and `low`
+ * is 0 if there are too few rows for a lower bound. */
 struct dom_budget {
-    /* The size of the error in its unit, `sigma`, with its 95 % interval from `low` to `high`. For all errors
-     * together, `sigma` is a factor. If enough rows fall even with the largest size that is tried, `sigma` is
-     * infinite. If there are too few rows for a lower bound, `low` is 0. */
     double sigma, low, high;
 };
 
@@ -582,20 +478,13 @@ struct dom_budget {
  * Finds how large one kind of error may be: the size `sigma` at which the whole row falls with the given
  * probability, 0 < probability < 1. The errors of all other kinds stay as they are. If `kind` is
  * DOM_ERROR_COUNT, all errors are multiplied by the factor `sigma` instead. The largest sizes that are tried
- * are
- * - for gaps and places, the widest gap of the row,
- * - for relative errors and friction, 1,
- * - for angles, the steepest slope on which the row stands,
- * - for the push, the push itself,
- * - for factors, 64.
+ * are the widest gap of the row for gaps and places, 1 for relative errors and friction, the steepest slope
+ * on which the row stands for angles, the push itself for the push, and 64 for factors.
  *
- * The status is DOM_STOPS if too few rows fall even at sigma = 0.
- *
- * If the search is interrupted, the status is DOM_INTERRUPTED. If no sigma > 0 at which enough rows fall was
- * found before the interrupt, the budget is not written. If such a sigma was found, `sigma` and `low` are the
- * largest one, and `high` is the smallest sigma at which too few rows are known to fall, or infinity. After
- * `sigma` has been found to its full precision, an interrupted search for the interval leaves `low` and
- * `high` equal to `sigma`.
+ * The status is DOM_STOPS if too few rows fall even at sigma = 0. After an interrupt, it is DOM_INTERRUPTED.
+ * If a sigma > 0 at which enough rows fall was found before, `sigma` and `low` are then the largest one, and
+ * `high` is the smallest at which too few are known to fall, or infinity; otherwise the budget is not
+ * written. If only the search for the interval was interrupted, `low` and `high` equal `sigma`.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,
@@ -605,25 +494,21 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
 
 /*
  * Changes a row so that it falls as reliably as possible with the random errors of a placement. Writes the
- * changed dominoes to domino[0] ... domino[row->count - 1]. Calls progress, which may be NULL.
+ * row->count changed dominoes.
  *
  * study[0] counts how many rows of the placement fall before the changes, and study[1] how many fall after
- * them. The search uses other random rows, whose numbers follow those of the placement. The same seed gives
- * the same result, whatever placement->parallel is.
+ * them. The search uses other random rows, whose numbers follow those of the placement, and the model; an
+ * engine runs only the rows that are counted. The result does not depend on placement->parallel.
  *
- * If the given row is within the limits, it is the result unless a more reliable row is found. If the given
- * row is not within the limits, the result is the best row found within the limits, even if this row is less
- * reliable. If no row within the limits was found, the result is the given row, and study[1].rows is 0.
+ * If the given row is within the limits, it is the result unless a more reliable row is found. If it is not,
+ * the result is the best row found within the limits, even if it is less reliable. If none was found, the
+ * result is the given row, and study[1].rows is 0.
  *
- * The search itself uses the model, even if the row has an engine. The engine runs only
- * the rows that study[0] and study[1] count.
- *
- * If the search is interrupted, the status is DOM_INTERRUPTED. If study[0].rows > 0, the result is then the
- * best row so far. If study[0].rows is 0, the dominoes are not written.
- *
- * The status is DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps. If a member of the
- * limits is outside its range, the status is DOM_BAD_THICKNESS (a board), DOM_BAD_Q, DOM_BAD_MASS
- * (`heaviest`) or DOM_BAD_GAP (the grid). Other statuses are those of dom_placement_study.
+ * After an interrupt, the status is DOM_INTERRUPTED, and the result is the best row so far; if study[0].rows
+ * is 0, the dominoes are not written. The status is DOM_BAD_HALL if the dominoes do not fit into the hall
+ * even without gaps. If a member of the limits is outside its range, the status is DOM_BAD_THICKNESS (a
+ * board), DOM_BAD_Q, DOM_BAD_MASS (`heaviest`) or DOM_BAD_GAP (the grid). Other statuses are those of
+ * dom_placement_study.
  */
 enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,
                                 const struct dom_placement *placement, const struct dom_limits *limits,

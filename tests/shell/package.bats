@@ -300,7 +300,7 @@ int main()
     domq_limit wide_limit;
     if (dom_limit_rmax(&train, nullptr, &limit) != DOM_OK || domq_limit_rmax(&wide, nullptr, &wide_limit) != DOM_OK)
         return 1;
-    std::printf("%.9g %.9g %g\n", limit.r_max, static_cast<double>(wide_limit.r_max), dom_dominoes(0.048, 112, 1.5));
+    std::printf("%.9g %.9g\n", limit.r_max, static_cast<double>(wide_limit.r_max));
 }
 END
     # shellcheck disable=SC2046
@@ -309,7 +309,7 @@ END
     local expected
     expected=$("$DOMINO" -e 'set output csv; rmax' | sed -n '2s/^[^,]*,\([^,]*\),.*/\1/p')
     [ -n "$expected" ]
-    [ "$(./both)" = "$(printf '%.9g %.9g 20' "$expected" "$expected")" ]
+    [ "$(./both)" = "$(printf '%.9g %.9g' "$expected" "$expected")" ]
 }
 
 @test "Debian packages: they work when installed into a separate root, and lintian finds no error" {

@@ -271,9 +271,7 @@ TEST(laws)
 TEST(simple)
 {
     struct dom_train t = dom_train_default();
-    const struct dom_scale scale = dom_scale_default();
     struct dom_limit limit;
-    double duration;
     t.s = 0.3;
     t.d = 0.2;
     t.q = 3;
@@ -282,16 +280,6 @@ TEST(simple)
     assert_in_both("rmax", limit.r_max, domq_rmax(0.3, t.d, 3), rounding);
     assert_true(isnan(dom_rmax(2, 0.2, 3)) && isnan(dom_rmax(0.3, -1, 3)) && isnan(dom_rmax(0.3, 1.5, NAN)));
     assert_true(isnan(dom_rmax(0.3, 1.5, 3))); /* no growth */
-    assert_true(dom_dominoes(0.048, 112, 1.5) == 20 && domq_dominoes(0.048, 112, 1.5) == 20);
-    assert_true(isinf(dom_dominoes(0.048, 112, 1)) && isnan(dom_dominoes(0.048, 112, 0.9)));
-    assert_true(isnan(dom_dominoes(0, 112, 1.5)) && isnan(dom_dominoes(0.048, NAN, 1.5)));
-    t = dom_train_default();
-    t.r = 1;
-    assert_status(dom_cycle_duration(&t, NULL, &duration), DOM_OK);
-    assert_near("speed", dom_speed(scale.h, t.s, t.d), dom_scale_speed(&scale, &t, duration), 1e-15);
-    assert_near("wide speed", (double)domq_speed(scale.h, t.s, t.d), dom_speed(scale.h, t.s, t.d), 1e-11);
-    assert_true(isnan(dom_speed(0, 0.4, 0.15)) && isnan(dom_speed(NAN, 0.4, 0.15)));
-    assert_true(isnan(dom_speed(0.048, 2, 0.15)) && isnan(dom_speed(0.048, 0.001, 1)));
 }
 
 /* Checks that a default row needs only its dominoes, and that the library is as new as its header. */

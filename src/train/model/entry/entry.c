@@ -123,61 +123,32 @@ static struct question question_of_limit(const struct dom_train *train, const st
     return question_make(&t, compute);
 }
 
-enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute)
-{
-    struct dom_angles angles;
-    struct question q = question_make(train, compute);
-    return ASK(q, angles_find, &angles);
-}
-
-enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
-                                struct dom_angles *angles)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, angles_find, angles);
-}
-
-enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
-                                 dom_real theta, struct dom_contact *contact)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, contact_find, theta, contact);
-}
-
-enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
-                               dom_real theta, dom_visit *visit, void *context)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, chain_walk, theta, visit, context);
-}
-
-enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
-                                dom_real theta, struct dom_energy *energy)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, energy_find, theta, energy);
-}
-
-enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
-                              struct dom_fuels *fuels)
-{
-    struct question q = question_make(train, compute);
-    return ASK_METHOD(q, fuel_find, fuels);
-}
-
-enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
-                                struct dom_launch *launch)
-{
-    struct question q = question_make(train, compute);
-    return ASK_METHOD(q, launch_find, launch);
-}
-
-enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
-                                 struct dom_barrier *barrier)
-{
-    struct question q = question_make(train, compute);
-    return ASK_METHOD(q, barrier_find, barrier);
-}
+/* Define public functions that answer a question about a train, or about a train at a tilt or a time. */
+#define ANSWER(find, structure, ASK)                                                                         \
+    enum dom_status dom_##find(const struct dom_train *train, const struct dom_compute *compute,             \
+                               structure *found)                                                             \
+    {                                                                                                        \
+        struct question q = question_make(train, compute);                                                   \
+        return ASK(q, find, found);                                                                          \
+    }
+#define ANSWER_AT(find, structure)                                                                           \
+    enum dom_status dom_##find(const struct dom_train *train, const struct dom_compute *compute,             \
+                               dom_real at, structure *found)                                                \
+    {                                                                                                        \
+        struct question q = question_make(train, compute);                                                   \
+        return ASK(q, find, at, found);                                                                      \
+    }
+ANSWER(angles_find, struct dom_angles, ASK)
+ANSWER(fuel_find, struct dom_fuels, ASK_METHOD)
+ANSWER(launch_find, struct dom_launch, ASK_METHOD)
+ANSWER(barrier_find, struct dom_barrier, ASK_METHOD)
+ANSWER(cycle_duration, dom_real, ASK_METHOD)
+ANSWER(cycle_least_force, struct dom_least_force, ASK)
+ANSWER(cycle_floor, struct dom_floor, ASK)
+ANSWER_AT(contact_find, struct dom_contact)
+ANSWER_AT(energy_find, struct dom_energy)
+ANSWER_AT(cycle_state, struct dom_state)
+ANSWER_AT(cycle_tilt, dom_real)
 
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, dom_real *omegasq)
@@ -187,33 +158,25 @@ enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct do
     return ASK(q, cycle_omegasq, theta, omegasq);
 }
 
-enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
-                                   dom_real *duration)
+enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute)
+{
+    struct dom_angles angles;
+    return dom_angles_find(train, compute, &angles);
+}
+
+enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real theta, dom_visit *visit, void *context)
 {
     struct question q = question_make(train, compute);
-    return ASK_METHOD(q, cycle_duration, duration);
+    return ASK(q, chain_walk, theta, visit, context);
 }
 
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count)
 {
+    struct question q = question_make(train, compute);
     *count = 0;
-    struct question q = question_make(train, compute);
     return ASK(q, cycle_events, events, count);
-}
-
-enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
-                                dom_real theta, struct dom_state *state)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, cycle_state, theta, state);
-}
-
-enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
-                               dom_real time, dom_real *theta)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, cycle_tilt, time, theta);
 }
 
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t count,
@@ -228,20 +191,6 @@ enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom
 {
     struct question q = question_make(train, compute);
     return ASK(q, cycle_forces, theta, visit, context);
-}
-
-enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
-                                      struct dom_least_force *least)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, cycle_least_force, least);
-}
-
-enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
-                                struct dom_floor *floor)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, cycle_floor, floor);
 }
 
 /* ---- Limits, which more than one precision may find ---- */
@@ -405,8 +354,6 @@ enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, stru
     return dom_arithmetic()->bits == 0 ? DOM_NO_PRECISION : count_find(first, height, r, count);
 }
 
-/* ---- Simple API ---- */
-
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q)
 {
     struct dom_train train = dom_train_default();
@@ -417,25 +364,66 @@ dom_real dom_rmax(dom_real s, dom_real d, dom_real q)
     return dom_limit_rmax(&train, NULL, &limit) == DOM_OK ? limit.r_max : DOM_NAN;
 }
 
-dom_real dom_dominoes(dom_real first, dom_real height, dom_real r)
+/* ---- Many trains at once ---- */
+
+static const size_t answer_sizes[] = {
+    [DOM_ASK_ANGLES] = sizeof(struct dom_angles), [DOM_ASK_CONTACT] = sizeof(struct dom_contact),
+    [DOM_ASK_ENERGY] = sizeof(struct dom_energy), [DOM_ASK_FUEL] = sizeof(struct dom_fuels),
+    [DOM_ASK_LAUNCH] = sizeof(struct dom_launch), [DOM_ASK_BARRIER] = sizeof(struct dom_barrier),
+    [DOM_ASK_OMEGASQ] = sizeof(dom_real),         [DOM_ASK_DURATION] = sizeof(dom_real),
+    [DOM_ASK_RMAX] = sizeof(struct dom_limit),    [DOM_ASK_PAIR] = sizeof(struct dom_limit),
+    [DOM_ASK_BEST] = sizeof(struct dom_best),
+};
+
+static enum dom_status train_ask(enum dom_question question, const struct dom_train *train,
+                                 const struct dom_compute *compute, const dom_real *tilt, void *answer)
 {
-    struct dom_count count;
-    return dom_count_find(first, height, r, &count) == DOM_OK ? count.dominoes : DOM_NAN;
+    switch (question) {
+    case DOM_ASK_ANGLES:
+        return dom_angles_find(train, compute, answer);
+    case DOM_ASK_CONTACT:
+        return dom_contact_find(train, compute, *tilt, answer);
+    case DOM_ASK_ENERGY:
+        return dom_energy_find(train, compute, *tilt, answer);
+    case DOM_ASK_FUEL:
+        return dom_fuel_find(train, compute, answer);
+    case DOM_ASK_LAUNCH:
+        return dom_launch_find(train, compute, answer);
+    case DOM_ASK_BARRIER:
+        return dom_barrier_find(train, compute, answer);
+    case DOM_ASK_OMEGASQ:
+        return dom_cycle_omegasq(train, compute, *tilt, answer);
+    case DOM_ASK_DURATION:
+        return dom_cycle_duration(train, compute, answer);
+    case DOM_ASK_RMAX:
+        return dom_limit_rmax(train, compute, answer);
+    case DOM_ASK_PAIR:
+        return dom_limit_pair(train, compute, answer);
+    case DOM_ASK_BEST:
+        break;
+    }
+    return dom_limit_best(train, compute, answer);
 }
 
-dom_real dom_speed(dom_real h, dom_real s, dom_real d)
+enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
+                               const dom_real *tilts, size_t count, const struct dom_compute *compute,
+                               void *answers, enum dom_status *statuses)
 {
-    struct dom_train train = dom_train_default();
-    struct dom_scale scale = dom_scale_default();
-    dom_real duration;
-    train.s = s;
-    train.d = d;
-    train.r = 1;
-    scale.h = h;
-    return h > 0 && dom_cycle_duration(&train, NULL, &duration) == DOM_OK
-               ? dom_scale_speed(&scale, &train, duration)
-               : DOM_NAN;
+    bool interrupted = false;
+    if ((unsigned)question >= sizeof answer_sizes / sizeof *answer_sizes)
+        return DOM_NO_METHOD;
+    for (size_t k = 0; k < count; k++) {
+        void *answer = (char *)answers + k * answer_sizes[question];
+        interrupted = interrupted || (compute && dom_interrupted(compute->interrupt));
+        statuses[k] = interrupted
+                          ? DOM_INTERRUPTED
+                          : train_ask(question, &trains[k], compute, tilts ? &tilts[k] : NULL, answer);
+        interrupted = interrupted || statuses[k] == DOM_INTERRUPTED;
+    }
+    return interrupted ? DOM_INTERRUPTED : DOM_OK;
 }
 
 #undef ASK
 #undef ASK_METHOD
+#undef ANSWER
+#undef ANSWER_AT

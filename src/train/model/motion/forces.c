@@ -191,9 +191,10 @@ static struct loaded *forces_find(const struct geometry *geometry, const struct 
 /* Finds the value at a tilt. */
 typedef enum dom_status peak_function(real theta, void *context, real *value);
 
-enum { PEAK_SAMPLES = 24, PEAK_HALVINGS = 24 };
+enum { PEAK_MOST = 24, PEAK_HALVINGS = 24 };
 
 struct peak {
+    int samples; /* the number of intervals with which a search begins, at most PEAK_MOST */
     peak_function *at;
     void *context;
     real most;     /* the largest value so far */
@@ -231,13 +232,13 @@ static enum dom_status peak_between(struct peak *p, real lo, real hi, const real
 /* Searches [lo, hi], in which the value must not jump. */
 static enum dom_status peak_over(struct peak *p, real lo, real hi)
 {
-    const real step = (hi - lo) / PEAK_SAMPLES;
-    real value[PEAK_SAMPLES + 1];
+    const real step = (hi - lo) / (real)p->samples;
+    real value[PEAK_MOST + 1];
     enum dom_status status = DOM_OK;
-    for (int k = 0; k <= PEAK_SAMPLES && status == DOM_OK; k++)
-        status = peak_at(p, k < PEAK_SAMPLES ? lo + (real)k * step : hi, &value[k]);
-    for (int k = 0; k < PEAK_SAMPLES && status == DOM_OK; k++) {
-        const real from = lo + (real)k * step, to = k + 1 < PEAK_SAMPLES ? from + step : hi;
+    for (int k = 0; k <= p->samples && status == DOM_OK; k++)
+        status = peak_at(p, k < p->samples ? lo + (real)k * step : hi, &value[k]);
+    for (int k = 0; k < p->samples && status == DOM_OK; k++) {
+        const real from = lo + (real)k * step, to = k + 1 < p->samples ? from + step : hi;
         status = peak_between(p, from, to, &value[k], PEAK_HALVINGS);
     }
     return status;
@@ -318,7 +319,7 @@ KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom
 {
     struct motion m;
     struct least least = {.segment = &m.segment, .force = (real)INFINITY, .impulse = (real)INFINITY};
-    struct peak peak = {least_at, &least, -(real)INFINITY, FORCES_TOL, LEAST_OFF};
+    struct peak peak = {PEAK_MOST / 3, least_at, &least, -(real)INFINITY, FORCES_TOL, LEAST_OFF};
     enum dom_status status = motion_prepare(train, false, &m);
     m.segment.geometry.tol = fmax(m.segment.geometry.tol, FORCES_TOL);
     if (status == DOM_OK)
@@ -433,7 +434,7 @@ KERNEL enum dom_status floor_over(const struct segment *st, real lo, real hi,
                                   struct required_friction *required)
 {
     struct floor_search search = {st, required};
-    struct peak peak = {floor_at, &search, required->motion, FLOOR_TOL, 0};
+    struct peak peak = {PEAK_MOST, floor_at, &search, required->motion, FLOOR_TOL, 0};
     return peak_over(&peak, lo, hi);
 }
 
@@ -442,7 +443,7 @@ KERNEL enum dom_status cycle_floor(const struct request *train, struct dom_floor
     struct motion m;
     struct required_friction required = {0};
     struct floor_search search = {&m.segment, &required};
-    struct peak peak = {floor_at, &search, 0, FLOOR_TOL, 0};
+    struct peak peak = {PEAK_MOST, floor_at, &search, 0, FLOOR_TOL, 0};
     enum dom_status status = motion_prepare(train, false, &m);
     m.segment.geometry.tol = fmax(m.segment.geometry.tol, FORCES_TOL);
     if (status == DOM_OK)
