@@ -168,10 +168,9 @@ enum dom_question {
 
 /* Counters, to which every call adds. The caller initializes them with {0}. */
 struct dom_work {
-    size_t passes;      /* number of passes down the chain of dominoes */
-    size_t dominoes;    /* number of dominoes visited in all passes */
-    size_t longest;     /* number of dominoes visited in the longest pass */
-    size_t entered[16]; /* how often the code of effect k has run, for k < DOM_EFFECT_COUNT */
+    size_t passes;   /* number of passes down the chain of dominoes */
+    size_t dominoes; /* number of dominoes visited in all passes */
+    size_t longest;  /* number of dominoes visited in the longest pass */
 };
 
 /* Returns true if flag is not NULL and *flag is not 0. Reads *flag atomically, since another thread may set

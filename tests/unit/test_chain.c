@@ -65,7 +65,7 @@ static struct tilt tilt_off(const struct geometry *geometry, double z)
     return tilt_make(sin(theta), cos(theta));
 }
 
-/* Checks one sum of far_add against the sum over the train. */
+/* Checks one sum of far_tail against the sum over the train. */
 static void assert_rest(const char *what, const struct geometry *geometry, double z, double closed,
                         double whole, double bound)
 {
@@ -101,19 +101,19 @@ TEST(the_far_tail_is_within_its_bound)
                      z /= 2) {
                     struct link a = link_head(&geometry, tilt_off(&geometry, z / 2)),
                                 b = link_head(&geometry, tilt_off(&geometry, z));
-                    struct sum_state closed = {0};
                     struct sums whole, between;
                     double t = (z / 2) / (1 + z * z / 2), share = far_share(far, z);
                     struct geometry plain = geometry;
                     plain.far.order = 0;
-                    struct far_point rest = far_add(&geometry, &closed, &a, &b, t);
+                    const struct far_tail rest =
+                        far_tail(far, far_variable(&geometry, a.tilt), far_variable(&geometry, b.tilt), t);
                     assert_status(chain_sum(&plain, a.tilt, &whole), DOM_OK);
                     assert_status(chain_change(&plain, b.tilt, a.tilt, PASS_SECOND_DERIVATIVE, &between),
                                   DOM_OK);
-                    assert_rest("J", &geometry, z, closed.J.sum, whole.J, far->rest_J * share);
-                    assert_rest("H1", &geometry, z, closed.H1.sum, whole.H1, far->rest_H * share);
-                    assert_rest("dH", &geometry, z, closed.dH.sum, between.dH, t * far->rest_H * share);
-                    assert_rest("H2", &geometry, z, far_H2(&a, 0, &rest), between.H2,
+                    assert_rest("J", &geometry, z, rest.J, whole.J, far->rest_J * share);
+                    assert_rest("H1", &geometry, z, rest.first, whole.H1, far->rest_H * share);
+                    assert_rest("dH", &geometry, z, rest.dH, between.dH, t * far->rest_H * share);
+                    assert_rest("H2", &geometry, z, rest.second, between.H2,
                                 far->rest_H * share * far->order / far->radius);
                     assert_true(z > far->radius / 32 ||
                                 far->rest_J * share < (far->order > 4 ? 1e-6 : 1e-3) * whole.J);

@@ -390,9 +390,7 @@ TEST(verdict_sums_up)
     uint64_t seed = 63;
     for (int i = 0; i < 200; i++) {
         struct domq_verdict v;
-        struct dom_work work = {0};
         row_of_kind(&run, &seed, i % 4);
-        run.row.work = &work;
         assert_status(run_whole(&run), DOM_OK);
         domq_real least = INFINITY;
         size_t weakest = 0;
@@ -407,13 +405,6 @@ TEST(verdict_sums_up)
         }
         assert_int_equal(run.verdict.weakest, weakest);
         assert_true((double)run.verdict.spare == (double)least);
-        assert_true(work.entered[DOM_EFFECT_row] == 1 && work.entered[DOM_EFFECT_push] == 1);
-        assert_true(work.entered[DOM_EFFECT_floor] == 0 && work.entered[DOM_EFFECT_placement] == 0);
-        if (run.row.mu == 0)
-            assert_int_equal(work.entered[DOM_EFFECT_friction], 0);
-        else if (run.falls > 1)
-            assert_true(work.entered[DOM_EFFECT_friction] > 0);
-        run.row.work = NULL;
         assert_status(ask_row_run(&run.row, false, NULL, NULL, &v), DOM_OK);
         assert_true(v.end == run.verdict.end && v.domino == run.verdict.domino &&
                     v.short_by == run.verdict.short_by && v.weakest == weakest &&
@@ -497,13 +488,11 @@ TEST(floor_of_the_train)
     for (int i = 0; i < 3; i++) {
         struct setup train = setup_default();
         struct domq_floor floor;
-        struct dom_work work = {0};
         train.s = 0.4;
         train.r = 1.3;
         train.mu = 0.1 * i;
         make_row(&run, 40, 0.4, 1.3, train.mu);
         run.row.floor = true;
-        run.row.work = &work;
         assert_status(run_whole(&run), DOM_OK);
         assert_status(ask_cycle_floor(&train, &floor), DOM_OK);
         const struct domq_fall *f = &run.fall[36];
@@ -511,7 +500,6 @@ TEST(floor_of_the_train)
         assert_near("hit", f->floor_hit, floor.hit, 1e-6);
         assert_int_equal(f->floor_domino, f->domino - floor.domino);
         assert_int_equal(f->floor_hit_domino, f->domino - floor.hit_domino);
-        assert_int_equal(work.entered[DOM_EFFECT_floor], 40);
         assert_int_equal(run.fall[0].floor_domino, 1);
         assert_true(run.fall[0].floor_hit == 0); /* the first domino was not hit */
     }

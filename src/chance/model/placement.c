@@ -164,7 +164,6 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
 {
     struct shared shared = {
         .row = row, .compute = compute_or_default(compute), .placement = p, .causes = without != NULL};
-    struct dom_work *work = shared.compute.work;
     enum dom_status status = study_check(row, &shared.compute, p);
     if (status != DOM_OK)
         return status;
@@ -177,8 +176,6 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
             return DOM_NO_MEMORY;
     }
     status = study_run(&shared, study, without, stops);
-    if (work)
-        work->entered[DOM_EFFECT_placement] += p->rows;
     free(shared.stops);
     return status;
 }

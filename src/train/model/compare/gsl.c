@@ -84,7 +84,7 @@ static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier
     enum dom_status status = geometry_set(&c->geometry, (double)c->train->s, r);
     if (status == DOM_OK) {
         far_make(&c->geometry, 16);
-        status = c->geometry.dynamics->collide(&c->geometry, c->train->fuel, &launch);
+        status = dynamics_collide(&c->geometry, c->train->fuel, &launch);
     }
     if (status == DOM_OK)
         status = gsl_barrier(c, b);

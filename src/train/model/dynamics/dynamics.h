@@ -1,12 +1,43 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The law of motion of a train, as a table of functions. README.md in this folder explains how to add an
- * effect.
+ * The two laws of motion of a train; geometry->conservative says which of them applies. README.md in this
+ * folder explains how to add an effect.
+ *
+ * The paper's law of motion: contacts without friction dissipate no energy. So the sum of kinetic and
+ * potential energy is constant in a cycle; see (21; c3) and (51; d9). With w = tau^2 omega^2,
+ *
+ *     J(theta) w(theta) = J(0) w(0) - [H(theta) - H(0)].
+ *
+ * The collision at the start of the cycle does dissipate energy. It multiplies the angular velocity by
+ * T / (1 + T), where T = J(0) - 1 is the inertia ratio (22; c4). During the cycle, the train releases the
+ * fuel P (25; c7). If each cycle repeats the one before (23; c5), a cycle begins with the kinetic energy
+ * (24; c6)
+ *
+ *     K = P T / (r^q + T (r^q - 1)).
+ *
+ * Source: J. M. J. van Leeuwen, Domino Magnification.
+ *
+ * The other law is for dominoes that lose energy while they move (losses.h).
  */
 #ifndef DOM_DYNAMICS_H
 #define DOM_DYNAMICS_H
 
 #include "geometry/chain.h"
+
+/* Returns true if the paper's closed form of the fuel is valid: on a level floor, with sharp edges. */
+KERNEL bool energy_paper_holds(const struct geometry *geometry)
+{
+    return geometry->g.along == 0 && !geometry->rolls;
+}
+
+/* The results of one pass down the chain, with the head at theta_c. */
+struct fuel {
+    real exact, paper;  /* the fuel (25; c7) from the energy balance, and from the paper's closed form */
+    real inertia_ratio; /* inertia ratio J(0) - 1 = r^-(q+1) J(theta_c) (50; d8, corrected) */
+};
+
+/* Finds the fuel (25; c7). */
+KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel);
 
 /*
  * The collision (22; c4), derived as in (59; e8). The struck domino is upright. It moves on together with the
@@ -26,6 +57,14 @@ KERNEL real collision_velocity_ratio(real inertia_ratio)
     return inertia_ratio / (1 + inertia_ratio);
 }
 
+/*
+ * Finds the inertia ratio of the collision in which the head of the chain `hitting` hits the domino described
+ * by `next`. In this collision, the head has the tilt `at`, and the chain has the inertia J. Returns
+ * DOM_UNDERFLOW or DOM_LOCKS if the ratio is not positive.
+ */
+KERNEL enum dom_status dynamics_inertia_ratio(const struct geometry *next, const struct geometry *hitting,
+                                              struct tilt at, real J, real *inertia_ratio);
+
 /* The state in which a cycle begins, in units of the head. */
 struct launch {
     real fuel;           /* P, the energy released in a cycle, by the chosen fuel formula */
@@ -37,6 +76,10 @@ struct launch {
     real kinetic_at_hit; /* kinetic energy at theta_c, if the train gets that far */
 };
 
+/* Finds the launch of a train in which each cycle repeats the cycle before, scaled by r (24; c6). */
+KERNEL enum dom_status dynamics_collide(const struct geometry *geometry, enum dom_fuel fuel,
+                                        struct launch *launch);
+
 /* The state in which a motion begins, with the head at the tilt `from`. */
 struct start {
     struct tilt from;
@@ -45,68 +88,31 @@ struct start {
     real kinetic; /* J omegasq */
 };
 
-/* A law of motion. A function whose comment begins with "Optional" may be NULL. */
-struct dynamics {
-    /* True if the motion conserves energy. The barrier is then the maximum of the potential energy H. */
-    bool conservative;
+/* Finds dH/dtheta at a tilt of the head. If `rough` is true, only the sign of *slope is reliable. With
+ * losses, *slope is a different number, which has the sign of the derivative of the required energy:
+ * du/dtheta if `rough` is true, and -2 C otherwise. */
+KERNEL enum dom_status dynamics_slope(const struct geometry *geometry, struct tilt head, bool rough,
+                                      real *slope);
 
-    /* Optional. `begin` and `end` allocate and free the memory of this law. `begin` returns DOM_OK or
-     * DOM_NO_MEMORY. */
-    enum dom_status (*begin)(struct geometry *geometry);
-    void (*end)(struct geometry *geometry);
+/* Finds the smallest kinetic energy at the tilt `from` that takes the head to the tilt 2 atan p. */
+KERNEL enum dom_status dynamics_required(const struct geometry *geometry, struct tilt from, real p,
+                                         real *energy);
 
-    /* Optional. Solves the equation of motion over a whole cycle, unless an earlier call has already done
-     * so. */
-    enum dom_status (*solve)(const struct geometry *geometry);
-    /* Optional. Solves the equation of motion over [lo, *hi]. J is the inertia at lo. If friction locks the
-     * motion inside this interval, lowers *hi to the tilt at which it locks and returns DOM_LOCKS. */
-    enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
-    /* Optional. If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. The motion
-     * starts in a smooth piece, which extends from edge[0] to edge[1]. */
-    enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
-                             real *hi);
-    /* Optional if friction cannot lock a motion. Called only if friction locks the motion at the tilt `head`.
-     * Sets *braked to true if the motion slows down just before this tilt, and to false if it speeds up. */
-    enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
+/* Finds tau^2 omega^2 at a tilt. */
+KERNEL enum dom_status dynamics_speed(const struct geometry *geometry, const struct start *start, real theta,
+                                      real *omegasq);
 
-    /* Finds the launch of a train in which each cycle repeats the cycle before, scaled by r (24; c6). */
-    enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch);
-    /*
-     * Finds the inertia ratio of the collision in which the head of the chain `hitting` hits the domino
-     * described by `next`. In this collision, the head has the tilt `at`, and the chain has the inertia J.
-     * Returns DOM_UNDERFLOW or DOM_LOCKS if the ratio is not positive.
-     */
-    enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
-                                     struct tilt at, real J, real *inertia_ratio);
+/* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`. If `by` is
+ * negative, the motion starts at rest at `end`. *slowness is NaN if there is no energy at `end - by`. */
+KERNEL enum dom_status dynamics_near_rest(const struct geometry *geometry, real end, real by, real *slowness);
 
-    /* Finds dH/dtheta at a tilt of the head. If `rough` is true, only the sign of *slope is reliable. With
-     * friction, *slope is a different number, which has the sign of the derivative of the required energy. */
-    enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
-    /* Finds the smallest kinetic energy at the tilt `from` that takes the head to the tilt 2 atan p. */
-    enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
-                                       real *energy);
-    /* Optional. Returns an estimate of the error of required energies. The error may be large compared with a
-     * small barrier. */
-    real (*required_energy_error)(const struct geometry *geometry);
-    /* Finds tau^2 omega^2 at a tilt. */
-    enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
-                             real *omegasq);
-    /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`. If `by`
-     * is negative, the motion starts at rest at `end`. *slowness is NaN if there is no energy at
-     * `end - by`. */
-    enum dom_status (*near_rest)(const struct geometry *geometry, real end, real by, real *slowness);
-    /* Finds tau^2 times the angular acceleration of the head. `w` is tau^2 omega^2 at the tilt `head`. Unless
-     * n is NULL, sets *n to the number of dominoes that contribute. */
-    enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
-                                    real *acceleration, size_t *n);
-    /*
-     * Returns how strongly the speed at theta depends on the speed at the launch: the derivative of omegasq
-     * at theta with respect to omegasq at the launch. `gain` is this derivative at start->from, the tilt at
-     * which the motion begins. This is the tilt of the launch or, if a domino has detached since then, the
-     * tilt at which it detached. J_at is the inertia at theta.
-     */
-    real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
-                 real J_at);
-};
+/*
+ * Returns how strongly the speed at theta depends on the speed at the launch: the derivative of omegasq at
+ * theta with respect to omegasq at the launch. `gain` is this derivative at start->from, the tilt at which
+ * the motion begins. This is the tilt of the launch or, if a domino has detached since then, the tilt at
+ * which it detached. J_at is the inertia at theta.
+ */
+KERNEL real dynamics_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
+                          real J_at);
 
 #endif

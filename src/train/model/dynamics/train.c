@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the public structures begin with: defaults, the properties of dom_real, rows with the proportions of a
  * train, and how far a domino may lean. */
-#include "geometry/reach.h"
-#include "numerics/real.h"
+#include "geometry/geometry.h"
 
 #define DEFAULT(name, default_, lowest, highest, unit, meaning) .name = default_,
 

@@ -31,8 +31,6 @@ static enum dom_status air_apply(struct geometry *geometry, real value)
 {
     if (geometry->n == CHAIN_ENDLESS && geometry->q != 4)
         return DOM_NO_AIR;
-    if (geometry->work)
-        geometry->work->entered[DOM_EFFECT_air]++;
     const real more = air_entrained(geometry->d, geometry->width, value), old = geometry->inertia_factor,
                factor = old + more;
     struct rounded *of = &geometry->rounded;
@@ -45,7 +43,7 @@ static enum dom_status air_apply(struct geometry *geometry, real value)
     geometry->inertia_factor = factor;
     geometry->entrained = more / factor;
     geometry->drag = air_drag(geometry->d, value, AIR_COEFFICIENT) / factor;
-    geometry->dynamics = &losses;
+    geometry->conservative = false;
     return DOM_OK;
 }
 
@@ -53,8 +51,6 @@ static const struct terms air_terms = {.apply = air_apply, .of_domino = air_of_d
 
 static enum dom_status drag_apply(struct geometry *geometry, real value)
 {
-    if (geometry->work)
-        geometry->work->entered[DOM_EFFECT_drag]++;
     geometry->drag *= value / AIR_COEFFICIENT;
     return DOM_OK;
 }

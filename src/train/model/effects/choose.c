@@ -11,7 +11,7 @@ static const struct terms *const terms[] = {
 KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry)
 {
     enum dom_status status = DOM_OK;
-    geometry->dynamics = &energy_balance;
+    geometry->conservative = true;
     for (int i = 0; i < DOM_DYNAMICS_COUNT && status == DOM_OK; i++)
         if (dynamics_on(effect[i]))
             status = terms[i]->apply(geometry, (real)effect[i]);
@@ -43,15 +43,4 @@ KERNEL enum dom_status dynamics_make(const struct request *train, struct geometr
     if (status == DOM_OK)
         far_make(geometry, 16); /* 16 is about the number of passes that a train needs */
     return status;
-}
-
-KERNEL enum dom_status dynamics_begin(struct geometry *geometry)
-{
-    return geometry->dynamics->begin ? geometry->dynamics->begin(geometry) : DOM_OK;
-}
-
-KERNEL void dynamics_end(struct geometry *geometry)
-{
-    if (geometry->dynamics->end)
-        geometry->dynamics->end(geometry);
 }

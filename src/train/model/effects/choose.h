@@ -3,7 +3,7 @@
 #ifndef DOM_CHOOSE_H
 #define DOM_CHOOSE_H
 
-#include "dynamics/energy_balance.h"
+#include "dynamics/losses.h"
 #include "effects/effects.h"
 
 /* What an effect adds to the law of motion. Each effect of DOM_DYNAMICS has such a table in its file. */
@@ -36,9 +36,5 @@ KERNEL enum dom_status dynamics_read(const struct request *train, struct geometr
 /* Checks a train and prepares its geometry and its law of motion. Call dynamics_begin before the law is
  * used. */
 KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry);
-
-/* Allocate and free the memory of the law of motion. dynamics_end may follow a failed dynamics_begin. */
-KERNEL enum dom_status dynamics_begin(struct geometry *geometry);
-KERNEL void dynamics_end(struct geometry *geometry);
 
 #endif

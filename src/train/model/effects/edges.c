@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rounded edges. The equations of one contact are in geometry/rounded.h, and the sums over the chain are in
+ * Rounded edges. The equations of one contact are in geometry/rounded.c, and the sums over the chain are in
  * geometry/pass.c. A domino with rounded edges rolls, so its moment of inertia depends on its tilt. Let
  * I(theta) be the moment of inertia at the tilt theta. Then the inertia J of the chain, and the angular
  * velocity omega(0) of the head after the collision, follow from
@@ -11,7 +11,7 @@
 #include "effects/effects.h"
 
 #include "effects/choose.h"
-#include "geometry/law.h"
+#include "geometry/chain.h"
 
 KERNEL dom_real edges_of_domino(const struct row_request *row, size_t k)
 {

@@ -14,7 +14,7 @@
 static enum dom_status friction_apply(struct geometry *geometry, real value)
 {
     geometry->mu = value;
-    geometry->dynamics = &losses;
+    geometry->conservative = false;
     return DOM_OK;
 }
 

@@ -13,14 +13,12 @@
 #include "effects/effects.h"
 
 #include "effects/choose.h"
-#include "geometry/law.h"
+#include "geometry/chain.h"
 
 /* Switches the effect on, with alpha = value in radians. */
 static enum dom_status slope_apply(struct geometry *geometry, real value)
 {
     geometry_gravity(geometry, sin(value), cos(value));
-    if (geometry->work)
-        geometry->work->entered[DOM_EFFECT_slope]++;
     /* An upright domino must not tip over by itself, forwards or backwards, so tan |alpha| must be less than
      * d. A falling domino must reach its balance point theta_u before it lies flat. This requires
      * theta_u < 90 degrees, so h.y must be positive. */

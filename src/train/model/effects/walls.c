@@ -21,8 +21,6 @@ KERNEL dom_real walls_of_domino(const struct row_request *row, size_t k)
 /* Switches the effect on; value is the thickness of the walls, relative to the height. */
 static enum dom_status walls_apply(struct geometry *geometry, real value)
 {
-    if (geometry->work)
-        geometry->work->entered[DOM_EFFECT_walls]++;
     if (!walls_fit(geometry->d, value))
         return DOM_NO_ROOM;
     geometry->inertia_factor = walls_box(geometry->d, geometry->width, value).inertia;

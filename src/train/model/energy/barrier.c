@@ -29,7 +29,7 @@ static real slope_of_H(real p, void *context)
 {
     struct slope_context *c = context;
     real slope = 0;
-    c->status = c->geometry->dynamics->slope(c->geometry, tilt_half(p), false, &slope);
+    c->status = dynamics_slope(c->geometry, tilt_half(p), false, &slope);
     return c->status == DOM_OK ? slope : REAL_NAN;
 }
 
@@ -37,7 +37,7 @@ static real slope_of_H(real p, void *context)
 static real rises(real p, struct slope_context *c)
 {
     real slope = 0;
-    c->status = c->geometry->dynamics->slope(c->geometry, tilt_half(p), true, &slope);
+    c->status = dynamics_slope(c->geometry, tilt_half(p), true, &slope);
     return slope;
 }
 
@@ -45,7 +45,7 @@ static real rises(real p, struct slope_context *c)
 static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
 {
     real height = 0;
-    enum dom_status status = c->geometry->dynamics->required_energy(c->geometry, c->from, p, &height);
+    enum dom_status status = dynamics_required(c->geometry, c->from, p, &height);
     if (status == DOM_OK && height > b->height) {
         b->height = height;
         b->half = p;
@@ -130,7 +130,7 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     bool found = c->status == DOM_OK && last->slope > 0 && next.slope <= 0;
     struct top top = {
         .lo = last->p, .hi = p, .rises = true, .falls = true, .backwards = fmax(-half_of_tilt(c->from), 0)};
-    if (found && !c->geometry->dynamics->conservative) {
+    if (found && !c->geometry->conservative) {
         enum num_status solver =
             num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &top.p);
         c->status = model_status(c->status, solver);
@@ -149,8 +149,7 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
  * decreases there because the head loses height, and so do its followers, which lean even more. */
 static bool falls_above_u(const struct geometry *geometry)
 {
-    return geometry->dynamics->conservative && !geometry->follower &&
-           geometry_lift(geometry, geometry->c) < 0;
+    return geometry->conservative && !geometry->follower && geometry_lift(geometry, geometry->c) < 0;
 }
 
 /*
@@ -182,7 +181,7 @@ KERNEL bool barrier_single(const struct geometry *geometry)
                w = geometry->weight, sum = w / (1 - w),
                bends = -geometry_height_slope(geometry, geometry->f) * c * sum,
                least = fmin(geometry->h.y, geometry_height(geometry, geometry->f));
-    return of->roll == 0 && geometry->dynamics->conservative && !geometry->follower &&
+    return of->roll == 0 && geometry->conservative && !geometry->follower &&
            bends + fmax(bends - least, 0) * sum < geometry->h.y;
 }
 
@@ -273,7 +272,7 @@ KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct til
 KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol, struct barrier *b)
 {
     *b = (struct barrier){.theta_m = 0, .height = 0};
-    enum dom_status status = geometry->dynamics->solve ? geometry->dynamics->solve(geometry) : DOM_OK;
+    enum dom_status status = geometry->conservative ? DOM_OK : flow_solve(geometry);
     if (status == DOM_OK)
         status = chain_edges(geometry, end, b->edge, &b->edges, NULL);
     return status == DOM_OK ? barrier_pieces(geometry, standing, -1, tol, b) : status;
@@ -339,7 +338,7 @@ KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel 
 {
     real tol;
     do {
-        enum dom_status status = geometry->dynamics->collide(geometry, fuel, launch);
+        enum dom_status status = dynamics_collide(geometry, fuel, launch);
         if (status == DOM_OK)
             status = barrier_search(geometry, end, geometry->tol / 8, b);
         if (status != DOM_OK || launch->fuel <= 0)

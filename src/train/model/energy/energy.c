@@ -57,7 +57,7 @@ KERNEL enum dom_status launch_find(const struct request *train, struct dom_launc
     if (status == DOM_OK)
         status = dynamics_begin(&geometry);
     if (status == DOM_OK)
-        status = geometry.dynamics->collide(&geometry, train->fuel, &l);
+        status = dynamics_collide(&geometry, train->fuel, &l);
     dynamics_end(&geometry);
     if (status != DOM_OK)
         return status;

@@ -1,12 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/chain.h"
 
-KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    enum pass pass, struct sums *sums)
-{
-    return chain_change_by(geometry, from, head, tan_half_between(from, head), pass, sums);
-}
-
 KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums)
 {
     struct tilt head;
@@ -20,7 +14,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
     *leaves = false;
     if (!geometry->detaches)
         return DOM_OK;
-    struct walk walk = geometry->law->begin(geometry, standing);
+    struct walk walk = walk_begin(geometry, standing, geometry->rolls);
     const struct link *b = &walk.link;
     /* The part of the torque on domino b->i that reaches the head. Without friction, this is theta_i'. */
     real passed = 1;
@@ -31,15 +25,15 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         /* A domino that contributes less than the rounding errors does not matter, even if it detaches. */
         if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
-        const struct arms arms = geometry->law->arms(b);
+        const struct arms arms = walk_arms(b, geometry->rolls);
         passed *= fabs(arms.a / arms.b);
-        geometry->law->next(&walk);
+        walk_on(&walk);
     }
     /* When the head is upright, the follower of domino b->i is already detached. The next domino to detach is
      * b->i itself. This happens when the leader of b->i reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)
-        *head = geometry->law->leader(geometry, *head);
+        *head = geometry_leader(geometry, *head);
     if (domino)
         *domino = b->i;
     *leaves = true;
@@ -89,7 +83,7 @@ static struct dom_link link_public(const struct geometry *geometry, const struct
         .theta = tilt_angle(k->tilt),
         .slope = k->slope,
         .arm_a = k->leads ? k->contact.arm / geometry->r : REAL_NAN, /* (table 1) */
-        .arm_b = k->leads ? geometry->law->arms(k).b / geometry->r : REAL_NAN,
+        .arm_b = k->leads ? walk_arms(k, geometry->rolls).b / geometry->r : REAL_NAN,
         .weight = k->weight,
     };
 }
@@ -105,7 +99,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
         status = chain_sum(&geometry, head, &sums);
     if (status != DOM_OK)
         return status;
-    struct walk walk = geometry.law->begin(&geometry, head);
+    struct walk walk = walk_begin(&geometry, head, geometry.rolls);
     const struct link *k = &walk.link;
     for (;;) {
         if (dom_interrupted(geometry.interrupt)) /* checked at every domino, since the callback may be slow */
@@ -113,7 +107,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
         struct dom_link link = link_public(&geometry, k);
         if (!visit(&link, context) || !k->leads || k->i + 1 >= sums.n)
             return DOM_OK;
-        geometry.law->next(&walk);
+        walk_on(&walk);
     }
 }
 
@@ -124,13 +118,13 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
     enum dom_status status = train_tilted(train, theta, &geometry, &head);
     if (status != DOM_OK)
         return status;
-    struct walk walk = geometry.law->begin(&geometry, head);
+    struct walk walk = walk_begin(&geometry, head, geometry.rolls);
     const struct link *k = &walk.link;
     struct dom_link link = link_public(&geometry, k);
     *contact =
         (struct dom_contact){.theta_1 = tilt_angle(geometry.f), .arm_a = link.arm_a, .arm_b = link.arm_b};
     if (k->leads) {
-        geometry.law->next(&walk);
+        walk_on(&walk);
         contact->theta_1 = tilt_angle(k->tilt);
         contact->slope = k->slope;
     }

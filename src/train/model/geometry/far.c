@@ -10,7 +10,25 @@
  * From these equations, each coefficient of H and J follows from the coefficients before it.
  */
 #include "geometry/far.h"
-#include "geometry/law.h"
+
+/* Finds the coefficients p[1] to p[order] of the power series for tan((theta_1 - theta) / 2) in z, with sharp
+ * edges. */
+static void sharp_turns(const struct geometry *geometry, int order, real *p)
+{
+    /* p = tan(asin(X) / 2) = X / (1 + Y), where X = 2 r L z (sin theta_inf - z cos theta_inf) / (1 + z^2). */
+    real X[FAR_ORDER + 2], Y[FAR_ORDER + 2];
+    const real rL = geometry->rL;
+    for (int k = 1; k <= order; k++) {
+        X[k] = k == 1 ? 2 * rL * geometry->inf.x : k == 2 ? -2 * rL * geometry->inf.y : -X[k - 2];
+        real square = 0, half = X[k]; /* p follows from Y^2 = 1 - X^2 and p (1 + Y) = X */
+        for (int j = 1; j < k; j++) {
+            square += X[j] * X[k - j] + Y[j] * Y[k - j];
+            half -= p[j] * Y[k - j];
+        }
+        Y[k] = -square / 2;
+        p[k] = half / 2;
+    }
+}
 
 /* Finds the series f = (z - p) / (1 + z p) of the follower, where p = tan((theta_1 - theta) / 2). Returns 1 -
  * f'(0), which is small if s is small. Callers must not compute it as 1 - f[1], because digits would
@@ -18,7 +36,10 @@
 static real far_follower(const struct geometry *geometry, int order, real *f)
 {
     real p[FAR_ORDER + 2];
-    geometry->law->turns(geometry, order, p);
+    if (geometry->rolls)
+        rounded_turns(geometry, order, p);
+    else
+        sharp_turns(geometry, order, p);
     f[0] = 0;
     for (int k = 1; k <= order; k++) {
         f[k] = k == 1 ? 1 - p[k] : -p[k];

@@ -10,6 +10,10 @@
  * series. */
 KERNEL void far_make(struct geometry *geometry, real passes);
 
+/* Finds the coefficients p[1] to p[order] of the power series for tan((theta_1 - theta) / 2) in z, with
+ * rounded edges. */
+KERNEL void rounded_turns(const struct geometry *geometry, int order, real *p);
+
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
 KERNEL_LOOP real far_variable(const struct geometry *geometry, struct tilt t)
 {
@@ -41,34 +45,6 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), ROUNDOFF * s->size);
-}
-
-/* The value of a series at z, and its derivatives with respect to theta. */
-struct far_point {
-    real value, first, second;
-};
-
-/* Returns H of a domino and all dominoes behind it, up to a constant, and its derivatives. z is far_variable
- * of the domino. */
-KERNEL struct far_point far_H(const struct far *far, real z)
-{
-    real value = 0, first = 0, second = 0; /* `second` is half of the second derivative */
-    for (int k = far->order; k >= 0; k--) {
-        second = second * z + first;
-        first = first * z + value;
-        value = value * z + far->H[k];
-    }
-    real by = -(1 + z * z) / 2; /* dz / dtheta */
-    return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
-}
-
-/* Returns J of a domino and all dominoes behind it. */
-KERNEL real far_J(const struct far *far, real z)
-{
-    real value = 0, one = 1 + z * z;
-    for (int k = far->order; k >= 0; k--)
-        value = value * z + far->J[k];
-    return one * one * value;
 }
 
 /* Returns H(theta_a) - H(theta_b) for a domino and all dominoes behind it. The arguments z_a and z_b are the
@@ -104,27 +80,27 @@ KERNEL_LOOP bool far_suffices(const struct geometry *geometry, const struct sum_
            far_done(&state->J, J * far->J[0], J * far->rest_J * share, geometry->tol);
 }
 
-/*
- * Adds the terms of the domino `a` and of all dominoes behind it to the sums, using the far series. The sum
- * dH is the difference of H between two chains, and b is the domino of the second chain that has the same
- * number as `a`. Returns H of `a` and all dominoes behind it, with the derivatives that far_H2 needs.
- */
-KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_state *state,
-                                const struct link *a, const struct link *b, real t)
-{
-    const struct far *far = &geometry->far;
-    real z_a = far_variable(geometry, a->tilt), z_b = far_variable(geometry, b->tilt);
-    struct far_point H = far_H(far, z_a);
-    series_add(&state->dH, a->weight * far_difference(far, z_a, z_b, t));
-    series_add(&state->H1, a->weight * a->slope * H.first);
-    series_add(&state->J, a->inertia * a->slope * a->slope * far_J(far, z_a));
-    return H;
-}
+/* The sums over a domino and all dominoes behind it. `first` and `second` are the derivatives of H. */
+struct far_tail {
+    real dH, first, second, J;
+};
 
-/* Returns the contribution of a domino and all dominoes behind it to H2. `H` is the result of far_add. */
-KERNEL real far_H2(const struct link *k, real second_derivative, const struct far_point *H)
+/* Returns the sums that far_suffices allows. dH is the difference of H between two chains, and b is the
+ * domino of the second chain that has the same number as `a`. */
+KERNEL struct far_tail far_tail(const struct far *far, real z_a, real z_b, real t)
 {
-    return k->weight * (second_derivative * H->first + k->slope * k->slope * H->second);
+    real value = 0, first = 0, second = 0, J = 0, one = 1 + z_a * z_a; /* `second` is half of H'' */
+    for (int k = far->order; k >= 0; k--) {
+        second = second * z_a + first;
+        first = first * z_a + value;
+        value = value * z_a + far->H[k];
+        J = J * z_a + far->J[k];
+    }
+    const real by = -one / 2; /* dz / dtheta */
+    return (struct far_tail){.dH = far_difference(far, z_a, z_b, t),
+                             .first = first * by,
+                             .second = by * by * 2 * second - by * z_a * first,
+                             .J = one * one * J};
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One domino that leans on the next: the geometry of section 2 and appendix A of the paper. An angle theta is
- * stored as a struct tilt, so the loops down the train need no trigonometry. */
+/* The geometry of a train, and of one domino: section 2 and appendix A of the paper. An angle theta is stored
+ * as a struct tilt, so the loops down the train need no trigonometry. */
 #ifndef DOM_GEOMETRY_H
 #define DOM_GEOMETRY_H
 
@@ -14,9 +14,7 @@ struct tilt {
 
 static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
 
-struct contact_law; /* law.h */
-struct dynamics;    /* dynamics.h */
-struct flow;        /* flow.h */
+struct flow; /* losses.h */
 
 /* The lowest and the highest order of the series for the far tail. */
 #if REAL_BITS <= 24
@@ -35,7 +33,7 @@ struct far {
 };
 
 /*
- * The shape of a domino with rounded edges (rounded.h). Lengths are divided by its height. The moment of
+ * The shape of a domino with rounded edges (rounded.c). Lengths are divided by its height. The moment of
  * inertia is taken about the line where the foot touches the floor. It is i times the moment of inertia that
  * the domino would have about its edge if its edges were sharp, where
  *
@@ -58,15 +56,17 @@ struct rounded {
  * domino can be different, this structure describes one domino with its follower. */
 struct geometry {
     real s, r, d, q, tol;
-    const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
-    real mu;                         /* friction coefficient between dominoes, >= 0 */
-    real width;                      /* width divided by height, for boxes */
+    /* True if the motion conserves energy. The barrier is then the maximum of the potential energy H. If it
+     * is false, an equation of motion is solved (losses.h). dynamics_choose sets it. */
+    bool conservative;
+    real mu;    /* friction coefficient between dominoes, >= 0 */
+    real width; /* width divided by height, for boxes */
     /* A domino that moves is braked by the torque drag I omega^2, even if it touches no other domino. */
     real drag;
-    real inertia_factor;           /* moment of inertia divided by that of a solid block */
-    real entrained;                /* the share of this moment of inertia that is outside the domino */
-    const struct contact_law *law; /* how dominoes touch; geometry_gravity and rounded_make set it */
-    struct flow *flow;             /* solution of the equation of motion; NULL if none is needed */
+    real inertia_factor; /* moment of inertia divided by that of a solid block */
+    real entrained;      /* the share of this moment of inertia that is outside the domino */
+    bool rolls;          /* true if edges are rounded, so that dominoes roll */
+    struct flow *flow;   /* solution of the equation of motion; NULL if none is needed */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     /* The number of dominoes visited in the current search so far, and its limit. `effort` is NULL if there
@@ -163,6 +163,43 @@ KERNEL real geometry_finest(const struct geometry *geometry)
     return theta_u > 0 && !(down > 0 && down < theta_u) ? theta_u : down;
 }
 
+/*
+ * These two functions set up the geometry of a train, except for the law of motion (effects/choose.h).
+ * geometry_read computes everything that does not depend on the separation and the growth. geometry_set then
+ * checks the separation and the growth, and sets what depends on them, such as theta_c and theta_inf. It may
+ * be called again with other values. Returns DOM_OUT_OF_REACH if r s is too large.
+ */
+KERNEL struct geometry geometry_read(const struct request *train);
+KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
+
+/* Sets gravity and gives the dominoes sharp edges. geometry->d must be set. */
+KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
+
+/* Gives the dominoes rounded edges. rho is the radius of the edges divided by the height. Before the call,
+ * gravity, geometry->d and geometry->inertia_factor must be set. If rho > d/2, returns DOM_NO_ROUND. */
+KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
+
+/* The parts of the functions below, and of joint_make (row/joint.c), for rounded edges. `sharp` is how much
+ * farther the head could reach with sharp edges. */
+KERNEL enum dom_status rounded_set(struct geometry *geometry);
+KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *follower);
+KERNEL struct tilt rounded_hit(const struct rounded *of, real gap, real sharp);
+KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower);
+
+/* Returns the tilt at which a head hits the next domino. `gap` is in units of the head's height. */
+KERNEL struct tilt geometry_hit(const struct geometry *geometry, real gap);
+
+/* Returns the leader's tilt for a given tilt (>= theta_c) of its follower. */
+KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower);
+
+/* Returns h(0) - h(theta_f), the paper's fuel (25; c7). */
+KERNEL real geometry_paper_fuel(const struct geometry *geometry);
+
+/* Returns tau_1^2 omega_1c^2. Here omega_1c is the angular velocity that domino 1 has at theta_c after it has
+ * tipped over by itself, so theta_c must be at least theta_u. With sharp edges, the result is
+ * h(theta_u) - h(theta_c), by equation (9; b5). */
+KERNEL real geometry_tipped_omegasq(const struct geometry *geometry);
+
 /* A single domino tips over at theta_u. These functions return theta_u, tan(theta_u / 2) and
  * h(theta_u) - h(0). */
 KERNEL real geometry_theta_u(const struct geometry *geometry);
@@ -180,6 +217,13 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
 /* Converts an angle to a tilt. If the angle equals theta_c apart from rounding, the result is theta_c.
  * Returns DOM_BAD_TILT if the angle is less than the lean of the head (0 in a train), or exceeds theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
+
+/* Returns the largest gap that a head with edges of radius rho can reach across. Both lengths are in units of
+ * the head's height. */
+KERNEL real reach_span(real rho)
+{
+    return 1 - 2 * rho + rho * PI / 2;
+}
 
 KERNEL struct tilt tilt_make(real x, real y)
 {

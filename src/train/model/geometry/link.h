@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * One link of a chain: the contact of a domino with its follower, and the step to the follower. All passes
- * along a chain consist of these steps. With rounded edges, rounded.h has another contact.
+ * along a chain consist of these steps. geometry_contact and link_next are the contact and the step with
+ * sharp edges; rounded.c has those with rounded edges.
  */
 #ifndef DOM_LINK_H
 #define DOM_LINK_H
@@ -64,21 +65,19 @@ struct link {
     bool leads;             /* true if a follower leans on this domino */
 };
 
-KERNEL_LOOP void link_geometry(struct link *k)
+/* Returns false if the follower of this domino has detached. A domino that is still upright has only just
+ * been hit. So its follower leans on it, even if theta_leave is 0. */
+KERNEL_LOOP bool link_leads(const struct link *k)
 {
-    const struct geometry *geometry = k->geometry;
-    /* A domino that is still upright has only just been hit. So its follower leans on it, even if theta_leave
-     * is 0. */
-    k->leads = !geometry->detaches || k->tilt.v < geometry->leave.v || k->tilt.x == 0;
-    if (k->leads) {
-        k->contact = geometry_contact(geometry, k->tilt);
-    }
+    return !k->geometry->detaches || k->tilt.v < k->geometry->leave.v || k->tilt.x == 0;
 }
 
 KERNEL_LOOP struct link link_head(const struct geometry *geometry, struct tilt head)
 {
     struct link k = {.geometry = geometry, .i = 0, .tilt = head, .slope = 1, .weight = 1, .inertia = 1};
-    link_geometry(&k);
+    k.leads = link_leads(&k);
+    if (k.leads)
+        k.contact = geometry_contact(geometry, head);
     return k;
 }
 
@@ -96,18 +95,9 @@ KERNEL_LOOP void link_next(struct link *k)
             k->tilt = tilt_follower_back(leader, k->contact);
         k->geometry = geometry->follower;
     }
-    link_geometry(k);
-}
-
-/* Returns d2 theta_1 / d theta2, the derivative of equation (14; b10). The formula avoids the follower's
- * cosine Y y - X x, since this subtraction loses digits near pi/2. */
-KERNEL_LOOP real link_curve(const struct link *leader)
-{
-    real X = leader->contact.X, Y = leader->contact.Y;
-    if (leader->tilt.x == 0 && Y == 0)
-        return 0;
-    return -leader->geometry->rL * (Y * leader->tilt.y - (1 - leader->contact.slope) * leader->tilt.x * X) /
-           (Y * Y);
+    k->leads = link_leads(k);
+    if (k->leads)
+        k->contact = geometry_contact(k->geometry, k->tilt);
 }
 
 /* Returns the follower's theta'' (35; A11), from `curve` of the contact and theta'' of the leader. */
@@ -133,6 +123,105 @@ KERNEL_LOOP real pair_shrink(const struct link *a, const struct link *b, real t)
 KERNEL real geometry_hit_slope(const struct geometry *geometry)
 {
     return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).slope;
+}
+
+/* The lever arms of a contact (table 1), multiplied by r of the leader. */
+struct arms {
+    real a, b;    /* arms of the force on the leader and on the follower */
+    real b_plain; /* b without friction */
+    real ratio;   /* a / b: the part of a torque that the follower passes on to its leader */
+};
+
+/* ---- A walk down a chain, domino by domino, with sharp or rounded edges ---- */
+
+/* The current domino of a walk down a chain. */
+struct walk {
+    struct link link;
+    real second_derivative; /* theta_i'' */
+    real curve;             /* d2 theta_1 / d theta2 */
+    /* Only with rounded edges: the turn from a domino to its follower, theta_1 - theta, as an angle and as a
+     * tilt. */
+    struct turn {
+        real angle;
+        struct tilt tilt;
+    } turn;
+    real b;     /* lever arm of the contact force on the follower */
+    real theta; /* the tilt of the domino as an angle */
+};
+
+/*
+ * The step from a domino with rounded edges to its follower. rounded_step moves on to the follower, and finds
+ * the turn to the next follower. If only tilts are needed, this function is enough. rounded_levers finds the
+ * lever arms and the derivatives of the new contact. If two chains are walked down side by side, call each
+ * function for both chains before you call the next one. The processor can then work on both turns at once.
+ */
+KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
+KERNEL void rounded_next(struct walk *walk);
+KERNEL void rounded_step(struct walk *walk);
+KERNEL void rounded_levers(struct walk *walk);
+KERNEL struct arms rounded_arms(const struct link *link);
+/* Finds the contact with the follower. */
+KERNEL void rounded_touch(struct walk *walk);
+
+/* In the loops of passes, `rolls` (of the geometry) is a constant, so the compiler makes a loop for sharp
+ * edges that knows nothing of rounded ones. */
+KERNEL_LOOP struct walk walk_begin(const struct geometry *geometry, struct tilt head, const bool rolls)
+{
+    return rolls ? rounded_begin(geometry, head) : (struct walk){.link = link_head(geometry, head)};
+}
+
+/* Finds theta_1'' of the contact with the follower: the derivative of equation (14; b10). The formula avoids
+ * the follower's cosine Y y - X x, since this subtraction loses digits near pi/2. With rounded edges,
+ * rounded_next has found theta_1''. */
+KERNEL_LOOP void walk_bend(struct walk *k, const bool rolls)
+{
+    const struct link *link = &k->link;
+    const real X = link->contact.X, Y = link->contact.Y;
+    if (!rolls)
+        k->curve = link->tilt.x == 0 && Y == 0
+                       ? 0
+                       : -link->geometry->rL *
+                             (Y * link->tilt.y - (1 - link->contact.slope) * link->tilt.x * X) / (Y * Y);
+}
+
+/* Moves on to the follower. With sharp edges, theta_i'' is found only if `bends` is true, after walk_bend. */
+KERNEL_LOOP void walk_next(struct walk *k, const bool rolls, const bool bends)
+{
+    if (rolls) {
+        rounded_next(k);
+        return;
+    }
+    if (bends)
+        k->second_derivative = link_second_derivative(&k->link, k->curve, k->second_derivative);
+    link_next(&k->link);
+}
+
+/* Moves on to the follower, with all derivatives. */
+KERNEL void walk_on(struct walk *k)
+{
+    const bool rolls = k->link.geometry->rolls;
+    walk_bend(k, rolls);
+    walk_next(k, rolls, true);
+}
+
+/* Finds the contact with the follower, even if the follower counts as detached. */
+KERNEL void walk_touch(struct walk *k)
+{
+    if (k->link.geometry->rolls)
+        rounded_touch(k);
+    else
+        k->link.contact = geometry_contact(k->link.geometry, k->link.tilt);
+}
+
+KERNEL_LOOP struct arms walk_arms(const struct link *link, const bool rolls)
+{
+    if (rolls)
+        return rounded_arms(link);
+    const struct contact *contact = &link->contact;
+    const real mu = link->geometry->mu, a = contact->arm - mu * link->geometry->r * link->geometry->d,
+               b = contact->Y + mu * contact->X;
+    /* without friction the ratio is the slope (14; b10) */
+    return (struct arms){.a = a, .b = b, .b_plain = contact->Y, .ratio = mu != 0 ? a / b : contact->slope};
 }
 
 #endif

@@ -1,44 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The passes down a chain. Each pass visits the dominoes from the head down. There is one set of passes:
- * `rolls` says whether the edges are rounded. It is a constant in every call below, so the compiler makes a
- * loop for sharp edges that knows nothing of rounded ones. The step from a domino to its follower is
- * link_next (geometry/link.h), or rounded_next with rounded edges.
+ * `rolls` says whether the edges are rounded. It is a constant in every call below. The step from a domino to
+ * its follower is walk_next (geometry/link.h).
  */
+#include "geometry/chain.h"
 #include "geometry/far.h"
-#include "geometry/rounded.h"
 
-KERNEL void rounded_count(const struct geometry *geometry)
-{
-    if (geometry->work)
-        geometry->work->entered[DOM_EFFECT_edges]++;
-}
-
-/* ---- A walk, and the terms of one domino ---- */
-
-KERNEL_LOOP struct walk walk_begin(const struct geometry *geometry, struct tilt head, const bool rolls)
-{
-    return rolls ? rounded_begin(geometry, head) : (struct walk){.link = link_head(geometry, head)};
-}
-
-/* Moves on to the follower. With sharp edges, theta_i'' is found only if `bends` is true, after walk_bend. */
-KERNEL_LOOP void walk_next(struct walk *k, const bool rolls, const bool bends)
-{
-    if (rolls) {
-        rounded_next(k);
-        return;
-    }
-    if (bends)
-        k->second_derivative = link_second_derivative(&k->link, k->curve, k->second_derivative);
-    link_next(&k->link);
-}
-
-/* Finds theta_1'' of the contact with the follower. With rounded edges, rounded_next has found it. */
-KERNEL_LOOP void walk_bend(struct walk *k, const bool rolls)
-{
-    if (!rolls)
-        k->curve = link_curve(&k->link);
-}
+/* ---- The terms of one domino ---- */
 
 KERNEL_LOOP real inertia_of(const struct link *k, const bool rolls)
 {
@@ -95,13 +64,17 @@ KERNEL_LOOP bool done_dH(const struct sum_state *a, const struct link *k, real b
 }
 
 /* Counts the pass, and returns its sums. */
-KERNEL_LOOP enum dom_status pass_result(const struct geometry *geometry, const struct sum_state *a, real H2,
-                                        size_t n, const bool rolls, struct sums *sums)
+static enum dom_status pass_result(const struct geometry *geometry, struct sum_state a, real H2, size_t n,
+                                   struct sums *sums)
 {
-    const struct sum_state sum = *a;
-    if (rolls)
-        rounded_count(geometry);
-    return sum_result(geometry, &sum, H2, n, sums);
+    chain_count(geometry, n);
+    *sums = (struct sums){.J = a.J.sum + a.J.lost,
+                          .H1 = a.H1.sum + a.H1.lost,
+                          .H2 = H2,
+                          .dH = a.dH.sum + a.dH.lost,
+                          .left = a.left,
+                          .n = n};
+    return isfinite(sums->J) && isfinite(sums->H1) && isfinite(sums->dH) ? DOM_OK : DOM_NOT_FINITE;
 }
 
 /* ---- Sums at one tilt ---- */
@@ -125,45 +98,34 @@ KERNEL_LOOP enum dom_status sum_by(const struct geometry *geometry, struct tilt 
             (done_H1(&a, link, tol_H1, rolls) && (sign || done_J(&a, link))))
             break;
     }
-    return pass_result(geometry, &a, 0, link->i + 1, rolls, sums);
+    return pass_result(geometry, a, 0, link->i + 1, sums);
 }
 
 KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
 {
-    return geometry->law->rolls ? sum_by(geometry, head, false, true, sums)
-                                : sum_by(geometry, head, false, false, sums);
+    return geometry->rolls ? sum_by(geometry, head, false, true, sums)
+                           : sum_by(geometry, head, false, false, sums);
 }
 
 KERNEL enum dom_status chain_slope(const struct geometry *geometry, struct tilt head, bool sign, real *H1)
 {
     struct sums sums = {.H1 = REAL_NAN};
-    const enum dom_status status = geometry->law->rolls ? sum_by(geometry, head, sign, true, &sums)
-                                                        : sum_by(geometry, head, sign, false, &sums);
+    const enum dom_status status = geometry->rolls ? sum_by(geometry, head, sign, true, &sums)
+                                                   : sum_by(geometry, head, sign, false, &sums);
     *H1 = sums.H1;
     return status;
 }
 
 /* ---- The equation of motion at one tilt ---- */
 
-/* Returns true when the tails of all three sums can be left out. Each tail is bounded by a geometric series.
+/*
+ * With rounded edges, the inertia i of a domino depends on its tilt. So its term in A contains i theta', and
+ * its term in B contains i theta'' + (i'/2 + drag) theta'^2.
+ *
+ * The pass ends when the tails of all three sums can be left out. Each tail is bounded by a geometric series.
  * The ratio of this series is at least `decay`, because without friction the ratio of successive terms of C
- * tends to `decay` far down an endless train. */
-KERNEL_LOOP bool equation_done(const struct walk *k, real S, real ratio, const struct series *A,
-                               const struct series *B, const struct series *C, const bool rolls)
-{
-    const struct link *link = &k->link;
-    const struct geometry *self = link->geometry;
-    const real size = fabs(S), passed = fabs(ratio), slope = fabs(link->slope),
-               bends = fabs(k->second_derivative) + slope * slope * (fabs(k->curve) + 1 + self->drag),
-               next = fmax(self->inertia * passed, fmax(self->decay, self->decay_J));
-    return series_done(C, link->weight * size * steepest_of(self, rolls),
-                       fmax(self->weight * passed, self->decay), self->tol) &&
-           series_done(A, link->inertia * size * slope, next, self->tol) &&
-           series_done(B, link->inertia * size * bends, next, self->tol);
-}
-
-/* With rounded edges, the inertia i of a domino depends on its tilt. So its term in A contains i theta', and
- * its term in B contains i theta'' + (i'/2 + drag) theta'^2. */
+ * tends to `decay` far down an endless train.
+ */
 KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct tilt head, const bool rolls,
                                         struct equation_of_motion *equation)
 {
@@ -175,7 +137,7 @@ KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct 
      * which 12,000 random trains in float are solved. */
     real S = 1, noise = rolls ? 8 : 1;
     bool wrong_side = false; /* true if b <= 0: a contact force passes on the wrong side of a hinge */
-    for (;;) {
+    for (;; walk_next(&k, rolls, true)) {
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
@@ -188,21 +150,22 @@ KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct 
         series_add(&C, -link->weight * S * lift_of(link, rolls) / 2);
         if (link->i + 1 >= geometry->n || !link->leads)
             break;
-        const struct arms arms = rolls ? rounded_arms(link) : sharp_arms(link);
+        const struct arms arms = walk_arms(link, rolls);
         walk_bend(&k, rolls);
-        if (equation_done(&k, S, arms.ratio, &A, &B, &C, rolls))
+        const real size = fabs(S), passed = fabs(arms.ratio),
+                   bends = fabs(k.second_derivative) + slope * slope * (fabs(k.curve) + 1 + self->drag),
+                   next = fmax(self->inertia * passed, fmax(self->decay, self->decay_J));
+        if (series_done(&C, link->weight * size * steepest_of(self, rolls),
+                        fmax(self->weight * passed, self->decay), self->tol) &&
+            series_done(&A, link->inertia * size * fabs(slope), next, self->tol) &&
+            series_done(&B, link->inertia * size * bends, next, self->tol))
             break;
-        wrong_side = wrong_side || (link->geometry->mu != 0 && arms.b <= 0);
+        wrong_side = wrong_side || (self->mu != 0 && arms.b <= 0);
         if (link->contact.X < 0)
             noise += 2 * (arms.b_plain / fabs(arms.b) - 1);
         S *= arms.ratio; /* (55; e4) */
-        walk_next(&k, rolls, true);
     }
     chain_count(geometry, link->i + 1);
-    if (rolls)
-        rounded_count(geometry);
-    if (geometry->work && geometry->mu != 0)
-        geometry->work->entered[DOM_EFFECT_friction]++;
     *equation = (struct equation_of_motion){.A = A.sum + A.lost,
                                             .B = B.sum + B.lost,
                                             .C = C.sum + C.lost,
@@ -217,8 +180,19 @@ KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct 
 KERNEL enum dom_status chain_equation(const struct geometry *geometry, struct tilt head,
                                       struct equation_of_motion *equation)
 {
-    return geometry->law->rolls ? equation_by(geometry, head, true, equation)
-                                : equation_by(geometry, head, false, equation);
+    return geometry->rolls ? equation_by(geometry, head, true, equation)
+                           : equation_by(geometry, head, false, equation);
+}
+
+KERNEL enum dom_status chain_acceleration(const struct geometry *geometry, struct tilt head, real w,
+                                          real *acceleration, size_t *n)
+{
+    struct equation_of_motion at = {.n = 0};
+    enum dom_status status = chain_equation(geometry, head, &at);
+    if (n)
+        *n = at.n;
+    *acceleration = (at.C - at.B * w) / at.A;
+    return status;
 }
 
 /* ---- The difference between the tilts of a domino in two chains ---- */
@@ -282,16 +256,6 @@ KERNEL_LOOP real energy_left(const struct geometry *geometry, struct tilt now, c
     return energy_change(geometry, geometry->f, now, apart_by(t), rolls);
 }
 
-/* Returns 2 tan(D/2) - D. Uses a power series if the two terms would cancel. */
-KERNEL_LOOP real tangent_excess(real D)
-{
-    const real square = D * D, small = square * square * square * square * square;
-    if (small > 65536 * ROUNDOFF)
-        return 2 * tan(D / 2) - D;
-    return D * square * ((real)1 / 12) *
-           (1 + square * ((real)1 / 10) * (1 + square * ((real)17 / 168) * (1 + square * ((real)31 / 306))));
-}
-
 /*
  * Returns the difference between the tilts of the followers of a and b. `apart` is the difference between the
  * tilts of a and b themselves. The turn is the angle from a domino to its follower. Let D be the turn of a
@@ -301,8 +265,8 @@ KERNEL_LOOP real tangent_excess(real D)
  *
  * Every term of R is proportional to the difference between a and b, so D is accurate even if this difference
  * is tiny. The stored turns of a and b could give D by a subtraction, but digits would cancel. Only the term
- * 2 tan(D/2) - D is computed from that subtraction. If D is small, this term is about D^3/12, so its error
- * does not matter.
+ * 2 tan(D/2) - D, called `excess`, is computed from that subtraction, by a power series unless D is large. If
+ * D is small, this term is about D^3/12, so its error does not matter.
  */
 KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -310,86 +274,43 @@ KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, 
     const struct rounded *of = &geometry->rounded;
     struct tilt A = a->link.tilt, B = b->link.tilt;
     real by = apart.by, t = apart.t, sines = t * (A.x + B.x), cosines = t * (A.y + B.y);
+    real D = a->turn.angle - b->turn.angle, square = D * D;
+    real excess = square * square * square * square * square > 65536 * ROUNDOFF
+                      ? 2 * tan(D / 2) - D
+                      : D * square * ((real)1 / 12) *
+                            (1 + square * ((real)1 / 10) *
+                                     (1 + square * ((real)17 / 168) * (1 + square * ((real)31 / 306))));
     real more = of->rho - of->rho_1, c = of->rho_1 * A.y,
-         excess = tangent_excess(a->turn.angle - b->turn.angle);
-    real R = more * (sines - cosines + by * A.y - b->theta * sines) +
+         R = more * (sines - cosines + by * A.y - b->theta * sines) +
              sines * (of->rho_1 * b->turn.angle - geometry->L);
     real t_D = (R + c * excess) / (of->tall_1 * (a->turn.tilt.y + b->turn.tilt.y) + 2 * c);
     return (struct apart){by + 2 * t_D - excess, (t + t_D) / (1 - t * t_D)};
 }
 
-/* ---- Differences of H between two chains ---- */
+/* ---- The pass that compares two chains ---- */
 
-/* Chain a, its difference from chain b, and the sums over the dominoes visited so far. */
-struct pair {
-    struct walk a;
-    struct apart apart; /* difference between the current dominoes of a and b */
-    struct sum_state state;
-    real H2;
-};
-
-/* Starts chain a at `head`. Chain b, which the caller starts, is at `from`. t is the tangent of half the
- * angle between these two tilts. */
-KERNEL_LOOP struct pair pair_begin(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                   real t, const bool rolls)
+/* Returns the difference between the tilts of the followers of a and b. If `shifted`, b is the leader of a,
+ * and the difference is the turn from a to its follower. */
+KERNEL_LOOP struct apart followers_apart(const struct walk *a, const struct walk *b, struct apart apart,
+                                         const bool shifted, const bool rolls)
 {
-    struct pair p = {.a = walk_begin(geometry, head, rolls), .apart = {2 * t, t}};
-    if (rolls)
-        p.apart = from.x == 0 ? (struct apart){p.a.theta, t} : apart_by(t);
-    return p;
-}
-
-KERNEL_LOOP void pair_add(struct pair *p, const struct walk *b, const bool rolls, const bool bends)
-{
-    const struct link *link = &p->a.link;
-    add_J(&p->state, link, rolls);
-    add_H1(&p->state, link, rolls);
-    series_add(&p->state.dH,
-               link->weight * energy_change(link->geometry, link->tilt, b->link.tilt, p->apart, rolls));
-    if (bends)
-        p->H2 += link->weight * (p->a.second_derivative * lift_of(link, rolls) -
-                                 link->slope * link->slope * geometry_height(link->geometry, link->tilt));
-}
-
-/* Finds the difference between the followers, and returns true when the tails of dH, J and H1 can be left
- * out. */
-KERNEL_LOOP bool pair_done(struct pair *p, const struct walk *b, const bool rolls)
-{
-    const struct link *link = &p->a.link;
-    const struct apart now = p->apart;
-    real shrink;
-    if (rolls) {
-        p->apart = apart_next(&p->a, b, now);
-        shrink = now.by == 0 ? 1 : fabs(p->apart.by / now.by);
-    } else {
-        shrink = pair_shrink(link, &b->link, now.t);
-        p->apart = (struct apart){2 * (now.t * shrink), now.t * shrink};
+    if (shifted) {
+        const real t = rolls ? half_of_tilt(a->turn.tilt) : a->link.contact.X / (1 + a->link.contact.Y);
+        return (struct apart){rolls ? a->turn.angle : 2 * t, t};
     }
-    return done_dH(&p->state, link, fabs(now.by), shrink, rolls) && done_J(&p->state, link) &&
-           done_H1(&p->state, link, link->geometry->tol, rolls);
-}
-
-KERNEL_LOOP bool pair_near(const struct pair *p, const struct walk *b)
-{
-    return far_suffices(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t, true);
-}
-
-/* Adds the current domino and all dominoes behind it, using the far series. Copies are passed to far_add, so
- * that the compiler can keep the pair in registers. */
-KERNEL_LOOP void pair_add_far(struct pair *p, const struct walk *b, const bool bends)
-{
-    struct sum_state state = p->state;
-    const struct link a = p->a.link, other = b->link;
-    const struct far_point rest = far_add(a.geometry, &state, &a, &other, p->apart.t);
-    p->state = state;
-    if (bends)
-        p->H2 += far_H2(&a, p->a.second_derivative, &rest);
-}
-
-KERNEL_LOOP void other_next(struct walk *b, const bool rolls)
-{
     if (rolls)
-        rounded_step(b); /* only the tilts of chain b are needed */
+        return apart_next(a, b, apart);
+    const real t = apart.t * pair_shrink(&a->link, &b->link, apart.t);
+    return (struct apart){2 * t, t};
+}
+
+/* Moves on to the follower in chain b, of which only the tilts are needed. */
+KERNEL_LOOP void other_next(struct walk *b, const struct walk *a, const bool shifted, const bool rolls)
+{
+    if (shifted)
+        *b = *a;
+    else if (rolls)
+        rounded_step(b);
     else
         link_next(&b->link);
 }
@@ -409,10 +330,14 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
                                              struct tilt head, real t, const enum pass pass, const bool rolls,
                                              struct sums *sums)
 {
-    const bool bends = pass == PASS_SECOND_DERIVATIVE;
-    struct pair p = pair_begin(geometry, from, head, t, rolls);
-    const struct link *link = &p.a.link;
-    struct walk b = walk_begin(geometry, from, rolls);
+    const bool bends = pass == PASS_SECOND_DERIVATIVE, shifted = pass == PASS_FUEL;
+    struct sum_state sum = {0};
+    struct walk a = walk_begin(geometry, head, rolls), b = walk_begin(geometry, from, rolls);
+    const struct link *link = &a.link;
+    struct apart apart = !rolls        ? (struct apart){2 * t, t}
+                         : from.x == 0 ? (struct apart){a.theta, t}
+                                       : apart_by(t);
+    real H2 = 0;
     bool pushes = pass == PASS_PUSHES && geometry->drag == 0; /* the proof is for a chain without drag */
     const bool closes = geometry->far.order > 0 && !geometry->follower && geometry->n == CHAIN_ENDLESS &&
                         !(rolls && pass == PASS_PUSHES);
@@ -420,34 +345,51 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        if (closes && pair_near(&p, &b)) {
-            pair_add_far(&p, &b, bends);
+        if (closes && far_suffices(geometry, &sum, link, &b.link, apart.t, !shifted)) {
+            const struct far_tail rest = far_tail(&geometry->far, far_variable(geometry, link->tilt),
+                                                  far_variable(geometry, b.link.tilt), apart.t);
+            series_add(&sum.dH, link->weight * rest.dH);
+            series_add(&sum.H1, link->weight * link->slope * rest.first);
+            series_add(&sum.J, link->inertia * link->slope * link->slope * rest.J);
+            if (bends)
+                H2 += link->weight *
+                      (a.second_derivative * rest.first + link->slope * link->slope * rest.second);
             break;
         }
-        pair_add(&p, &b, rolls, bends);
+        add_J(&sum, link, rolls);
+        if (!shifted)
+            add_H1(&sum, link, rolls);
+        series_add(&sum.dH,
+                   link->weight * energy_change(link->geometry, link->tilt, b.link.tilt, apart, rolls));
+        if (bends)
+            H2 += link->weight * (a.second_derivative * lift_of(link, rolls) -
+                                  link->slope * link->slope * geometry_height(link->geometry, link->tilt));
         if (link->i + 1 >= geometry->n || !b.link.leads)
             break;
         if (!link->leads) {
             const struct link leader = b.link;
-            other_next(&b, rolls);
-            p.state.left =
-                link->weight * geometry->weight * energy_left(geometry, b.link.tilt, &leader, rolls);
-            series_add(&p.state.dH, p.state.left);
+            other_next(&b, &a, shifted, rolls);
+            sum.left = link->weight * geometry->weight * energy_left(geometry, b.link.tilt, &leader, rolls);
+            series_add(&sum.dH, sum.left);
             break;
         }
         if (pass == PASS_PUSHES && pushes) {
             if (rolls)
                 rounded_levers(&b);
-            pushes = contact_pushes(&p.a, &b);
+            pushes = contact_pushes(&a, &b, PUSHES_HALVINGS);
         }
-        if (pair_done(&p, &b, rolls))
+        const struct apart next = followers_apart(&a, &b, apart, shifted, rolls);
+        const real shrink = apart.by == 0 ? 1 : fabs(next.by / apart.by);
+        if (done_dH(&sum, link, fabs(apart.by), shrink, rolls) && done_J(&sum, link) &&
+            (shifted || done_H1(&sum, link, link->geometry->tol, rolls)))
             break;
-        other_next(&b, rolls);
+        apart = next;
+        other_next(&b, &a, shifted, rolls);
         if (bends)
-            walk_bend(&p.a, rolls);
-        walk_next(&p.a, rolls, bends);
+            walk_bend(&a, rolls);
+        walk_next(&a, rolls, bends);
     }
-    enum dom_status status = pass_result(geometry, &p.state, p.H2, link->i + 1, rolls, sums);
+    const enum dom_status status = pass_result(geometry, sum, H2, link->i + 1, sums);
     sums->pushes = pushes;
     return status;
 }
@@ -462,6 +404,8 @@ KERNEL_LOOP enum dom_status change_by(const struct geometry *geometry, struct ti
         return chain_difference(geometry, from, head, t, PASS_SECOND_DERIVATIVE, rolls, sums);
     case PASS_PUSHES:
         return chain_difference(geometry, from, head, t, PASS_PUSHES, rolls, sums);
+    case PASS_FUEL:
+        return chain_difference(geometry, from, head, t, PASS_FUEL, rolls, sums);
     default:
         return chain_difference(geometry, from, head, t, PASS_PLAIN, rolls, sums);
     }
@@ -470,55 +414,12 @@ KERNEL_LOOP enum dom_status change_by(const struct geometry *geometry, struct ti
 KERNEL enum dom_status chain_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
                                        real t, enum pass pass, struct sums *sums)
 {
-    return geometry->law->rolls ? change_by(geometry, from, head, t, pass, true, sums)
-                                : change_by(geometry, from, head, t, pass, false, sums);
+    return geometry->rolls ? change_by(geometry, from, head, t, pass, true, sums)
+                           : change_by(geometry, from, head, t, pass, false, sums);
 }
 
-/* ---- The fuel ---- */
-
-/*
- * Finds J at theta_c (20; c2), and H(theta_c) - H(0) (19; c1), which is minus the fuel (25; c7). During the
- * cycle, each domino turns to the initial tilt of its follower. So one chain is enough: the chain at theta_c,
- * shifted by one domino, is the chain at 0.
- */
-KERNEL_LOOP enum dom_status fuel_by(const struct geometry *geometry, const bool rolls, struct sums *sums)
+KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                    enum pass pass, struct sums *sums)
 {
-    struct sum_state a = {0};
-    struct walk k = walk_begin(geometry, geometry->c, rolls);
-    const struct link *link = &k.link;
-    struct link leader = rolls ? (struct link){.tilt = standing} : link_head(geometry, standing);
-    const real half = half_of_tilt(geometry->c);
-    struct apart turn = {rolls ? k.theta : 2 * half, half};
-    const bool closes = geometry->far.order > 0 && geometry->n == CHAIN_ENDLESS;
-    for (;;) {
-        enum dom_status status = chain_watch(geometry, link->i);
-        if (status != DOM_OK)
-            return status;
-        if (closes && far_suffices(geometry, &a, link, &leader, turn.t, false)) {
-            far_add(geometry, &a, link, &leader, turn.t);
-            break;
-        }
-        add_J(&a, link, rolls);
-        series_add(&a.dH, link->weight * energy_change(geometry, link->tilt, leader.tilt, turn, rolls));
-        if (link->i + 1 >= geometry->n)
-            break;
-        if (!link->leads) {
-            a.left = link->weight * geometry->weight * energy_left(geometry, link->tilt, &leader, rolls);
-            series_add(&a.dH, a.left);
-            break;
-        }
-        const real t = rolls ? half_of_tilt(k.turn.tilt) : link->contact.X / (1 + link->contact.Y);
-        const struct apart next = {rolls ? k.turn.angle : 2 * t, t};
-        if (done_dH(&a, link, fabs(turn.by), fabs(next.by / turn.by), rolls) && done_J(&a, link))
-            break;
-        turn = next;
-        leader = *link;
-        walk_next(&k, rolls, false);
-    }
-    return pass_result(geometry, &a, 0, link->i + 1, rolls, sums);
-}
-
-KERNEL enum dom_status chain_fuel(const struct geometry *geometry, struct sums *sums)
-{
-    return geometry->law->rolls ? fuel_by(geometry, true, sums) : fuel_by(geometry, false, sums);
+    return chain_change_by(geometry, from, head, tan_half_between(from, head), pass, sums);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Proofs that no contact of a chain opens while its head moves: contact_pushes. */
-#include "geometry/rounded.h"
+#include "geometry/chain.h"
 
 /* Returns the smallest value of `a` * u for u in [lo, hi]. */
 static real least_product(real a, real lo, real hi)
@@ -58,7 +58,7 @@ KERNEL_LOOP bool pushes_by(const struct walk *a, const struct walk *b, const boo
                Y_most = X < 0 ? 1 : a->link.contact.Y, slope = a->link.contact.slope,
                slope_most = b->link.contact.slope;
     real R = self->weight / self->inertia, R_most = R, rest = 0;
-    const struct arms arms = rolls ? rounded_arms(&a->link) : sharp_arms(&a->link);
+    const struct arms arms = walk_arms(&a->link, rolls);
     if (!(B.x >= 0 && A.y >= 0 && A_1.y >= 0 && Y + self->mu * less > 0 && arms.a >= 0 && self->h.y > 0 &&
           next->h.y > 0))
         return false;
@@ -90,16 +90,9 @@ KERNEL_LOOP bool pushes_by(const struct walk *a, const struct walk *b, const boo
     return least_product(of_x, B.x, A.x) + least_product(of_y, A.y, B.y) + rest >= 0;
 }
 
-static bool pushes_between(const struct walk *a, const struct walk *b)
+KERNEL bool contact_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
-    return a->link.geometry->law->rolls ? pushes_by(a, b, true) : pushes_by(a, b, false);
-}
-
-/* If there is no proof for the whole motion, tries both halves of the motion, because the bounds are tighter
- * there. A motion is halved at most `halvings` times in succession. */
-static bool pushes_within(const struct walk *a, const struct walk *b, int halvings)
-{
-    if (pushes_between(a, b))
+    if (a->link.geometry->rolls ? pushes_by(a, b, true) : pushes_by(a, b, false))
         return true;
     const real x = a->link.tilt.x + b->link.tilt.x, y = a->link.tilt.y + b->link.tilt.y, size = hypot(x, y);
     if (halvings == 0 || !(size > 0))
@@ -107,13 +100,6 @@ static bool pushes_within(const struct walk *a, const struct walk *b, int halvin
     struct walk middle = *a;
     middle.link.tilt = tilt_make(x / size, y / size);
     middle.theta = (a->theta + b->theta) / 2;
-    a->link.geometry->law->touch(&middle);
-    return pushes_within(&middle, b, halvings - 1) && pushes_within(a, &middle, halvings - 1);
-}
-
-enum { PUSHES_HALVINGS = 4 };
-
-KERNEL bool contact_pushes(const struct walk *a, const struct walk *b)
-{
-    return pushes_within(a, b, PUSHES_HALVINGS);
+    walk_touch(&middle);
+    return contact_pushes(&middle, b, halvings - 1) && contact_pushes(a, &middle, halvings - 1);
 }

@@ -1,7 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "geometry/rounded.h"
-#include "geometry/reach.h"
-#include "numerics/numerics.h"
+/*
+ * Dominoes with edges of radius rho. Lengths are divided by the height of the domino. The foot rolls on the
+ * floor without slipping. The round upper edge of a follower slides down the flat back of its leader. The
+ * lower edge at the back stays sharp.
+ *
+ * With l = 1 - 2 rho, the potential energy of a domino is
+ *
+ *     h(theta) = 2 rho + l cos theta + (d - 2 rho) sin theta.
+ *
+ * If the floor slopes by alpha, theta + alpha replaces theta in this formula. The foot also rolls down the
+ * slope. For this reason, 2 rho theta sin alpha is subtracted.
+ *
+ * In the contact equation, rho_1 and l_1 are rho and l of the follower, divided by the height of the leader.
+ * With delta = theta_1 - theta, the equation is
+ *
+ *     l_1 sin delta + rho_1 delta cos theta = L cos theta - d
+ *                                             + (rho - rho_1) (1 - cos theta - sin theta + theta cos theta).
+ */
+#include "geometry/chain.h"
+#include "geometry/far.h"
 
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 {
@@ -12,7 +29,7 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
     of->i.c = (block - (1 + d * d) / 4 + (tall * tall + wide * wide) / 4 + rho * rho) / block;
     of->i.x = rho * wide / block;
     of->i.y = rho * tall / block;
-    geometry->law = &rounded_edges;
+    geometry->rolls = true;
     geometry->upright_inertia = of->i.c + of->i.y;
     geometry->span = reach_span(rho);
     geometry->h.x = wide * down - tall * along;
@@ -144,12 +161,17 @@ KERNEL void rounded_levers(struct walk *k)
                b;
 }
 
+KERNEL void rounded_touch(struct walk *k)
+{
+    rounded_turn(k);
+    rounded_levers(k);
+}
+
 /* Returns a domino that leans by theta, and its contact with its follower. */
 static struct walk rounded_at(const struct geometry *geometry, real theta)
 {
     struct walk k = {.link = {.geometry = geometry, .tilt = tilt_of(theta)}, .theta = theta};
-    rounded_turn(&k);
-    rounded_levers(&k);
+    rounded_touch(&k);
     return k;
 }
 
@@ -163,34 +185,19 @@ static void rounded_follower(struct walk *k)
     const struct geometry *geometry = link->geometry;
     /* geometry->n counts from the head in a train, but from this domino in a row. */
     const size_t before = geometry->follower ? 0 : link->i;
-    link->leads = before + 1 < geometry->n &&
-                  (!geometry->detaches || link->tilt.v < geometry->leave.v || link->tilt.x == 0);
+    link->leads = before + 1 < geometry->n && link_leads(link);
     if (link->leads)
         rounded_turn(k);
-}
-
-static void rounded_contact(struct walk *k)
-{
-    rounded_follower(k);
-    if (k->link.leads)
-        rounded_levers(k);
 }
 
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head)
 {
     struct walk k = {.link = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1},
                      .theta = tilt_theta(head)};
-    rounded_contact(&k);
+    rounded_follower(&k);
+    if (k.link.leads)
+        rounded_levers(&k);
     return k;
-}
-
-KERNEL void rounded_factors(struct walk *k)
-{
-    struct link *link = &k->link;
-    k->second_derivative = link_second_derivative(link, k->curve, k->second_derivative);
-    link->slope *= link->contact.slope;
-    link->weight *= link->geometry->weight;
-    link->inertia *= link->geometry->inertia;
 }
 
 KERNEL void rounded_step(struct walk *k)
@@ -208,16 +215,14 @@ KERNEL void rounded_step(struct walk *k)
 
 KERNEL void rounded_next(struct walk *k)
 {
-    rounded_factors(k);
+    struct link *link = &k->link;
+    k->second_derivative = link_second_derivative(link, k->curve, k->second_derivative);
+    link->slope *= link->contact.slope;
+    link->weight *= link->geometry->weight;
+    link->inertia *= link->geometry->inertia;
     rounded_step(k);
-    if (k->link.leads)
+    if (link->leads)
         rounded_levers(k);
-}
-
-static void rounded_touch(struct walk *k)
-{
-    rounded_turn(k);
-    rounded_levers(k);
 }
 
 KERNEL struct arms rounded_arms(const struct link *k)
@@ -294,22 +299,17 @@ static real beyond(const struct rounded *of, real sharp)
     return fmax(sharp - of->rho * (2 - PI / 2), 0);
 }
 
-/* Returns the tilt at which a head hits the next domino. `gap` is the gap to the next domino. `left` is how
- * much farther the head could reach. Both lengths are in units of the head's height. */
-static struct tilt hit_at(const struct rounded *of, real gap, real left)
+KERNEL struct tilt rounded_hit(const struct rounded *of, real gap, real sharp)
 {
-    struct tilt hit = gap < TURN_NEAR * (of->tall + of->rho) ? turn_solve(of->tall, of->rho, gap).tilt
-                                                             : turn_near_reach(of->tall, of->rho, left).tilt;
+    const struct turn turn = gap < TURN_NEAR * (of->tall + of->rho)
+                                 ? turn_solve(of->tall, of->rho, gap)
+                                 : turn_near_reach(of->tall, of->rho, beyond(of, sharp));
+    struct tilt hit = turn.tilt;
     hit.y = fmax(hit.y, 0);
     return hit;
 }
 
-static struct tilt rounded_hit(const struct geometry *geometry, real gap)
-{
-    return hit_at(&geometry->rounded, gap, beyond(&geometry->rounded, 1 - gap));
-}
-
-static enum dom_status rounded_set(struct geometry *geometry)
+KERNEL enum dom_status rounded_set(struct geometry *geometry)
 {
     struct rounded *of = &geometry->rounded;
     real theta_leave, slope;
@@ -317,8 +317,9 @@ static enum dom_status rounded_set(struct geometry *geometry)
         return DOM_OUT_OF_REACH;
     of->rho_1 = of->rho / geometry->r;
     of->tall_1 = of->tall / geometry->r;
-    geometry->short_of = beyond(of, fma(-geometry->r, geometry->s, 1));
-    geometry->c = hit_at(of, geometry->rs, geometry->short_of);
+    const real sharp = fma(-geometry->r, geometry->s, 1);
+    geometry->short_of = beyond(of, sharp);
+    geometry->c = rounded_hit(of, geometry->rs, sharp);
     geometry->inf = geometry->f = rounded_inf(geometry, &of->theta_inf, &slope);
     geometry->decay = geometry->weight * fmax(0, slope);
     geometry->detaches = slope < 0;
@@ -329,7 +330,7 @@ static enum dom_status rounded_set(struct geometry *geometry)
     return DOM_OK;
 }
 
-static void rounded_joint(struct geometry *geometry, const struct geometry *follower)
+KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *follower)
 {
     struct rounded *of = &geometry->rounded;
     real theta = 0;
@@ -355,7 +356,7 @@ static real led_by(real theta, void *context)
     return theta + rounded_at(led->geometry, theta).turn.angle - led->follower;
 }
 
-static struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower)
+KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower)
 {
     struct led led = {geometry, tilt_angle(follower)};
     real most = geometry->leave.v <= 1 ? tilt_angle(geometry->leave) : PI / 2, theta = 0;
@@ -369,22 +370,9 @@ static struct tilt rounded_leader(const struct geometry *geometry, struct tilt f
                : (struct tilt){REAL_NAN, REAL_NAN, REAL_NAN};
 }
 
-/* ---- One domino ---- */
-
-static real rounded_paper_fuel(const struct geometry *geometry)
-{
-    return rounded_fall(geometry, geometry->f);
-}
-
-static real rounded_tipped_omegasq(const struct geometry *geometry)
-{
-    return fmax(rounded_fall(geometry, geometry->c) + geometry_rise_u(geometry), 0) /
-           geometry_inertia(geometry, geometry->c);
-}
-
 /* ---- The far tail ---- */
 
-static void rounded_turns(const struct geometry *geometry, int order, real *p)
+KERNEL void rounded_turns(const struct geometry *geometry, int order, real *p)
 {
     const struct rounded *of = &geometry->rounded;
     const real x = geometry->inf.x, y = geometry->inf.y, more = of->rho - of->rho_1;
@@ -412,19 +400,3 @@ static void rounded_turns(const struct geometry *geometry, int order, real *p)
         p[k] = (sine[k] - half) / 2; /* from p (1 + cosine) = sine */
     }
 }
-
-static const struct contact_law rounded_edges = {
-    .rolls = true,
-    .work_most = 7000000,
-    .set = rounded_set,
-    .joint = rounded_joint,
-    .hit = rounded_hit,
-    .leader = rounded_leader,
-    .paper_fuel = rounded_paper_fuel,
-    .tipped_omegasq = rounded_tipped_omegasq,
-    .turns = rounded_turns,
-    .begin = rounded_begin,
-    .next = rounded_next,
-    .touch = rounded_touch,
-    .arms = rounded_arms,
-};

@@ -21,17 +21,6 @@ struct sums {
     bool pushes;
 };
 
-/* The equation of motion at one tilt of the head: (A/2) dw/dtheta + B w = C. */
-struct equation_of_motion {
-    real A, B, C;
-    /* Sums of the absolute values of all terms, from which rounding errors are estimated. If digits cancel
-     * inside a term, these sums are increased. */
-    real A_size, B_size, C_size;
-    /* True if no acceleration satisfies the equation (Painleve): A <= 0, or some arm b <= 0. */
-    bool locks;
-    size_t n;
-};
-
 /* The largest number of dominoes in a pass. A pass of this length takes tens of milliseconds. Few trains
  * would need more dominoes: at r = 1, only those with sqrt(s (s + 2 d)) < 2e-5. */
 #define LINKS_MAX ((size_t)2000000)
@@ -44,6 +33,11 @@ struct equation_of_motion {
 struct series {
     real sum, size; /* sum of the terms, and sum of their absolute values */
     real lost;      /* sum of the rounding errors, to be added at the end */
+};
+
+struct sum_state {
+    struct series J, H1, dH;
+    real left;
 };
 
 /* Adds a term by Fast2Sum, which needs the larger number first. */
@@ -90,34 +84,6 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
         return DOM_OK;
     chain_count(geometry, i); /* the pass fails, but its work was done and must be counted */
     return DOM_TOO_LONG;
-}
-
-struct sum_state {
-    struct series J, H1, dH;
-    real left;
-};
-
-KERNEL struct sums sums_of(const struct sum_state *a, real H2, size_t n)
-{
-    return (struct sums){.J = a->J.sum + a->J.lost,
-                         .H1 = a->H1.sum + a->H1.lost,
-                         .H2 = H2,
-                         .dH = a->dH.sum + a->dH.lost,
-                         .left = a->left,
-                         .n = n};
-}
-
-KERNEL bool sums_finite(const struct sums *sums)
-{
-    return isfinite(sums->J) && isfinite(sums->H1) && isfinite(sums->dH);
-}
-
-KERNEL enum dom_status sum_result(const struct geometry *geometry, const struct sum_state *a, real H2,
-                                  size_t n, struct sums *sums)
-{
-    chain_count(geometry, n);
-    *sums = sums_of(a, H2, n);
-    return sums_finite(sums) ? DOM_OK : DOM_NOT_FINITE;
 }
 
 #endif

@@ -87,7 +87,7 @@ struct stretch {
 static bool sign_kept(const struct first *s, const struct margin_sample *sample)
 {
     const struct margin *m = &sample->margin;
-    if (!s->c->geometry.dynamics->conservative)
+    if (!s->c->geometry.conservative)
         return (margin_value(m) >= 0) == (s->sign > 0);
     return s->sign * margin_value(m) >= -margin_error(s->c, m, margin_finest(s->c));
 }
@@ -250,7 +250,7 @@ static enum dom_status find_root(struct first *s, const struct stretch *in)
 {
     struct margin_context *c = s->c;
     const real tol = c->geometry.tol;
-    const bool follows = c->geometry.dynamics->conservative,
+    const bool follows = c->geometry.conservative,
                shallow = fabs(scaled(s, in->hi, in->hi->margin.barrier)) < SAMPLE_TOL;
     struct root root = {.r = in->lo->r, .barrier = in->lo->margin.barrier};
     enum dom_status status = DOM_OK;
@@ -386,7 +386,7 @@ KERNEL enum dom_status first_change(struct margin_context *c, const struct margi
     c->geometry.tol = fmin(tol, SAMPLE_TOL);
     enum dom_status status = DOM_OK;
     struct root root = {.r = (real)INFINITY};
-    if (s.sign > 0 && c->geometry.dynamics->conservative && c->dominoes == CHAIN_ENDLESS)
+    if (s.sign > 0 && c->geometry.conservative && c->dominoes == CHAIN_ENDLESS)
         status = root_any(c, from->r, &root);
     if (isfinite(root.r))
         keep_root(&s, &root);

@@ -91,10 +91,10 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     /* At r = 1 the kinetic energy K is P T. P has a closed form. T is a sum that is at least its first term,
      * `own`. With sharp edges, `own` is 1. */
     const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright_inertia;
-    first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
+    first.margin = (struct margin){.kinetic = geometry_paper_fuel(&geometry) * own,
                                    .barrier = barrier_most(&geometry),
                                    .barrier_is_bound = true};
-    if (!geometry.dynamics->conservative || !(first.margin.kinetic > 2 * first.margin.barrier))
+    if (!geometry.conservative || !(first.margin.kinetic > 2 * first.margin.barrier))
         first.margin = margin_sign(c, 1, true);
     if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_value(&first.margin) < 0)) {
         *limit = no_limit;
@@ -106,16 +106,11 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* The maximum number of visits to dominoes in a search that has to solve an equation of motion. Each of these
- * visits takes four times as long as a visit in other searches. */
-#define WORK_MOST_FLOW ((size_t)15000000)
-
 KERNEL void limit_begin(struct margin_context *c)
 {
-    const size_t most = c->geometry.law->work_most;
     c->geometry.effort = &c->effort;
-    c->geometry.effort_most =
-        c->geometry.dynamics->conservative || most < WORK_MOST_FLOW ? most : WORK_MOST_FLOW;
+    /* The maximum number of visits to dominoes. In double, they take about a second. */
+    c->geometry.effort_most = c->geometry.rolls ? 7000000 : c->geometry.conservative ? 60000000 : 15000000;
 }
 
 KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit)

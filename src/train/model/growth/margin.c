@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/margin.h"
-#include "dynamics/flow.h"
 #include "dynamics/losses.h"
 #include "geometry/far.h"
 
@@ -38,10 +37,8 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
         /* With friction, Newton's method is not available. The error of the tilt then affects the barrier to
          * second order instead of third order, so the tilt needs a finer tolerance. */
         status = barrier_search(geometry, tilt_angle(geometry->c),
-                                geometry->dynamics->conservative ? TOP_TOL(geometry) : geometry->tol / 8, b);
-    m->barrier_error = status == DOM_OK && geometry->dynamics->required_energy_error
-                           ? geometry->dynamics->required_energy_error(geometry)
-                           : 0;
+                                geometry->conservative ? TOP_TOL(geometry) : geometry->tol / 8, b);
+    m->barrier_error = status == DOM_OK ? flow_required_error(geometry) : 0;
     m->barrier = b->height;
     return status;
 }
@@ -52,9 +49,9 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
 {
     struct launch launch;
     /* At r = 1 both fuel formulas agree, and the closed form is faster. */
-    if (geometry->r == 1 && geometry->dynamics->conservative && geometry->law->paper_fuel(geometry) <= 0)
+    if (geometry->r == 1 && geometry->conservative && geometry_paper_fuel(geometry) <= 0)
         return DOM_NO_FUEL;
-    enum dom_status status = geometry->dynamics->collide(geometry, c->train->fuel, &launch);
+    enum dom_status status = dynamics_collide(geometry, c->train->fuel, &launch);
     if (status == DOM_OK && geometry->r == 1 && launch.fuel <= 0)
         return DOM_NO_FUEL;
     *m = (struct margin){.kinetic = launch.kinetic};
@@ -71,8 +68,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     two.n = 1; /* the domino that hits has no followers */
     real J = geometry_inertia(geometry, geometry->c);
     real k = geometry->inertia * J, inertia_ratio = 0;
-    enum dom_status status =
-        geometry->dynamics->inertia_ratio(geometry, &two, geometry->c, J, &inertia_ratio);
+    enum dom_status status = dynamics_inertia_ratio(geometry, &two, geometry->c, J, &inertia_ratio);
     if (status != DOM_OK)
         return status;
     real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
@@ -81,7 +77,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
         status = losses_tipped(geometry, &tipped);
         geometry->flow->solution.panels = 0; /* the flow is needed for the pair */
     } else
-        tipped = geometry->law->tipped_omegasq(geometry);
+        tipped = geometry_tipped_omegasq(geometry);
     if (status != DOM_OK)
         return status;
     real kinetic = (geometry->upright_inertia + k) * geometry->r * tipped * share * share;
@@ -121,7 +117,7 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
     struct geometry geometry = c->geometry;
     geometry.tol = tol;
     c->status = geometry_set(&geometry, c->s, r);
-    if (c->status == DOM_OK && c->dominoes == CHAIN_ENDLESS && geometry.dynamics->conservative)
+    if (c->status == DOM_OK && c->dominoes == CHAIN_ENDLESS && geometry.conservative)
         far_make(&geometry, c->how == MARGIN_SIGN ? 1 : FAR_PASSES);
     if (c->status == DOM_OK)
         c->status = dynamics_begin(&geometry);
@@ -186,7 +182,7 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r, bool bound)
 {
     struct margin m = {.kinetic = REAL_NAN};
     real tol = fmax(MARGIN_ROUGH, c->geometry.tol);
-    c->how = bound && c->geometry.dynamics->conservative ? MARGIN_SIGN : MARGIN_SURE;
+    c->how = bound && c->geometry.conservative ? MARGIN_SIGN : MARGIN_SURE;
     for (;; tol = fmax(tol * MARGIN_ROUGH, margin_finest(c))) {
         struct margin finer = {.kinetic = REAL_NAN};
         const enum dom_status status = margin_to(c, r, tol, &finer);

@@ -146,7 +146,7 @@ KERNEL enum dom_status root_any(struct margin_context *c, real from, struct root
 
 KERNEL enum dom_status root_near(struct margin_context *c, real near, struct root *root, bool *found)
 {
-    num_function *const f = c->geometry.dynamics->conservative ? margin_follow : margin_at;
+    num_function *const f = c->geometry.conservative ? margin_follow : margin_at;
     const real tol = c->geometry.tol;
     real r = near, before = near * (1 - ROOT_ASIDE);
     *found = false;

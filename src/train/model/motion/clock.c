@@ -20,7 +20,7 @@ KERNEL real segment_noise(const struct segment *st)
     real slope = 0;
     if (kinetic != 0 || spare != 0)
         return fabs(16 * REAL_EPSILON * kinetic / spare);
-    return st->geometry.dynamics->slope(&st->geometry, st->start.from, false, &slope) == DOM_OK && slope < 0
+    return dynamics_slope(&st->geometry, st->start.from, false, &slope) == DOM_OK && slope < 0
                ? 16 * REAL_EPSILON * st->geometry.steepest / -slope
                : (real)INFINITY;
 }
@@ -50,14 +50,14 @@ static bool clock_rate(real x, void *context, struct num_rate *rate)
         const real sine = fmax(sin(x), CLOSEST);
         theta = st->lo + span * sine * sine;
         by = 2 * span * sine * cos(x);
-        st->status = geometry->dynamics->near_rest(geometry, st->lo, -span * sine * sine, &squared);
+        st->status = dynamics_near_rest(geometry, st->lo, -span * sine * sine, &squared);
     } else if (c->rests) {
         const real left = fmax(1 - x, CLOSEST);
         theta = st->lo + span * x * (2 - x);
         by = 2 * span * left;
         if (theta >= c->smooth)
-            st->status = geometry->dynamics->near_rest(geometry, c->to,
-                                                       fmin(span * left * left, c->to - c->smooth), &squared);
+            st->status =
+                dynamics_near_rest(geometry, c->to, fmin(span * left * left, c->to - c->smooth), &squared);
     } else {
         const real grow = expm1(x), back = grow / (1 + grow); /* exp x - exp -x would lose digits near 0 */
         theta = st->barrier.theta_m + c->width * (grow + back) / 2;

@@ -193,7 +193,7 @@ static enum dom_status motion_state(struct motion *m, real theta, struct dom_sta
 {
     const struct launch *launch = &m->launch;
     const struct geometry *geometry = &m->segment.geometry;
-    const bool conservative = geometry->dynamics->conservative;
+    const bool conservative = geometry->conservative;
     struct tilt head;
     struct sums at;
     real omegasq = 0, acceleration = 0;
@@ -206,7 +206,7 @@ static enum dom_status motion_state(struct motion *m, real theta, struct dom_sta
     if (status == DOM_OK)
         status = fallen_energy(geometry, theta, &at.left);
     if (status == DOM_OK)
-        status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
+        status = chain_acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
     /* Just before the hit, the train that hits the head looks like this train at theta_c, scaled by 1 / r. So

@@ -46,18 +46,18 @@ struct loaded {
 /* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
 static size_t forces_list(const struct geometry *geometry, struct tilt head, struct loaded *k, size_t room)
 {
-    struct walk walk = geometry->law->begin(geometry, head);
+    struct walk walk = walk_begin(geometry, head, geometry->rolls);
     real size = 1;
     for (size_t n = 0;; k++) {
         *k = (struct loaded){.link = walk.link, .second_derivative = walk.second_derivative, .size = size};
         k->force = k->impulse = k->impulse_x = k->impulse_z = REAL_NAN;
         if (k->link.leads)
-            k->arms = k->link.geometry->law->arms(&k->link);
+            k->arms = walk_arms(&k->link, geometry->rolls);
         if (++n == room || n == geometry->n || !k->link.leads)
             return n;
         k->leaned = true;
         size /= k->link.geometry->r;
-        geometry->law->next(&walk);
+        walk_on(&walk);
     }
 }
 
@@ -160,8 +160,8 @@ static enum dom_status forces_motion(const struct segment *st, real theta, struc
         status = segment_speed(st, theta, &omegasq);
     kinematics->omegasq = fmax(omegasq, 0);
     if (status == DOM_OK)
-        status = geometry->dynamics->acceleration(geometry, kinematics->head, kinematics->omegasq,
-                                                  &kinematics->acceleration, &kinematics->n);
+        status = chain_acceleration(geometry, kinematics->head, kinematics->omegasq,
+                                    &kinematics->acceleration, &kinematics->n);
     kinematics->hit = theta == geometry->lean && st->inertia_ratio > 0;
     kinematics->omega = sqrt(st->start.omegasq);
     /* The collision multiplies all angular velocities by T / (1 + T). So the lost angular velocity is 1 / T
@@ -451,8 +451,6 @@ KERNEL enum dom_status cycle_floor(const struct request *train, struct dom_floor
     motion_end(&m);
     if (status != DOM_OK)
         return status;
-    if (train->work)
-        train->work->entered[DOM_EFFECT_floor]++;
     *floor = (struct dom_floor){required.motion, required.theta, required.domino, required.hit,
                                 required.hit_domino};
     return DOM_OK;

@@ -14,7 +14,7 @@ static enum dom_status tilt_of_head(const struct geometry *head, size_t i, struc
     for (size_t j = 0; j < i; j++, head = head->follower ? head->follower : head)
         leader[j].geometry = head;
     while (i-- > 0)
-        *tilt = leader[i].geometry->law->leader(leader[i].geometry, *tilt);
+        *tilt = geometry_leader(leader[i].geometry, *tilt);
     free(leader);
     return DOM_OK;
 }
@@ -30,7 +30,7 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
         enum dom_status status = geometry_tilt(geometry, st->hi, &head);
         if (status != DOM_OK)
             return status;
-        struct walk k = geometry->law->begin(geometry, head);
+        struct walk k = walk_begin(geometry, head, geometry->rolls);
         const struct link *link = &k.link;
         /* The first search ends at a domino whose motion is smaller than the rounding errors. A later search
          * visits all dominoes up to the one that detaches at hi. */
@@ -39,7 +39,7 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
                          link->tilt.v < link->geometry->leave.v)) {
             last = link->i + 1 >= geometry->n || (!all && link->slope < REAL_EPSILON * REAL_EPSILON);
             if (!last)
-                geometry->law->next(&k);
+                walk_on(&k);
         }
         if (last || link->i + 1 >= geometry->n)
             return DOM_OK;
@@ -54,7 +54,7 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
 
 KERNEL enum dom_status segment_speed(const struct segment *st, real theta, real *omegasq)
 {
-    return st->geometry.dynamics->speed(&st->geometry, &st->start, theta, omegasq);
+    return dynamics_speed(&st->geometry, &st->start, theta, omegasq);
 }
 
 KERNEL enum dom_status segment_begin(struct segment *st)
@@ -72,9 +72,9 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     st->summed = st->geometry.n;
     start->kinetic = start->J * start->omegasq;
     if (st->geometry.n == 1 && losses_end_alone(&st->geometry))
-        st->geometry.dynamics = &energy_balance;
-    if (status == DOM_OK && st->geometry.dynamics->solve_piece && st->lo < st->hi)
-        status = st->geometry.dynamics->solve_piece(&st->geometry, start->J, st->lo, &st->hi);
+        st->geometry.conservative = true;
+    if (status == DOM_OK && !st->geometry.conservative && st->lo < st->hi)
+        status = flow_solve_piece(&st->geometry, start->J, st->lo, &st->hi);
     st->locks = status == DOM_LOCKS;
     status = st->locks ? DOM_OK : status;
     if (status == DOM_OK && st->lo < st->hi)
@@ -84,7 +84,6 @@ KERNEL enum dom_status segment_begin(struct segment *st)
 
 KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
 {
-    const struct dynamics *dynamics = st->geometry.dynamics;
     struct tilt head;
     real omegasq = REAL_NAN;
     st->status = geometry_tilt(&st->geometry, st->hi, &head);
@@ -93,7 +92,7 @@ KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
     if (st->status != DOM_OK)
         return st->status;
     const real J = st->end.J;
-    if (dynamics->conservative)
+    if (st->geometry.conservative)
         omegasq = (st->start.kinetic - st->end.dH) / J;
     else
         st->status = segment_speed(st, st->hi, &omegasq);
@@ -101,7 +100,7 @@ KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
                              .lo = st->hi,
                              .summed = st->geometry.n,
                              .start = {.from = head, .J = J, .omegasq = omegasq, .kinetic = J * omegasq},
-                             .gain = dynamics->gain(&st->geometry, &st->start, st->gain, st->hi, J)};
+                             .gain = dynamics_gain(&st->geometry, &st->start, st->gain, st->hi, J)};
     return st->status;
 }
 
@@ -119,15 +118,15 @@ static real segment_short(real theta, void *context)
 
 KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
 {
-    const struct dynamics *dynamics = st->geometry.dynamics;
     const real *edge = st->barrier.edge;
     real hi = st->barrier.theta_m, slope = 0;
     if (st->start.omegasq == 0 &&
-        (dynamics->slope(&st->geometry, st->start.from, false, &slope) != DOM_OK || slope >= 0)) {
+        (dynamics_slope(&st->geometry, st->start.from, false, &slope) != DOM_OK || slope >= 0)) {
         *theta = st->lo;
         return DOM_OK;
     }
-    enum dom_status status = dynamics->spent ? dynamics->spent(&st->geometry, &st->start, edge, &hi) : DOM_OK;
+    enum dom_status status =
+        st->geometry.conservative ? DOM_OK : flow_spent(&st->geometry, &st->start, edge, &hi);
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);

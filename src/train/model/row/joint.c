@@ -5,7 +5,7 @@
  * units of its own: the unit of length is its height, and the unit of energy is its m g h / 2.
  */
 #include "row/joint.h"
-#include "dynamics/flow.h"
+#include "dynamics/losses.h"
 #include "effects/inertia.h"
 #include <stdlib.h>
 
@@ -70,8 +70,8 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) /
                         (1 + self.d * self.d) * (previous.inertia_factor / self.inertia_factor);
     geometry->follower = follower;
-    if (geometry->law->joint)
-        geometry->law->joint(geometry, follower);
+    if (geometry->rolls)
+        rounded_joint(geometry, follower);
     /*
      * A sum along the chain may end at domino k and leave out the dominoes k - 1, k - 2, ... To know how much
      * is left out, upper bounds are needed. `weights` is a bound on the weights of the dominoes left out, as
@@ -126,7 +126,7 @@ static struct tilt row_end(const struct row_request *row, size_t k, const struct
         return (struct tilt){1, 0, 1};
     if (row->domino[k + 1].lean != 0 || row_lean(row, k) != 0)
         return lean_end(row, k);
-    return geometry->law->hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
+    return geometry_hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
 }
 
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row)
@@ -262,7 +262,7 @@ KERNEL enum dom_status row_begin(const struct row_request *request, struct row *
 KERNEL void row_free(struct row *row)
 {
     if (row->geometry)
-        flow_free(row->geometry[0].flow);
+        dynamics_end(row->geometry);
     free(row->geometry);
     free(row->block);
 }

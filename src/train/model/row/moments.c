@@ -5,9 +5,8 @@
  * the tilt at a given time.
  */
 #include "row/moments.h"
-#include "dynamics/flow.h"
 #include "dynamics/losses.h"
-#include "geometry/rounded.h"
+#include "geometry/chain.h"
 #include <stdlib.h>
 
 KERNEL enum dom_status watch_begin(struct watch *w, const struct row_request *row)
@@ -37,7 +36,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
     enum dom_status status = geometry_tilt(&st->geometry, theta, &tilt);
     if (status != DOM_OK)
         return status;
-    struct walk k = st->geometry.law->begin(&st->geometry, tilt);
+    struct walk k = walk_begin(&st->geometry, tilt, st->geometry.rolls);
     w->moving = st->geometry.n;
     for (;;) {
         w->tilt[head - k.link.i] = k.link.i == 0 ? theta : tilt_angle(k.link.tilt);
@@ -47,10 +46,10 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         /* All n dominoes lean on each other, so `leads` should be true. Only a rounding error at the end of a
          * passage can make it false. */
         if (!k.link.leads) {
-            st->geometry.law->touch(&k);
+            walk_touch(&k);
             k.link.contact.slope = 0;
         }
-        st->geometry.law->next(&k);
+        walk_on(&k);
     }
 }
 

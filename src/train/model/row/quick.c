@@ -88,7 +88,7 @@ static bool quick_glides(const struct run *run, const struct geometry *head, str
         glide_add(&g, a, b);
         if (a->i + 1 == run->moving)
             break;
-        if (!(a->tilt.v < a->geometry->leave.v) || !contact_pushes(&walk_a, &walk_b))
+        if (!(a->tilt.v < a->geometry->leave.v) || !contact_pushes(&walk_a, &walk_b, PUSHES_HALVINGS))
             return false;
         const real shrink = pair_shrink(a, b, g.t);
         if (glide_done(&g, a, shrink, tol))
@@ -112,7 +112,7 @@ static bool quick_glides(const struct run *run, const struct geometry *head, str
 /* Number of tilts at which the required energy is sampled to find its maximum. */
 enum { ROUGH_PLACES = 12 };
 
-/* Returns the largest u up to the tilt hi (flow.h), from samples and parabolas through them. The samples are
+/* Returns the largest u up to the tilt hi (losses.h), from samples and parabolas through them. The samples are
  * equally spaced in the square root of the tilt, since thin dominoes have their barrier at a small tilt. */
 static real rough_need(const struct geometry *head, real hi)
 {
@@ -176,7 +176,7 @@ KERNEL bool study_passes(struct run *run, size_t k, struct start *at)
     if (!s || !s->quick || !(run->omegasq > 0) || head->lean != 0)
         return false;
     head->n = run->moving;
-    if (head->dynamics->conservative || (run->moving == 1 && losses_end_alone(head)))
-        return !head->law->rolls && quick_glides(run, head, at);
+    if (head->conservative || (run->moving == 1 && losses_end_alone(head)))
+        return !head->rolls && quick_glides(run, head, at);
     return s->rough && quick_rolls(run, k, at);
 }

@@ -18,19 +18,19 @@
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     struct tilt head;
-    bool braked = true;
+    struct equation_of_motion equation = {.C = 0};
     d->stop = d->st.hi;
     if (used_up) {
         d->stops = true;
         return segment_rest(&d->st, &d->stop);
     }
     enum dom_status status = geometry_tilt(&d->st.geometry, d->st.hi, &head);
-    /* Near the tilt at which friction locks the motion, the acceleration grows without limit. If it slows the
-     * head down, the head stops before this tilt. */
+    /* Near the tilt at which friction locks the motion, A tends to 0, so the acceleration (C - B w) / A grows
+     * without limit. If C < 0, it slows the head down, and the head stops before this tilt. */
     if (status == DOM_OK)
-        status = d->st.geometry.dynamics->braked(&d->st.geometry, head, &braked);
-    d->stops = braked;
-    d->locks = !braked;
+        status = chain_equation(&d->st.geometry, head, &equation);
+    d->stops = equation.C < 0;
+    d->locks = !d->stops;
     return status;
 }
 
@@ -142,7 +142,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     fall->theta = ends ? d->stop : end;
     fall->duration = run->times && !ends ? d->time * block.tau : REAL_NAN;
     fall->friction_work = ends ? REAL_NAN : 0;
-    if (!ends && !run->geometry[k].dynamics->conservative)
+    if (!ends && !run->geometry[k].conservative)
         fall->friction_work = fmax((real)fall->kinetic - d->climbed * block.unit - run->carried, 0);
     return DOM_OK;
 }
@@ -170,12 +170,12 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
                                  .start = {.from = top, .J = geometry_inertia(geometry, top)},
                                  .gain = 1}};
     enum dom_status status = DOM_OK;
-    real omegasq = tips ? geometry->law->tipped_omegasq(geometry) : 0;
+    real omegasq = tips ? geometry_tipped_omegasq(geometry) : 0;
     const real released = geometry_inertia(geometry, geometry->c) * omegasq;
     d->st.lo = theta_u;
     d->st.hi = tilt_angle(geometry->c);
     if (losses_end_alone(geometry)) /* the first domino has no follower */
-        d->st.geometry.dynamics = &energy_balance;
+        d->st.geometry.conservative = true;
     else if (tips)
         status = losses_tipped(geometry, &omegasq);
     if (status == DOM_OK && run->request->floor && tips)
@@ -221,8 +221,7 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
     if (*end != DOM_ROW_FALLS)
         return DOM_OK;
     real inertia_ratio = 0, velocity_ratio;
-    enum dom_status status =
-        geometry->dynamics->inertia_ratio(geometry, hitting, at->from, at->J, &inertia_ratio);
+    enum dom_status status = dynamics_inertia_ratio(geometry, hitting, at->from, at->J, &inertia_ratio);
     if (status == DOM_LOCKS) {
         *end = DOM_ROW_LOCKS;
         return DOM_OK;
@@ -253,8 +252,6 @@ static void fall_floor(const struct row_request *row, size_t k,
     fall->floor_motion = fall->floor_hit = REAL_NAN;
     if (!row->floor)
         return;
-    if (row->work)
-        row->work->entered[DOM_EFFECT_floor]++;
     fall->floor_motion = required_friction->motion;
     fall->floor_domino = k + 1 - required_friction->domino;
     fall->floor_hit = required_friction->hit;
@@ -432,8 +429,6 @@ static void work_add(struct dom_work *sum, const struct dom_work *self)
     sum->passes += self->passes;
     sum->dominoes += self->dominoes;
     sum->longest = self->longest > sum->longest ? self->longest : sum->longest;
-    for (int i = 0; i < DOM_EFFECT_COUNT; i++)
-        sum->entered[i] += self->entered[i];
 }
 
 /* ---- Public ---- */
@@ -457,11 +452,6 @@ static enum dom_status row_answer(const struct row_request *request, bool times,
     if (status == DOM_OK && watch && row_releases(request))
         watch->tilt[0] = row.geometry[0].lean;
     if (status == DOM_OK) {
-        work.entered[DOM_EFFECT_row]++;
-        if (!isnan(request->push))
-            work.entered[DOM_EFFECT_push]++;
-        if (row_releases(request))
-            work.entered[DOM_EFFECT_release]++;
         row_launch(&run);
         status = row_falls(&run, 0, visit, context);
     }

@@ -35,7 +35,7 @@ static struct mark mark_of(const struct run *before, size_t k, const struct desc
         return m;
     m.lambda = d->st.gain * before->omegasq / d->st.start.omegasq;
     m.clear = fmin(fabs((real)fall->margin / (real)fall->kinetic), fabs(d->least_force));
-    if (!before->geometry[0].dynamics->conservative)
+    if (!before->geometry[0].conservative)
         m.clear = d->locks ? 0 : fmin(m.clear, STUDY_LOCKING);
     return m;
 }
