@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dynamics/dynamics.h"
-#include "dynamics/losses.h"
 
 KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel)
 {

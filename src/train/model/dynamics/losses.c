@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include <stdlib.h>
 
 KERNEL enum dom_status dynamics_begin(struct geometry *geometry)
@@ -247,10 +247,10 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
 
 /*
  * Finds the launch of a train whose cycles repeat, in place of (24; c6). Let w = tau^2 omega^2. A cycle
- * begins with the value w(0), and by the solution in losses.h it ends with w(theta_c) = G (w(0) - u). The next
- * cycle begins after the collision, and its w is in the units of a new head, which is r times as tall. The
- * collision and the change of units together multiply w(theta_c) by kappa = r (T / (1 + T))^2, where T is the
- * inertia ratio of the collision. The cycles repeat if the product kappa w(theta_c) equals w(0).
+ * begins with the value w(0), and by the solution in dynamics.h it ends with w(theta_c) = G (w(0) - u). The
+ * next cycle begins after the collision, and its w is in the units of a new head, which is r times as tall.
+ * The collision and the change of units together multiply w(theta_c) by kappa = r (T / (1 + T))^2, where T is
+ * the inertia ratio of the collision. The cycles repeat if the product kappa w(theta_c) equals w(0).
  */
 KERNEL enum dom_status flow_collide(const struct geometry *geometry, struct launch *launch)
 {

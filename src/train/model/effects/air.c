@@ -16,7 +16,7 @@
  */
 #include "effects/effects.h"
 
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include "effects/choose.h"
 #include "effects/inertia.h"
 

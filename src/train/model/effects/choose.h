@@ -3,7 +3,7 @@
 #ifndef DOM_CHOOSE_H
 #define DOM_CHOOSE_H
 
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include "effects/effects.h"
 
 /* What an effect adds to the law of motion. Each effect of DOM_DYNAMICS has such a table in its file. */

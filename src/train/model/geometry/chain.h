@@ -71,9 +71,6 @@ KERNEL enum dom_status chain_acceleration(const struct geometry *geometry, struc
 enum { PUSHES_HALVINGS = 4 };
 KERNEL bool contact_pushes(const struct walk *a, const struct walk *b, int halvings);
 
-/* Returns h(0) - h(theta) for one domino with rounded edges. */
-KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
-
 /*
  * Finds the tilt of the head at which a domino detaches. At most one domino detaches while the head moves
  * from 0 to theta_c, since the train at theta_c is the train at 0 shifted by one domino. If no domino

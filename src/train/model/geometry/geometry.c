@@ -3,7 +3,6 @@
  * With sharp edges, the upper edge of a follower touches the flat back of its leader, and a domino turns
  * about the front edge of its foot. */
 #include "geometry/geometry.h"
-#include "geometry/chain.h"
 
 /* Finds r^q, and r^q - 1 without cancellation. */
 static void geometry_powers(real r, real q, real *rq, real *rq_1)

@@ -57,7 +57,7 @@ struct rounded {
 struct geometry {
     real s, r, d, q, tol;
     /* True if the motion conserves energy. The barrier is then the maximum of the potential energy H. If it
-     * is false, an equation of motion is solved (losses.h). dynamics_choose sets it. */
+     * is false, an equation of motion is solved (dynamics.h). dynamics_choose sets it. */
     bool conservative;
     real mu;    /* friction coefficient between dominoes, >= 0 */
     real width; /* width divided by height, for boxes */
@@ -185,6 +185,8 @@ KERNEL enum dom_status rounded_set(struct geometry *geometry);
 KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *follower);
 KERNEL struct tilt rounded_hit(const struct rounded *of, real gap, real sharp);
 KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower);
+/* Returns h(0) - h(theta) for one domino with rounded edges. */
+KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
 /* Returns the tilt at which a head hits the next domino. `gap` is in units of the head's height. */
 KERNEL struct tilt geometry_hit(const struct geometry *geometry, real gap);

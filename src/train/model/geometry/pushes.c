@@ -13,7 +13,7 @@ static real least_product(real a, real lo, real hi)
  * its leader from b to a. If every contact of a chain meets these conditions, all contacts stay closed. The
  * reason is as follows.
  *
- * Multiply the torque on each domino by its factor S. (See dynamics/losses.h; without friction, S =
+ * Multiply the torque on each domino by its factor S. (See dynamics/dynamics.h; without friction, S =
  * theta'.) Add up these products for domino i and all dominoes behind it. In this sum, the contacts between
  * these dominoes cancel. Only gravity and the contact of domino i with its leader remain. So the force of
  * this contact, multiplied by S_i b_i > 0, is the sum over k >= i of

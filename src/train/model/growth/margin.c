@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/margin.h"
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include "geometry/far.h"
 
 /* The series for the far tail is built once for each growth. About this many passes then use it. */

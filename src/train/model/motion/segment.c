@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include "motion/motion.h"
 #include <stdlib.h>
 

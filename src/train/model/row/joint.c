@@ -5,7 +5,7 @@
  * units of its own: the unit of length is its height, and the unit of energy is its m g h / 2.
  */
 #include "row/joint.h"
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include "effects/inertia.h"
 #include <stdlib.h>
 

@@ -5,7 +5,7 @@
  * the tilt at a given time.
  */
 #include "row/moments.h"
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include "geometry/chain.h"
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
  * wanted, and most heads pass their barrier by far, so the search for the barrier can be left out. Without
  * this shortcut, studies of placement take three to five times as long.
  */
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include "row/study.h"
 #include <stdlib.h>
 
@@ -112,7 +112,7 @@ static bool quick_glides(const struct run *run, const struct geometry *head, str
 /* Number of tilts at which the required energy is sampled to find its maximum. */
 enum { ROUGH_PLACES = 12 };
 
-/* Returns the largest u up to the tilt hi (losses.h), from samples and parabolas through them. The samples are
+/* Returns the largest u up to the tilt hi (dynamics.h), from samples and parabolas through them. The samples are
  * equally spaced in the square root of the tilt, since thin dominoes have their barrier at a small tilt. */
 static real rough_need(const struct geometry *head, real hi)
 {

@@ -9,7 +9,7 @@
  * The unit of length is the height of the current head, the unit of energy is its m g h / 2, and the unit of
  * time is its tau.
  */
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include "row/run.h"
 #include <stdlib.h>
 

@@ -3,7 +3,7 @@
 #ifndef DOM_STUDY_H
 #define DOM_STUDY_H
 
-#include "dynamics/losses.h"
+#include "dynamics/dynamics.h"
 #include "row/run.h"
 
 /* The planned row at the moment when a head is hit: its state, and how clear the verdict is from there on. */
