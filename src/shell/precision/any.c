@@ -4,24 +4,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The caller's callback and its context. There is a member for each type of callback, and exactly one of
- * these members is set. */
+/* The caller's visitor, of which exactly one member is set, and its context. */
 struct visitor {
-    domq_visit *link;
-    domq_state_visit *state;
-    domq_force_visit *force;
-    domq_fall_visit *fall;
-    domq_moment_visit *moment;
+#define MEMBER(type) domq_##type *type;
+    DOM_VISITORS(MEMBER)
+#undef MEMBER
     void *context;
-    size_t count;            /* for `moment`: number of dominoes in the row */
-    domq_real *tilt, *omega; /* for `moment`: two arrays of `count` numbers */
+    size_t count; /* for `moment_visit`: the number of dominoes in the row */
+    bool failed;  /* memory has run out, so the visitor has not been called */
 };
 
 #define NARROW(name) domf_##name
 #define OWN(name)    float_##name
 #include "shell/precision/any.inc"
-#undef NARROW
-#undef OWN
 
 #define NARROW(name) dom_##name
 #define OWN(name)    double_##name
@@ -41,108 +36,8 @@ static enum precision precision_of(const struct any_compute *compute)
     return compute->method == DOM_METHOD_OURS ? compute->precision : IN_DOUBLE;
 }
 
-/* Asks about `subject`, a train or a row, in a precision. The value of the macro is the status. */
-#define ANY(find, precision, subject, compute, ...)                                                          \
-    ((precision) == IN_FLOAT ? float_##find(subject, compute, __VA_ARGS__)                                   \
-     : (precision) == IN_DOUBLE                                                                              \
-         ? double_##find(subject, compute, __VA_ARGS__)                                                      \
-         : domq_##find(subject, (const struct domq_compute[]){quad_compute(compute)}, __VA_ARGS__))
-
-#define ANY_FIND(find, structure)                                                                            \
-    enum dom_status any_##find(const struct domq_train *train, const struct any_compute *compute,            \
-                               struct domq_##structure *found)                                               \
-    {                                                                                                        \
-        return ANY(find, precision_of(compute), train, compute, found);                                      \
-    }
-#define ANY_FIND_AT(find, structure)                                                                         \
-    enum dom_status any_##find(const struct domq_train *train, const struct any_compute *compute,            \
-                               domq_real at, struct domq_##structure *found)                                 \
-    {                                                                                                        \
-        return ANY(find, precision_of(compute), train, compute, at, found);                                  \
-    }
-#define ANY_NUMBER(find)                                                                                     \
-    enum dom_status any_##find(const struct domq_train *train, const struct any_compute *compute,            \
-                               domq_real *found)                                                             \
-    {                                                                                                        \
-        return ANY(find, precision_of(compute), train, compute, found);                                      \
-    }
-#define ANY_NUMBER_AT(find)                                                                                  \
-    enum dom_status any_##find(const struct domq_train *train, const struct any_compute *compute,            \
-                               domq_real at, domq_real *found)                                               \
-    {                                                                                                        \
-        return ANY(find, precision_of(compute), train, compute, at, found);                                  \
-    }
-DOM_FINDS(ANY_FIND)
-DOM_FINDS_AT(ANY_FIND_AT)
-DOM_NUMBERS(ANY_NUMBER)
-DOM_NUMBERS_AT(ANY_NUMBER_AT)
-
-enum dom_status any_train_check(const struct domq_train *train, const struct any_compute *compute)
-{
-    const struct domq_compute quad = quad_compute(compute);
-    const enum precision precision = precision_of(compute);
-    return precision == IN_FLOAT    ? float_train_check(train, compute)
-           : precision == IN_DOUBLE ? double_train_check(train, compute)
-                                    : domq_train_check(train, &quad);
-}
-
-enum dom_status any_cycle_events(const struct domq_train *train, const struct any_compute *compute,
-                                 struct domq_event *events, int *count)
-{
-    return ANY(cycle_events, precision_of(compute), train, compute, events, count);
-}
-
-enum dom_status any_chain_walk(const struct domq_train *train, const struct any_compute *compute,
-                               domq_real theta, domq_visit *visit, void *context)
-{
-    return ANY(chain_walk, precision_of(compute), train, compute, theta, visit, context);
-}
-
-enum dom_status any_cycle_forces(const struct domq_train *train, const struct any_compute *compute,
-                                 domq_real theta, domq_force_visit *visit, void *context)
-{
-    return ANY(cycle_forces, precision_of(compute), train, compute, theta, visit, context);
-}
-
-enum dom_status any_cycle_walk(const struct domq_train *train, const struct any_compute *compute,
-                               size_t count, enum dom_spacing by, domq_state_visit *visit, void *context)
-{
-    return ANY(cycle_walk, precision_of(compute), train, compute, count, by, visit, context);
-}
-
-enum dom_status any_count_find(domq_real first, domq_real height, domq_real r,
-                               const struct any_compute *compute, struct domq_count *count)
-{
-    switch (compute->precision) {
-    case IN_FLOAT:
-        return float_count_find(first, height, r, count);
-    case IN_DOUBLE:
-        return double_count_find(first, height, r, count);
-    case IN_QUAD:
-        break;
-    }
-    return domq_count_find(first, height, r, count);
-}
-
-enum dom_status any_row_run(const struct domq_row *row, const struct any_compute *compute, bool times,
-                            domq_fall_visit *visit, void *context, struct domq_verdict *verdict)
-{
-    return ANY(row_run, row->engine ? IN_DOUBLE : compute->precision, row, compute, times, visit, context,
-               verdict);
-}
-
-enum dom_status any_row_touch(const struct domq_row *row, const struct any_compute *compute, domq_real *tilt)
-{
-    return ANY(row_touch, row->engine ? IN_DOUBLE : compute->precision, row, compute, tilt);
-}
-
-enum dom_status any_row_watch(const struct domq_row *row, const struct any_compute *compute,
-                              const domq_real *times, size_t count, domq_moment_visit *visit, void *context,
-                              struct domq_verdict *verdict)
-{
-    return ANY(row_watch, row->engine ? IN_DOUBLE : compute->precision, row, compute, times, count, visit,
-               context, verdict);
-}
+#define ASKS_ANY
+#include "members.h"
 
 /* The tolerances of the library are powers of ten, here with all digits of quad. */
 #define TENTH(power) (1 / (domq_real)(power))
@@ -171,12 +66,12 @@ struct any_compute any_compute_default(void)
 
 struct dom_train train_in_double(const struct domq_train *train)
 {
-    return double_train(train);
+    return double_train_in(train);
 }
 
 struct dom_compute compute_in_double(const struct any_compute *compute)
 {
-    struct dom_compute in_double = double_compute(compute);
+    struct dom_compute in_double = double_compute_in(compute);
     if ((domq_real)in_double.tol > compute->tol && in_double.tol == dom_arithmetic()->tol_floor)
         in_double.tol = dom_arithmetic()->tol_default;
     return in_double;
@@ -185,13 +80,14 @@ struct dom_compute compute_in_double(const struct any_compute *compute)
 struct dom_domino domino_in_double(const struct domq_domino *domino)
 {
     struct dom_domino in_double;
-    double_domino(&in_double, domino);
+    double_domino_in(&in_double, domino);
     return in_double;
 }
 
 bool double_row_make(const struct domq_row *row, const struct any_compute *compute, struct double_row *made)
 {
-    made->row = double_row(row, &made->domino);
+    made->row = double_row_in(row);
+    made->domino = (struct dom_domino *)made->row.domino;
     made->compute = compute_in_double(compute);
     return made->domino;
 }
