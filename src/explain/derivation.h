@@ -5,7 +5,7 @@
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
-#include "interpreter/symbols.h"
+#include "interpreter/question.h"
 #include <stdio.h>
 
 /* Bits for the properties of a train that decide which equations hold for it. */

@@ -26,11 +26,12 @@ bool expression_value(const struct query *query, const char *expression, domq_re
     const struct last_answer none = {.command = NULL};
     struct arena arena = {.block = NULL};
     struct expression_error error = {.at = NULL};
-    struct parse parse = {.text = expression, .error = &error, .arena = &arena};
-    struct resolver resolver = {.state = query->state, .ans = &none, .arena = &arena, .error = &error};
+    struct resolver resolver = {.state = query->state, .ans = &none};
+    struct parse parse = {
+        .text = expression, .error = &error, .arena = &arena, .names = name_resolve, .context = &resolver};
     struct quantity result;
     struct tree *tree = expression_parse(&parse);
-    bool done = tree && resolve(&resolver, tree);
+    bool done = tree && is_single(&error, tree);
     *value = DOMQ_NAN;
     if (!done)
         problem_error(problem, "%s: %s", expression, error.message);

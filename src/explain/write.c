@@ -42,7 +42,7 @@ void step_numbers(FILE *out, enum formula_style style, const struct step *s, int
 /* ---- The whole derivation ---- */
 
 /* The texts before, between and after the equations of a derivation. */
-enum text { HEADING, OPEN, EQUALS, JOIN, CLOSE, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
+enum piece { HEADING, OPEN, EQUALS, JOIN, CLOSE, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
 
 static const char *const texts[][2] = {
     /* as text, and in TeX */
@@ -68,7 +68,7 @@ struct writer {
     domq_real value; /* the value that the user typed after the question, or NaN */
 };
 
-static void put(const struct writer *w, enum text text)
+static void put(const struct writer *w, enum piece text)
 {
     fputs(texts[text][w->style == FORMULA_TEX], w->out);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'assert', which reports an error unless a condition or a verdict is true. */
-#include "interpreter/command_read.h"
+#include "interpreter/question.h"
 #include "sweeps/sweeps.h"
 
 const char *assert_names(const void *context, int k)

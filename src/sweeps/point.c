@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "sweeps/point.h"
 #include "answer/format.h"
-#include "interpreter/symbols.h"
+#include "interpreter/question.h"
 #include <string.h>
 
 /* ---- Columns ---- */

@@ -86,7 +86,6 @@ END
 7|print sum(1, 2)|'sum' takes a column of a table
 7|print max(3)|'max' takes a column of a table, as in 'max.chain.0..weight.', or two values
 7|print sum(rmax)|'sum' takes a column of a table
-7|print sum(ans.r_max)|'sum' takes a column of a table
 7|print count(chain(0).weight > 0.1)|'sum.CONDITION.' counts the rows for which a condition is true
 11|print sum(landmarks.what)|landmarks.what consists of words, which only 'count' takes
 36|print sum(landmarks.height/(1 m) + chain(0).weight)|chain.weight has 12 rows and landmarks.height has 20; take columns of the same length
@@ -94,8 +93,8 @@ END
 28|print sum(landmarks.height + 1)|a length and a plain number cannot be added
 17|print sum(chain(chain(0).weight).weight)|'chain' has no value: its answer is a table
 35|print sum((chain(0).weight with s chain(0).weight))|'chain' has no value: its answer is a table
-7|print sum(curve(0.1, 0.9, 3).s)|'sum' takes a column of a table
-7|print sum(undo.change)|'sum' takes a column of a table
+11|print sum(curve(0.1, 0.9, 3).s)|'curve' has no value
+11|print sum(undo.change)|'undo' has no value
 7|print max(fall.hit)|there is no row
 7|print sum(row.mass)|there is no row
 END

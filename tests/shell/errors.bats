@@ -26,10 +26,9 @@ junk() { # PATTERN
 1|sqrt 2|^'sqrt' is a function; write its arguments in parentheses, as in 'sqrt\(2\)'$
 8|4.8 cm in mm|'to' converts, as in '4.8 cm to mm'$
 1|fuell|^unknown command 'fuell'; did you mean 'fuel'\?$
-1|hollow|^'hollow' is a value of q; enter 'set q hollow'$
 6|rmax hollow|^rmax: S at 'hollow': 'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
-11|count 112 hollow|^count: R at 'hollow': 'hollow' is a value of q; enter 'set q hollow'
-5|set hollow|^set: 'hollow' is a value of q; enter 'set q hollow'$
+1|hollow|^'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
+5|set hollow|^set: 'hollow' is a value of q; enter 'set q hollow', or
 3|  foo 1 2|^unknown command 'foo'.*'help'
 5|set foo 1|^set: unknown parameter 'foo'
 11|set s=0.4 1|^set: '1' .*too many.*set NAME VALUE

@@ -42,14 +42,13 @@ END
 6|help barier|^help: unknown topic 'barier'; did you mean 'barrier'\?$
 6|help digist|^help: unknown topic 'digist'; did you mean 'digits'\?$
 1|mu 0.2|^unknown command 'mu'; did you mean 'set friction MU'\?$
-1|separation 0.3|^unknown command 'separation'; did you mean the parameter 's'\? 's = VALUE' sets it$
-1|height|^unknown command 'height'; did you mean the parameter 'h'\?
+1|separation 0.3|^unknown command 'separation'; did you mean 'set s VALUE'\?$
 5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$
 6|help zzz|^help: unknown topic 'zzz'$
 8|effect mu 0.2|^effect: unknown parameter 'mu'; did you mean 'friction'\?$
 7|sweep mu 0 0.3 4 : rmax|^sweep: unknown parameter 'mu'; did you mean 'friction'\?$
 7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
-1|mu = 0.2|^'mu' is not a parameter; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
+1|mu = 0.2|^unknown parameter 'mu'; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
 7|print gravity|'gravity' has no value; did you mean 'g'\?$
 41|echo x > /dev/null; animate a.gif speed 2 rad|animate: the value is a plain number
 12|set output jsno|^set: .*'jsno'; did you mean 'json'\?
@@ -108,7 +107,6 @@ foo|unknown command 'foo'; 'help' lists the commands
 ba|'ba' is ambiguous: barrier, back
 friction 0.2|'friction' is an effect; enter 'set friction MU'
 plot foo|plot: unknown picture 'foo'; use one of: PLOTS
-plot rmax|plot: unknown picture 'rmax'; 'plot sweep s 0.1 0.9 33 : rmax' shows this answer
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
 plot c|plot: unknown picture 'c'; use one of: PLOTS
 goto lanch|step to: unknown event 'lanch'; did you mean 'launch'?

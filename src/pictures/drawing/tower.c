@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/drawing/tower.h"
-#include "interpreter/symbols.h"
+#include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/row_change.h"

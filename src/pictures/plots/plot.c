@@ -124,11 +124,7 @@ const struct command plot_commands[] = {
     {.name = "plot",
      .synonyms = "picture image graph figure chart diagram svg png pdf gnuplot",
      .argument =
-         {{.name = "WHAT",
-           .kind = ARGUMENT_CHOICE,
-           .noun = "picture",
-           .choices = plot_names,
-           .for_answers = "sweep s 0.1 0.9 33 :"},
+         {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .noun = "picture", .choices = plot_names},
           {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .parse = more_parse, .bind = more_bind}},
      .summary = "a chart of the row, of limits, of a cycle, or of any sweep",
      .help =

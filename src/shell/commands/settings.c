@@ -38,7 +38,7 @@ static void effect_say(const struct query *query, struct answer *a, const struct
                before ? "on" : "on now", listed ? "" : p->value->name, listed ? "" : " = ",
                effect_setting(query->scene, p->which),
                listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
-               effect_usage(p->which));
+               parameter_usage(p));
 }
 
 /* A height without a unit is probably a mistake if it differs from the current height by this factor. */

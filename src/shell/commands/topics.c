@@ -47,11 +47,8 @@ static void topic_of_parameter(const struct parameter *p, struct topic *t)
                         .equation = p->effect ? p->effect->source : NULL,
                         .text = p->help,
                         .synonyms = p->synonyms};
-    if (p->effect) {
-        snprintf(t->usage, sizeof t->usage, "set %s", effect_usage(p->which));
-        t->example = p->example;
-    } else
-        snprintf(t->usage, sizeof t->usage, "set %s VALUE", p->name);
+    snprintf(t->usage, sizeof t->usage, "set %s", parameter_usage(p));
+    t->example = p->example;
 }
 
 void topic_of_variable(const struct variable *v, struct topic *t)

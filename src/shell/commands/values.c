@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'print' and 'let'. */
 #include "commands/tables.h"
-#include "interpreter/command_read.h"
 #include "interpreter/question.h"
 #include "language/landmarks.h"
 #include "language/quad.h"

@@ -41,7 +41,7 @@ bool group_named(const char *word)
 
 const struct command *command_at(int k)
 {
-    return k < every_count ? every[k] : NULL;
+    return k >= 0 && k < every_count ? every[k] : NULL;
 }
 
 const char *command_names(const void *context, int k)
@@ -76,7 +76,7 @@ const char *topic_names(const void *context, int k)
 static const struct parameter *parameter_for(const char *word)
 {
     const struct parameter *usual = parameter_by_synonym(word, false);
-    return usual ? usual : parameter_by_value(word);
+    return usual ? usual : parameter_by_value(word, NULL);
 }
 
 static bool topic_has(const char *topic, const char *word)

@@ -55,9 +55,6 @@ struct argument {
     const char *noun;
     bool optional;
     names_list *choices;
-    /* For an ARGUMENT_CHOICE: advice for a user who types the name of a command in place of a choice. The
-     * first word is one of the choices, and the typed name is added at the end. May be NULL. */
-    const char *for_answers;
     /* Some arguments have a syntax of their own: the kinds from ARGUMENT_GRID to ARGUMENT_UNIT. The function
      * `parse` reads such an argument and stores its result in question->parsed. The function `bind` computes
      * values from this result and stores them in given->bound. */

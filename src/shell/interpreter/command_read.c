@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/command_read.h"
+#include "interpreter/question.h"
 #include "language/landmarks.h"
 #include "session/parameters.h"
 #include <ctype.h>
@@ -52,32 +52,14 @@ bool name_free(struct problem *problem, const char *name)
 
 /* ---- Shorthands ---- */
 
-/* The name at the beginning of a line, and the command or variable with this name. */
+/* The name at the beginning of a line, and the command with this name. */
 struct head {
     /* `next` points to the first character after the name and the blanks that follow it */
     const char *begin, *end, *next;
     char name[VARIABLE_NAME]; /* "" if the line does not begin with a name, or if the name is too long */
     const struct command *command;
-    const struct variable *variable;
     bool is_alone; /* the name is the whole command */
 };
-
-static struct head head_read(const struct reader *r)
-{
-    struct head h = {.begin = r->at};
-    h.end = h.begin + (name_start(*h.begin) ? name_length(h.begin) : 0);
-    h.next = skip_blanks(h.end);
-    if (!name_copy(h.begin, (size_t)(h.end - h.begin), h.name, sizeof h.name))
-        *h.name = '\0';
-    h.command = command_find(h.name);
-    h.is_alone = h.end > h.begin && (command_ends(h.next) || *h.next == '>');
-    return h;
-}
-
-static bool word_ends(const char *c)
-{
-    return isspace((unsigned char)*c) || command_ends(c) || *c == '>';
-}
 
 bool goes_on(const char *c)
 {
@@ -90,49 +72,42 @@ bool goes_on(const char *c)
 }
 
 /* Returns true if the line is meant as an expression, even one with errors. */
-static bool is_expression(const struct state *state, const struct head *h)
+static bool is_expression(const struct state *state, const struct head *h, bool is_variable)
 {
     const char *c = h->begin, *end;
     int fewest;
     if (h->end == c)
         return *c && (isdigit((unsigned char)*c) || strchr("(.+-", *c));
-    if (!word_ends(h->end))
+    if (!isspace((unsigned char)*h->end) && !command_ends(h->end) && *h->end != '>')
         return strchr("(*/^+-.", *h->end) != NULL;
     if (h->command)
         return command_arity(h->command, &fewest) >= 0 && goes_on(h->next);
     if (strcmp(h->name, "not") == 0)
         return h->next > h->end;
-    if (!h->variable && landmark_scan(h->begin, &end)) {
+    if (!is_variable && landmark_scan(h->begin, &end)) {
         end = skip_blanks(end);
         return command_ends(end) || *end == '>' || goes_on(end);
     }
-    return names_exact(value_names, state, h->name) >= 0 &&
-           ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
+    return is_value_name(state, h->name) && ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
 /* Returns the command that the line "NAME = VALUE" stands for. This command is 'set' if NAME is a parameter,
  * and 'let' if it is a variable. If NAME is unknown, reports a problem and returns NULL. */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
 {
-    char message[NAMES_MESSAGE];
-    const struct parameter *p = parameter_find(v->name);
+    char message[NAMES_MESSAGE] = "";
     reader_place(r, r->at);
-    if (p && v->count == 0)
+    if (v->count == 0 && parameter_find(v->name))
         return command_find("set");
     if (variable_find(&r->query->state->variables, v->name))
         return command_find("let");
     if (!name_free(r->problem, v->name))
         return NULL;
-    int k = v->count ? NAMES_UNKNOWN : names_find(parameter_names, NULL, "parameter", v->name, message);
-    if (k == NAMES_CLOSE)
-        problem_error(r->problem, "%s 'let %s = VALUE' defines a variable", message, v->name);
-    else if (v->count == 0 && (p = parameter_by_synonym(v->name, true)) != NULL)
-        problem_error(r->problem,
-                      "'%s' is not a parameter; did you mean '%s'? 'let %s = VALUE' defines a variable",
-                      v->name, p->name, v->name);
-    else
-        problem_error(r->problem, "'%s' is not a parameter; 'let %s%s = VALUE' defines a %s", v->name,
-                      v->name, v->count ? "(...)" : "", v->count ? "function" : "variable");
+    if (v->count == 0 && parameter_search(parameter_names, "parameter", v->name, message) != NAMES_CLOSE)
+        message[0] = '\0';
+    problem_error(r->problem, "%s%s%s 'let %s%s = VALUE' defines a %s", *message ? "" : "'",
+                  *message ? message : v->name, *message ? "" : "' is not a parameter;", v->name,
+                  v->count ? "(...)" : "", v->count ? "function" : "variable");
     return NULL;
 }
 
@@ -141,8 +116,14 @@ static const struct command *assignment_read(struct reader *r, const struct vari
  * after an error. */
 static const struct command *shorthand_read(struct reader *r)
 {
-    struct head h = head_read(r);
+    struct head h = {.begin = r->at};
     struct variable v;
+    h.end = h.begin + (name_start(*h.begin) ? name_length(h.begin) : 0);
+    h.next = skip_blanks(h.end);
+    if (!name_copy(h.begin, (size_t)(h.end - h.begin), h.name, sizeof h.name))
+        *h.name = '\0';
+    h.command = command_find(h.name);
+    h.is_alone = h.end > h.begin && (command_ends(h.next) || *h.next == '>');
     /* Most lines of a script consist of a command and a number, so they skip the tests for shorthands. */
     const bool is_called = h.command && h.command->is_print && *h.end == '('; /* as in "print(2)" */
     if (is_called || (h.command && h.next > h.end && isdigit((unsigned char)*h.next))) {
@@ -161,87 +142,46 @@ static const struct command *shorthand_read(struct reader *r)
         return assignment_read(r, &v);
     if (h.end > h.begin && strncmp(h.next, "==", 2) == 0)
         return command_find("print");
-    h.variable = *h.name ? variable_find(&r->query->state->variables, h.name) : NULL;
-    if (h.is_alone && h.variable && h.variable->body)
+    const struct variable *variable = *h.name ? variable_find(&r->query->state->variables, h.name) : NULL;
+    if (h.is_alone && variable && variable->body)
         return command_find("show");
-    if (is_expression(r->query->state, &h))
+    if (is_expression(r->query->state, &h, variable != NULL))
         return command_find("print");
     return h.is_alone && !h.command && parameter_find(h.name) ? command_find("show") : NULL;
 }
 
 /* ---- Names of commands ---- */
 
-/* `name` is an abbreviation that fits several commands. If the abbreviation is reserved for one of these
- * commands (see command.typed.shortest), returns the index of this command. If it is not, returns
- * NAMES_SEVERAL. */
-static int reserved_command(const char *name)
-{
-    const struct command *c;
-    for (int k = 0; (c = command_at(k)) != NULL; k++)
-        if (c->typed.shortest && strlen(name) >= strlen(c->typed.shortest) &&
-            strncmp(c->name, name, strlen(name)) == 0)
-            return k;
-    return NAMES_SEVERAL;
-}
-
-/* Returns the first command with this synonym, or NULL. A word of one or two letters is not looked up. */
-static const char *synonym_command(const char *word)
-{
-    const struct command *c;
-    for (int k = 0; strlen(word) > 2 && (c = command_at(k)) != NULL; k++)
-        if (names_index(c->synonyms, ' ', word) >= 0)
-            return c->name;
-    return NULL;
-}
-
 /* Reports an unknown command, with a suggestion. `k` and `message` are the results of names_find. */
-static void command_unknown(struct reader *r, const char *name, int k, const char *message)
+static void command_unknown(struct reader *r, const char *name, int k, char message[NAMES_MESSAGE])
 {
-    const char *command = k == NAMES_UNKNOWN ? synonym_command(name) : NULL, *shown = names_shown(name);
-    const struct parameter *named = parameter_find(name), *valued = parameter_by_value(name),
-                           *p = parameter_by_synonym(name, !command && k == NAMES_UNKNOWN);
+    const char *synonym = NULL, *shown = names_shown(name);
+    const struct command *c;
+    for (int i = 0; k == NAMES_UNKNOWN && !synonym && strlen(name) > 2 && (c = command_at(i)) != NULL; i++)
+        synonym = names_index(c->synonyms, ' ', name) >= 0 ? c->name : NULL;
+    const struct parameter *named = parameter_find(name),
+                           *p = parameter_by_synonym(name, !synonym && k == NAMES_UNKNOWN);
     if (variable_find(&r->query->state->variables, name))
         problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
-    else if (!command && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
+    else if (!synonym && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
         problem_error(r->problem, "'%s' is a function; write its arguments in parentheses, as in '%s(2)'",
                       name, name);
-    else if (valued)
-        problem_error(r->problem, "'%s' is a value of %s; enter 'set %s %s'", shown, valued->name,
-                      valued->name, shown);
+    else if (parameter_by_value(name, message))
+        problem_error(r->problem, "%s", message);
     else if (named)
-        problem_error(r->problem, "'%s' is %s; enter 'set %s%s'", name,
-                      named->effect ? "an effect" : "a parameter",
-                      named->effect ? effect_usage(named->which) : name, named->effect ? "" : " VALUE");
-    else if (p && p->effect)
-        problem_error(r->problem, "unknown command '%s'; did you mean 'set %s'?", shown,
-                      effect_usage(p->which));
+        problem_error(r->problem, "'%s' is %s; enter 'set %s'", name,
+                      named->effect ? "an effect" : "a parameter", parameter_usage(named));
     else if (p)
-        problem_error(r->problem,
-                      "unknown command '%s'; did you mean the parameter '%s'? '%s = VALUE' sets it", shown,
-                      p->name, p->name);
-    else if (command)
-        problem_error(r->problem, "%s; did you mean '%s'?", message, command);
+        problem_error(r->problem, "unknown command '%s'; did you mean 'set %s'?", shown, parameter_usage(p));
+    else if (synonym)
+        problem_error(r->problem, "%s; did you mean '%s'?", message, synonym);
     else
         problem_error(r->problem, k == NAMES_UNKNOWN ? "%s; 'help' lists the commands" : "%s", message);
 }
 
-/* A word after the name of a command may choose another command, as in 'step back' (see
- * command.typed.phrase). */
-static const struct command *phrase_read(struct reader *r, const struct command *command)
-{
-    struct reader next = *r;
-    next.at = skip_blanks(r->at);
-    for (const struct command *c = command + 1; !command->typed.phrase && c->typed.phrase; c++)
-        if (reader_takes(&next, c->typed.phrase + strlen(command->name) + 1)) {
-            r->at = next.at;
-            return c;
-        }
-    return command;
-}
-
-/* Reads the name of a command, which may be abbreviated. If there is no such command, reports a problem and
- * returns NULL. */
+/* Reads the name of a command, which may be abbreviated. A word after it may choose another command, as in
+ * 'step back' (see command.typed.phrase). If there is no such command, reports a problem and returns NULL. */
 static const struct command *name_read(struct reader *r, names_list *offered)
 {
     char message[NAMES_MESSAGE], exact[VARIABLE_NAME];
@@ -257,18 +197,26 @@ static const struct command *name_read(struct reader *r, names_list *offered)
         if (!name)
             return NULL;
         int k = names_find(command_names, NULL, "command", name, message);
-        if (k == NAMES_SEVERAL)
-            k = reserved_command(name);
-        command = k < 0 ? NULL : command_find(command_names(NULL, k));
-        if (command && !command->argument[0].kind && parameter_find(name))
-            command = NULL;
-        if (!command)
+        const struct command *c;
+        command = command_at(k);
+        for (int i = 0; k == NAMES_SEVERAL && !command && (c = command_at(i)) != NULL; i++)
+            if (c->typed.shortest && strlen(name) >= strlen(c->typed.shortest) &&
+                strncmp(c->name, name, strlen(name)) == 0)
+                command = c;
+        if (!command || (!command->argument[0].kind && parameter_find(name))) {
             command_unknown(r, name, k, message);
+            return NULL;
+        }
     }
-    if (!command)
-        return NULL;
     reader_named(r, begin, r->at);
-    return phrase_read(r, command);
+    struct reader next = *r;
+    next.at = skip_blanks(r->at);
+    for (const struct command *c = command + 1; !command->typed.phrase && c->typed.phrase; c++)
+        if (reader_takes(&next, c->typed.phrase + strlen(command->name) + 1)) {
+            r->at = next.at;
+            return c;
+        }
+    return command;
 }
 
 const struct command *command_read(struct reader *r)

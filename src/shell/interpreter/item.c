@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/item.h"
+#include "interpreter/question.h"
 #include "session/parameters.h"
 #include <ctype.h>
 #include <string.h>
@@ -10,25 +10,6 @@ bool is_value_name(const struct state *state, const char *name)
 }
 
 /* ---- Expressions ---- */
-
-/* Returns true if the word at `at` may follow a value. Otherwise, the word was probably meant as a unit, and
- * the function reports that it is misspelled or misplaced. */
-static bool may_follow(struct reader *r, const char *at)
-{
-    char word[NAMES_SHOWN];
-    if (!name_copy(at, name_length(at), word, sizeof word) || is_value_name(r->query->state, word) ||
-        strcmp(word, "to") == 0 || strcmp(word, "with") == 0)
-        return true;
-    const char *close = names_closest(expression_units, NULL, word);
-    reader_place(r, at);
-    const char *shown = names_shown(word);
-    if (close && strcmp(close, word) == 0)
-        return problem_error(
-            r->problem, "the unit '%s' must follow a number or a ')'; 'to' converts, as in '4.8 cm to mm'",
-            shown);
-    return close ? problem_error(r->problem, "'%s' is not a unit; did you mean '%s'?", shown, close)
-                 : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
-}
 
 /* Reports an error in the expression for the argument `name`. If a problem has been reported already, it
  * stays unchanged. Returns false. */
@@ -45,105 +26,91 @@ static bool item_wrong(struct problem *problem, const struct text *text, const c
                           *word ? "%s at '%s': %s" : "%s%s: %s", name, names_shown(word), error->message);
 }
 
-/* Reports that the character at `end` cannot follow a value. Returns false. */
-static bool end_wrong(struct reader *r, const char *name, const char *end)
+/* Checks what follows a value. Text directly after it is an error. So is a word that is probably meant as a
+ * unit, if the value is the last of the command. */
+static bool end_check(struct reader *r, const char *name, const char *end)
 {
+    char word[NAMES_SHOWN];
     reader_place(r, end);
-    return problem_error(r->problem, "unexpected '%s' after the value of %s; %s", names_shown(end), name,
-                         *end == ',' && isdigit((unsigned char)end[1]) ? "use a decimal point, as in 0.5"
-                         : *end == ',' ? "separate values by blanks, without a comma"
-                         : *end == '%' ? "write the fraction as 0.95 or 95/100"
-                                       : "an operator or a blank is missing");
-}
-
-/* A unit may follow a string that ends in a number. */
-static bool ends_in_number(const char *begin, const char *end)
-{
-    const char *c = end;
-    while (c > begin && (isdigit((unsigned char)c[-1]) || c[-1] == '.'))
-        c--;
-    return c < end && (c == begin || (!isalnum((unsigned char)c[-1]) && c[-1] != '_'));
-}
-
-/* Records what may be typed at the cursor: a value, the rest of an expression, or a unit. */
-static void expression_offer(const struct reader *r, const struct argument *a, const struct parse *p,
-                             bool good)
-{
-    struct reader behind = *r;
-    behind.at = good ? skip_blanks(p->end) : p->end;
-    offer_value(r, a, false);
-    if (!good && p->end > r->at)
-        offer_value(&behind, a, true);
-    if (good && ends_in_number(r->at, p->end))
-        offer_kind(&behind, OFFER_UNIT);
+    if (!isspace((unsigned char)*end) && (*end == '#' || !command_ends(end)) && *end != '>' &&
+        !(r->stops && strchr(r->stops, *end)))
+        return problem_error(r->problem, "unexpected '%s' after the value of %s; %s", names_shown(end), name,
+                             *end == ',' && isdigit((unsigned char)end[1]) ? "use a decimal point, as in 0.5"
+                             : *end == ',' ? "separate values by blanks, without a comma"
+                             : *end == '%' ? "write the fraction as 0.95 or 95/100"
+                                           : "an operator or a blank is missing");
+    const char *next = skip_blanks(end);
+    if (!r->last || next == end || !isalpha((unsigned char)*next) ||
+        !name_copy(next, name_length(next), word, sizeof word) || is_value_name(r->query->state, word) ||
+        strcmp(word, "to") == 0 || strcmp(word, "with") == 0)
+        return true;
+    const char *close = names_closest(expression_units, NULL, word), *shown = names_shown(word);
+    reader_place(r, next);
+    if (close && strcmp(close, word) == 0)
+        return problem_error(
+            r->problem, "the unit '%s' must follow a number or a ')'; 'to' converts, as in '4.8 cm to mm'",
+            shown);
+    return close ? problem_error(r->problem, "'%s' is not a unit; did you mean '%s'?", shown, close)
+                 : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
 
 /* Parses "with NAME VALUE ..." in "(VALUE with NAME VALUE ...)". This function is the callback parse.with. */
 static struct tree *with_parse(struct parse *p, struct tree *value)
 {
-    struct reader *outer = p->context, r = *outer;
+    struct resolver *resolver = p->context;
+    struct reader r = *resolver->reader;
     const char *at = p->end;
     r.at = skip_blanks(at + strlen("with"));
+    r.text = resolver->scope ? NULL : r.text; /* the body of a function is not part of the line */
     r.stops = ")";
-    r.depth = p->depth + NESTING_WITH;
-    r.unresolved = true;
-    r.last = false;
+    r.depth = r.deepest = p->depth + NESTING_WITH;
+    r.resolver = resolver;
+    r.last = r.evaluates = false;
     const struct assignment *with = assignments_parse(&r);
     struct tree *t = with ? reader_memory(&r, sizeof *t) : NULL;
     if (!t)
         return NULL;
     p->end = r.at;
+    p->deepest = r.deepest > p->deepest ? r.deepest : p->deepest;
     *t = (struct tree){
         .kind = TREE_SYMBOL, .symbol = SYMBOL_WITH, .at = at, .refers = with, .child = value, .count = 1};
     return t;
 }
 
-/* Resolves the names in an expression. A problem in the body of a function is reported without a column,
- * because the body is not part of the line. */
-static bool item_resolve(struct reader *r, struct expression_error *error, struct tree *tree)
-{
-    struct reader inside = *r;
-    inside.text = NULL;
-    struct resolver resolver = {.state = r->query->state,
-                                .ans = r->query->ans,
-                                .arena = r->arena,
-                                .error = error,
-                                .with = with_parse,
-                                .context = &inside};
-    return resolve(&resolver, tree);
-}
-
 bool item_parse(struct reader *r, const struct argument *a, struct item *item)
 {
     struct expression_error error;
+    struct resolver own = {.state = r->query->state, .ans = r->query->ans, .reader = r};
     struct parse p = {.text = r->at,
                       .error = &error,
                       .arena = r->arena,
                       .no_unit = r->no_unit,
                       .variables = &r->query->state->variables,
+                      /* completion must read on after a name that is not known */
+                      .names = r->unresolved || r->offer ? NULL : name_resolve,
                       .with = with_parse,
-                      .context = r,
+                      .context = r->resolver ? r->resolver : &own,
                       .depth = r->depth};
     struct tree *tree = expression_parse(&p);
+    const char *end = p.end;
     *item = (struct item){.argument = a, .value = tree, .at = r->at};
-    if (r->offer)
-        expression_offer(r, a, &p, tree != NULL);
-    if (!tree)
+    r->deepest = p.deepest > r->deepest ? p.deepest : r->deepest;
+    if (r->offer) { /* a value, the rest of an expression, or a unit after a number */
+        struct reader behind = *r;
+        behind.at = tree ? skip_blanks(end) : end;
+        offer_value(r, a, false);
+        if (!tree && end > r->at)
+            offer_value(&behind, a, true);
+        if (tree && (isdigit((unsigned char)end[-1]) || end[-1] == '.'))
+            offer_kind(&behind, OFFER_UNIT);
+    }
+    if (!tree || (p.names && !is_single(&error, tree)))
         return item_wrong(r->problem, r->text, a->name, &error);
-    bool is_end = isspace((unsigned char)*p.end) || (command_ends(p.end) && *p.end != '#') || *p.end == '>' ||
-                  (r->stops && strchr(r->stops, *p.end));
-    if (!is_end)
-        return end_wrong(r, a->name, p.end);
-    const char *next = skip_blanks(p.end);
-    if (r->last && isalpha((unsigned char)*next) && next > p.end && !may_follow(r, next))
+    if (!end_check(r, a->name, end))
         return false;
-    r->at = p.end;
-    if (r->unresolved)
-        return true;
+    r->at = end;
     domq_real number;
-    if (!item_resolve(r, &error, tree))
-        return item_wrong(r->problem, r->text, a->name, &error);
-    return !r->evaluates || item_bind(item, r->text, r->query, NULL, &number, r->problem);
+    return !r->evaluates || r->unresolved || item_bind(item, r->text, r->query, NULL, &number, r->problem);
 }
 
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
@@ -222,17 +189,6 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
     return item_parse(r, a, item);
 }
 
-/* Returns true if the word is a command whose answer one of the choices can show. A build may lack this
- * choice. */
-static bool is_shown(const struct argument *a, const char *word)
-{
-    const struct command *c = command_find(word);
-    char first[32] = "";
-    if (a->for_answers)
-        snprintf(first, sizeof first, "%.*s", (int)strcspn(a->for_answers, " "), a->for_answers);
-    return *first && c && c->principal && !c->sweep.refusal && names_exact(a->choices, NULL, first) >= 0;
-}
-
 bool item_parse_choice(struct reader *r, const struct argument *a, struct item *item)
 {
     char message[NAMES_MESSAGE], all[NAMES_ALL];
@@ -247,9 +203,6 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
         return true;
     if (k == NAMES_CLOSE)
         return problem_error(r->problem, "%s", message);
-    if (is_shown(a, word))
-        return problem_error(r->problem, "unknown %s '%s'; '%s %s %s' shows this answer", a->noun, word,
-                             r->problem->command, a->for_answers, word);
     return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->noun, names_shown(word),
                          names_join(a->choices, NULL, "", all));
 }

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/compute.h"
-#include "interpreter/symbols.h"
+#include "interpreter/question.h"
 #include "language/quad.h"
 #include <stdlib.h>
 #include <string.h>
@@ -183,49 +182,36 @@ static bool column_quantity(struct evaluation *e, const struct tree *t, struct q
     return true;
 }
 
-/* Adds the value of one row to an aggregate. */
-static bool aggregate_add(struct evaluation *e, const struct tree *t, bool is_first, struct quantity value,
-                          struct quantity *result)
-{
-    if (is_first)
-        *result = value;
-    else if (!quantity_alike(value, *result))
-        return expression_wrong(e->error, t->at, "%s and %s are in different rows of the same column",
-                                expression_kind(*result), expression_kind(value));
-    else
-        result->value = t->index == AGGREGATE_SUM   ? result->value + value.value
-                        : t->index == AGGREGATE_MIN ? quad_smaller(result->value, value.value)
-                                                    : quad_larger(result->value, value.value);
-    return true;
-}
-
-static void rows_free(struct rows *rows)
-{
-    for (struct column_cells *column; (column = rows->columns) != NULL;) {
-        rows->columns = column->next;
-        free(column->cell);
-        free(column);
-    }
-}
-
 /* Evaluates the child of an aggregate in each row of a table. */
 static __attribute__((noinline)) bool aggregate_quantity(struct evaluation *e, const struct tree *t,
                                                          struct quantity *result)
 {
     struct lookup *lookup = e->context;
     struct rows rows = {.only_counts = t->index == AGGREGATE_COUNT}, *outer = lookup->rows;
+    struct quantity value;
     bool good = true;
     lookup->rows = &rows;
     do {
-        struct quantity value;
         if (dom_raised(lookup->query->scene->compute.interrupt))
             good = query_status(lookup->query, lookup->problem, DOM_INTERRUPTED);
+        else if (!(good = expression_evaluate(e, t->child, &value)))
+            break;
+        else if (rows.row == 0)
+            *result = value;
+        else if (!quantity_alike(value, *result))
+            good = expression_wrong(e->error, t->at, "%s and %s are in different rows of the same column",
+                                    expression_kind(*result), expression_kind(value));
         else
-            good =
-                expression_evaluate(e, t->child, &value) && aggregate_add(e, t, rows.row == 0, value, result);
+            result->value = t->index == AGGREGATE_SUM   ? result->value + value.value
+                            : t->index == AGGREGATE_MIN ? quad_smaller(result->value, value.value)
+                                                        : quad_larger(result->value, value.value);
     } while (good && !rows.only_counts && ++rows.row < rows.count);
     lookup->rows = outer;
-    rows_free(&rows);
+    for (struct column_cells *column; (column = rows.columns) != NULL;) {
+        rows.columns = column->next;
+        free(column->cell);
+        free(column);
+    }
     return good;
 }
 
@@ -242,9 +228,7 @@ static bool routine_quantity(struct evaluation *e, const struct tree *t, const s
     lookup->argument = argument;
     bool good = expression_evaluate(e, routine->body, result);
     lookup->argument = outer;
-    if (!good)
-        routine_wrong(e->error, t->at, routine->function);
-    return good;
+    return good || routine_wrong(e->error, t->at, routine->function);
 }
 
 /* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state. */

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/command_read.h"
 #include "interpreter/question.h"
 #include "language/landmarks.h"
 #include "session/parameters.h"
@@ -12,14 +11,6 @@
 
 /* ---- Parameters and topics ---- */
 
-static bool file_exists(const struct run_context *run_context, const char *name)
-{
-    char *path = run_context->safe ? NULL : path_beside(run_context, name);
-    const bool exists = path && access(path, F_OK) == 0;
-    free(path);
-    return exists;
-}
-
 /* Returns true if the next word looks like the path of a file rather than the beginning of an expression. The
  * name of any file that exists is a path, unless it is a number. */
 static bool is_path(const struct reader *r)
@@ -27,9 +18,14 @@ static bool is_path(const struct reader *r)
     char word[PATH_MAX];
     snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;"), r->at);
     const size_t length = strlen(word);
-    return strchr("\"./~", *word) || (length > 4 && strcasecmp(word + length - 4, ".csv") == 0) ||
-           (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(r->query->state, word)) ||
-           (word[strspn(word, "0123456789")] && file_exists(r->query->run_context, word));
+    if (strchr("\"./~", *word) || (length > 4 && strcasecmp(word + length - 4, ".csv") == 0) ||
+        (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(r->query->state, word)))
+        return true;
+    const struct run_context *context = r->query->run_context;
+    char *path = context->safe || !word[strspn(word, "0123456789")] ? NULL : path_beside(context, word);
+    const bool exists = path && access(path, F_OK) == 0;
+    free(path);
+    return exists;
 }
 
 static bool too_many(struct reader *r, const char *word, const char *prefix, const char *usage)
@@ -66,7 +62,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
     bool is_word = !first->value && parameter_word(p, first->number);
     if (!value || (i > 1 && (first->word || is_word)))
-        return p->effect ? too_many(r, word, "set ", effect_usage(p->which))
+        return p->effect ? too_many(r, word, "set ", parameter_usage(p))
                          : too_many(r, word, "", command_usage(q->command));
     if (value->or_file)
         offer_kind(r, OFFER_FILE);
@@ -160,24 +156,8 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
 
-/* Parses "with NAME VALUE ...". Also returns true if no 'with' follows. */
-static bool with_parse(struct reader *r, struct question *q)
-{
-    if (!word_is_next(r, "with"))
-        return true;
-    reader_place(r, r->at);
-    if (!q->command->columns || q->command->act || q->command->access.changes)
-        return problem_error(
-            r->problem, "'with' can only follow a command that computes an answer, such as 'rmax'; '%s' %s",
-            q->command->name, q->command->access.changes ? "changes something" : "gives no numbers");
-    reader_takes(r, "with");
-    r->last = false;
-    return (q->with = assignments_parse(r)) != NULL;
-}
-
 /* Returns true if the command ends here, or if there is a '>', the word 'details' or one of the characters in
- * r->stops.
- * Otherwise, sets r->problem. */
+ * r->stops. Otherwise, sets r->problem. */
 static bool end_check(struct reader *r, const struct command *c)
 {
     reader_place(r, r->at);
@@ -215,7 +195,16 @@ static bool arguments_parse(struct reader *r, struct question *q)
     const struct argument *missing = q->count < ARGUMENTS_MAX ? &c->argument[q->count] : NULL;
     if (missing && missing->kind && !missing->optional)
         return problem_error(r->problem, "%s is missing; usage: %s", missing->name, command_usage(c));
-    return with_parse(r, q) && end_check(r, c);
+    if (!word_is_next(r, "with"))
+        return end_check(r, c);
+    if (!c->columns || c->act || c->access.changes)
+        return problem_error(
+            r->problem, "'with' can only follow a command that computes an answer, such as 'rmax'; '%s' %s",
+            c->name, c->access.changes ? "changes something" : "gives no numbers");
+    reader_takes(r, "with");
+    r->last = false;
+    q->with = assignments_parse(r);
+    return q->with && end_check(r, c);
 }
 
 /* ---- Questions ---- */
@@ -231,13 +220,6 @@ bool question_parse(struct reader *r, struct question *q)
     return good;
 }
 
-/* Returns true if nothing but a text in double quotes is left of the command. */
-static bool is_text_alone(const char *at)
-{
-    const char *end = *at == '"' ? text_quote(at) : NULL;
-    return end && (command_ends(skip_blanks(end)) || *skip_blanks(end) == '>');
-}
-
 bool command_parse(struct reader *r, struct question *q)
 {
     r->stops = r->no_unit = NULL;
@@ -245,7 +227,9 @@ bool command_parse(struct reader *r, struct question *q)
     *q = (struct question){.key = -1, .command = command_read(r)};
     if (!q->command)
         return false;
-    if (q->command->is_print && is_text_alone(skip_blanks(r->at)))
+    /* a text in double quotes alone is written as 'echo' writes it */
+    const char *quote = skip_blanks(r->at), *end = *quote == '"' ? text_quote(quote) : NULL;
+    if (q->command->is_print && end && (command_ends(skip_blanks(end)) || *skip_blanks(end) == '>'))
         q->command = command_find("echo");
     r->problem->command = q->command->name;
     r->details = q->command->brief != NULL;

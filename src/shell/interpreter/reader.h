@@ -31,6 +31,8 @@ struct offer {
     size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
 };
 
+struct resolver;
+
 struct reader {
     const struct query *query; /* the query whose state determines which names are known */
     struct problem *problem;
@@ -40,8 +42,10 @@ struct reader {
     /* Additional characters that end a word or value, such as ','. May be NULL. */
     const char *stops;
     const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
-    int depth;           /* the level of the next value, as in struct parse */
-    bool unresolved;     /* names in expressions are left to be resolved later */
+    int depth,
+        deepest; /* the level of the next value, and the largest level in the last one (struct parse) */
+    struct resolver *resolver; /* the expression in which the assignments of a 'with' are read, or NULL */
+    bool unresolved;     /* names in expressions are left unresolved, as in the definition of a function */
     bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
     bool last;           /* the last argument of the command is being read */
     bool details;        /* the word 'details' may end the command */

@@ -2,7 +2,6 @@
 #include "interpreter/run.h"
 #include "answer/extension.h"
 #include "answer/format.h"
-#include "interpreter/compute.h"
 #include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "io/io.h"

@@ -20,17 +20,16 @@
 enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
 /*
- * How deeply values may be nested. Parsing, resolving and evaluating are recursive, and all of them count in
- * the same levels. A parenthesis, a sign, an operator and a call take one level each. A function that 'let'
- * defines adds the levels of its body. A "with" needs more stack than the others, so it counts as several
- * levels. At the deepest nesting, the stack holds 250 kB.
+ * How deeply values may be nested. Parsing and evaluating are recursive, and the parser counts the levels: a
+ * parenthesis, a sign, an exponent and a call take one level each. A function that 'let' defines adds the
+ * levels of its body. A "with" needs more stack than the others, so it counts as several levels.
  */
 enum { NESTING_MOST = 200, NESTING_WITH = 4 };
 #define NESTED_TOO_DEEPLY "the expression is nested too deeply"
 
-/* The parser makes a TREE_NAME for each name that is not built in. Another part of the program then resolves
- * the name and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its
- * names have been resolved. */
+/* The parser makes a TREE_NAME for each name that is not built in. The callback parse.names then resolves the
+ * name and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its names
+ * have been resolved. */
 enum tree_kind {
     TREE_NUMBER,
     TREE_NAME,
@@ -107,14 +106,18 @@ struct parse {
     const char *no_unit;
     /* The names that 'let' has defined, or NULL. They hide landmarks. */
     const struct variables *variables;
+    /* Resolves a name whose arguments have been parsed. On failure, sets *parse->error and returns false. If
+     * the pointer is NULL, names stay as they are. */
+    bool (*names)(struct parse *parse, struct tree *name);
     /* Parses a "with" after a value in parentheses, as in "(rmax with q hollow d 0.1)". The "with" begins at
      * parse->end. Returns a tree for the value and its "with", or NULL after an error. If the pointer `with`
      * itself is NULL, the parser does not accept "with". */
     struct tree *(*with)(struct parse *parse, struct tree *value);
-    void *context; /* for `with` */
+    void *context; /* for `names` and `with` */
     /* The level of the next value, counted up to NESTING_MOST. The caller sets the level of the first one. */
     int depth;
-    int nested; /* the number of open parentheses */
+    int deepest; /* the largest level so far */
+    int nested;  /* the number of open parentheses */
     int nodes;
 };
 

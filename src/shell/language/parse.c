@@ -184,7 +184,7 @@ static struct tree *parse_name(struct parse *p)
         /* perhaps of a column, as in max(chain(0).weight) */
         if (t->count == 1 && (strcmp(t->name, "min") == 0 || strcmp(t->name, "max") == 0)) {
             t->kind = TREE_NAME;
-            return t;
+            return !p->names || p->names(p, t) ? t : NULL;
         }
         p->end = at;
         return parse_fail(p, "%s takes %d value%s", t->name, wanted, wanted == 1 ? "" : "s");
@@ -200,7 +200,7 @@ static struct tree *parse_name(struct parse *p)
             return parse_fail(p, "out of memory");
         p->end += 1 + n;
     }
-    return t;
+    return !p->names || p->names(p, t) ? t : NULL;
 }
 
 static struct tree *parse_parentheses(struct parse *p)
@@ -280,6 +280,7 @@ static struct tree *parse_factor(struct parse *p)
     const char *at = p->end;
     if (++p->depth > NESTING_MOST)
         return parse_fail(p, NESTED_TOO_DEEPLY);
+    p->deepest = p->depth > p->deepest ? p->depth : p->deepest;
     struct tree *t;
     if (*at == '-' || *at == '+') {
         p->end = skip_blanks(at + 1);

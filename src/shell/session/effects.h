@@ -51,10 +51,4 @@ static inline bool effect_is_random(int effect)
 /* Returns the description of effect number k, counted from 0, or NULL if this build lacks the effect. */
 const struct domq_effect *effect_at(int k);
 
-/* Returns the usage of an effect, such as "friction MU". The text lives until the end of the caller's
- * block. */
-enum { EFFECT_USAGE = 64 };
-#define effect_usage(effect) effect_usage_write(effect, (char[EFFECT_USAGE]){""})
-const char *effect_usage_write(int effect, char usage[EFFECT_USAGE]);
-
 #endif

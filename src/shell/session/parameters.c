@@ -54,12 +54,30 @@ const struct parameter *parameter_by_synonym(const char *word, bool any)
     return found;
 }
 
-const struct parameter *parameter_by_value(const char *word)
+const struct parameter *parameter_by_value(const char *word, char *message)
 {
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (!p->effect && !p->setting && names_exact(parameter_words, p, word) >= 0)
-            return p;
-    return NULL;
+    const struct parameter *p = session_parameters;
+    while (p->name && (p->effect || p->setting || names_exact(parameter_words, p, word) < 0))
+        p++;
+    if (p->name && message)
+        snprintf(message, NAMES_MESSAGE,
+                 "'%s' is a value of %s; enter 'set %s %s', or write 'with %s %s' at the end", word, p->name,
+                 p->name, word, p->name, word);
+    return p->name ? p : NULL;
+}
+
+const char *parameter_usage_write(const struct parameter *p, char usage[PARAMETER_USAGE])
+{
+    snprintf(usage, PARAMETER_USAGE, "%s%s", p->name, p->effect ? "" : " VALUE");
+    for (const struct domq_effect_argument *a = p->value; p->effect && a < p->value + DOM_EFFECT_ARGUMENTS;
+         a++)
+        if (a->name)
+            text_add(usage, PARAMETER_USAGE,
+                     a->optional  ? " [%s]"
+                     : a->or_file ? " %s|FILE"
+                                  : " %s",
+                     a->name);
+    return usage;
 }
 
 /* The context is a names_list; the names are those of this list that are not effects. */
@@ -88,13 +106,9 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
                  word, feature);
         return NAMES_UNKNOWN;
     }
-    const struct parameter *p = k < 0 ? parameter_by_value(word) : NULL;
-    if (p) {
-        snprintf(message, NAMES_MESSAGE, "'%s' is a value of %s; enter 'set %s %s'", word, p->name, p->name,
-                 word);
+    if (k < 0 && parameter_by_value(word, message))
         return NAMES_CLOSE;
-    }
-    p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
+    const struct parameter *p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
     if (!p || names_exact(list, NULL, p->name) < 0)
         return k;
     snprintf(message, NAMES_MESSAGE, "unknown %s '%s'; did you mean '%s'?", what, names_shown(word), p->name);

@@ -15,8 +15,15 @@ const char *parameter_names(const void *context, int k);
 /* Returns true if this build has effect number `effect`, as in effect_at. */
 bool effect_exists(int effect);
 
-/* Returns the parameter of the model that accepts this word as its value, such as q for "hollow", or NULL. */
-const struct parameter *parameter_by_value(const char *word);
+/* Returns the parameter of the model that accepts this word as its value, such as q for "hollow", or NULL. If
+ * `message` is not NULL, writes a message that says so. */
+const struct parameter *parameter_by_value(const char *word, char *message);
+
+/* Returns how a parameter is set, such as "friction MU" or "q VALUE". The text lives until the end of the
+ * caller's block. */
+enum { PARAMETER_USAGE = 64 };
+#define parameter_usage(parameter) parameter_usage_write(parameter, (char[PARAMETER_USAGE]){""})
+const char *parameter_usage_write(const struct parameter *parameter, char usage[PARAMETER_USAGE]);
 
 /* Lists the words that a parameter accepts as values (see names_list in names.h). parameter_offered omits
  * synonyms. */
