@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'solve', which finds where an answer has a given value, or where a verdict changes. The parser
  * for parameters with ranges and the probe, which other searches also use, are here, too. */
-#include "interpreter/symbols.h"
+#include "interpreter/question.h"
 #include "language/quad.h"
 #include "session/parameters.h"
 #include "sweeps/sweeps.h"
