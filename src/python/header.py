@@ -36,7 +36,7 @@ def declarations(compiler, headers):
     return re.sub(r"\bunsigned\b", "unsigned_int", text)
 
 
-def ctype(text, callbacks, structs):
+def ctype(text, callbacks):
     """Returns the ctypes name of a C type such as "const struct dom_train *"."""
     text = re.sub(r"\b(const|volatile)\b", "", text).strip()
     stars = text.count("*")
@@ -51,7 +51,6 @@ def ctype(text, callbacks, structs):
         basic = "c_int"
     elif name.startswith("struct "):
         basic = name.removeprefix("struct ")
-        structs.add(basic)
     else:
         basic = BASIC[name]
     for _ in range(stars):
@@ -59,25 +58,20 @@ def ctype(text, callbacks, structs):
     return basic
 
 
-def members(body, callbacks, structs, sizes):
+def members(body, callbacks, sizes):
     """Yields the name and the ctypes name of each member of a structure."""
     for statement in filter(None, map(str.strip, body.split(";"))):
         kind, names = re.fullmatch(r"((?:(?:const|volatile|enum|struct) )*\w+)\s*(.*)", statement).groups()
         for declarator in re.sub(r"\bconst\b", "", names).split(","):
             stars, name, size = re.fullmatch(r"\s*([* ]*)(\w+)\s*(?:\[(\w+)\])?\s*", declarator).groups()
-            one = ctype(kind + stars, callbacks, structs)
+            one = ctype(kind + stars, callbacks)
             yield name, f"{one} * {sizes.get(size, size)}" if size else one
 
 
-def arguments(text, callbacks, structs):
-    """Returns the ctypes names of the parameters of a function."""
-    if text.strip() in ("", "void"):
-        return "[]"
-    types = []
-    for parameter in text.split(","):
-        kind, array = re.fullmatch(r"\s*(.*?[\s*])\w+\s*(\[\w*\])?\s*", parameter).groups()
-        types.append(ctype(kind + ("*" if array else ""), callbacks, structs))
-    return "[" + ", ".join(types) + "]"
+def arguments(text, callbacks):
+    """Returns the ctypes names of the parameters of a function. An array is a pointer."""
+    parameters = [] if text.strip() in ("", "void") else re.sub(r"(\w+)\s*\[\w*\]", r"*\1", text).split(",")
+    return [kind for parameter in parameters for _, kind in members(parameter, callbacks, {})]
 
 
 def main(soname, compiler, *headers):
@@ -115,31 +109,24 @@ def main(soname, compiler, *headers):
             else:
                 print(*map(str.strip, lines), sep="\n")
         elif m["struct"]:
+            print(f"\nclass {m['struct']}(Structure):\n    pass\n")
             declared.append((m["struct"], m["body"], None))
         elif m["callback"]:
             callbacks.add(m["callback"])
             declared.append((m["callback"], m["taken"], m["returned"]))
         elif m["function"]:
             functions.append((m["function"], m["result"], m["given"]))
-    structs = set()
-    for name, body, returned in declared:
-        if returned is None:
-            print(f"\nclass {name}(Structure):\n    pass\n")
     lines = []
     for name, body, returned in declared:
         if returned is not None:
-            taken = arguments(body, callbacks, structs)[1:-1]
-            one = ctype(returned, callbacks, structs)
-            lines.append(f"{name} = CFUNCTYPE({one}{', ' if taken else ''}{taken})")
+            lines.append(f"{name} = CFUNCTYPE({', '.join([ctype(returned, callbacks), *arguments(body, callbacks)])})")
         else:
-            fields = list(members(body, callbacks, structs, sizes))
-            lines.append(f"{name}._fields_ = [")
-            lines += [f'    ("{member}", {kind}),' for member, kind in fields]
-            lines.append("]")
+            fields = [f'    ("{member}", {kind}),' for member, kind in members(body, callbacks, sizes)]
+            lines += [f"{name}._fields_ = [", *fields, "]"]
     print("\n" + "\n".join(lines))
     print("\n# For each function the type of its result, and those of its parameters.\nFUNCTIONS = {")
     for name, result, given in functions:
-        print(f'    "{name}": ({ctype(result, callbacks, structs)}, {arguments(given, callbacks, structs)}),')
+        print(f'    "{name}": ({ctype(result, callbacks)}, [{", ".join(arguments(given, callbacks))}]),')
     print("}")
 
 

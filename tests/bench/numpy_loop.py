@@ -33,7 +33,7 @@ for train, s in zip(trains, separations):
     ctypes.pointer(train)[0] = lib.dom_train_default()
     train.s = s
 answers, statuses = (api.dom_limit * count)(), (ctypes.c_int * count)()
-compute = computing(None, "double")
+compute = computing(None)
 
 
 def loop():

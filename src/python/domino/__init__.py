@@ -24,14 +24,14 @@ DominoError.
 """
 
 from ._library import DominoError, OutOfRange, version
-from .rows import Budget, Design, Domino, Fall, Placement, Row, Verdict, Window, design
+from .rows import Budget, Design, Domino, Fall, Mend, Placement, Row, Verdict, Window, design
 from .trains import (Angles, Barrier, Best, Contact, Count, Energy, Fuel, Launch, Limit, Proof, Train, angles,
                      barrier, best, count, duration, energy, fuel, launch, omegasq, pair, prove, rmax, theta1)
 
 __version__ = version
 __all__ = [
     "Angles", "Barrier", "Best", "Budget", "Contact", "Count", "Design", "Domino", "DominoError", "Energy",
-    "Fall", "Fuel", "Launch", "Limit", "OutOfRange", "Placement", "Proof", "Row", "Train", "Verdict", "Window",
+    "Fall", "Fuel", "Launch", "Limit", "Mend", "OutOfRange", "Placement", "Proof", "Row", "Train", "Verdict", "Window",
     "angles", "barrier", "best", "count", "design", "duration", "energy", "fuel", "launch", "omegasq", "pair", "prove",
     "rmax", "theta1",
 ]  # fmt: skip

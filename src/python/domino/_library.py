@@ -7,6 +7,7 @@ import ctypes
 import os
 import signal
 import threading
+from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -58,11 +59,30 @@ class OutOfRange(DominoError, ValueError):
 PARAMETERS = {"mu": "friction", "alpha": "slope", "rho": "edges", "tilt": "theta"}
 
 
+def record(name: str, fields: str, doc: str, defaults: Any = ()) -> Any:
+    """Returns a class of named tuples, for answers."""
+    made = namedtuple(name, fields, defaults=defaults, module="domino")
+    made.__doc__ = doc
+    return made
+
+
+def number_of(given: str, values: dict[str, Any], what: str, status: str = "") -> Any:
+    """Returns what a word such as "hollow" stands for."""
+    if given not in values:
+        raise OutOfRange(f"{what}: {given!r} is not one of {', '.join(values)}", status or f"BAD_{what.upper()}", what)
+    return values[given]
+
+
+def status_name(status: int) -> str:
+    """Returns the name of a status, such as "STOPS"."""
+    return api.dom_status(status).name.removeprefix("DOM_")
+
+
 def raise_status(status: int, where: str = "") -> None:
     """Raises an error unless the status is DOM_OK. `where` says which train or domino has no answer."""
     if status == api.dom_status.DOM_OK:
         return
-    name = api.dom_status(status).name.removeprefix("DOM_")
+    name = status_name(status)
     text = lib.dom_status_text(status).decode() + where
     if name == "INTERRUPTED":
         raise KeyboardInterrupt
@@ -128,15 +148,10 @@ def run_all(calls: list[Any]) -> list[Any]:
 @api.dom_parallel
 def parallel(count: int, task: Any, context: int, pool: int) -> int:
     """A dom_parallel that runs the tasks of a study on all cores. The thread that calls it waits until they end."""
-    numbers = iter(range(count))
-    lock = threading.Lock()
+    numbers = iter(range(count))  # a thread that takes the next number holds Python's lock
 
     def work() -> None:
-        while True:
-            with lock:
-                k = next(numbers, None)
-            if k is None:
-                return
+        for k in numbers:
             task(k, context)
 
     threads = [threading.Thread(target=work) for _ in range(min(CORES, count) - 1)]

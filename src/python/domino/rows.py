@@ -7,120 +7,39 @@ import csv
 import ctypes
 import math
 import re
-from typing import Any, Iterable, NamedTuple
+from typing import Any, Iterable
 
 from . import _api as api
-from ._library import DominoError, OutOfRange, computing, interruptible, lib, parallel, raise_status, run
+from ._library import (DominoError, computing, interruptible, lib, number_of, parallel, raise_status, record, run,
+                       status_name)  # fmt: skip
 from .trains import Train
 
 STATUS = api.dom_status
 
 
-class Domino(NamedTuple):
-    """A block: height, thickness and the gap before it in m, mass in kg, lean in rad, radius of edges and width in m.
+Domino = record("Domino", "height thickness gap mass lean radius width",
+                """A block: height, thickness and the gap before it in m, mass in kg, lean in rad, radius of edges and width in m.
 
-    A width of 0 stands for half of the height.
-    """
-
-    height: float
-    thickness: float
-    gap: float = 0.0
-    mass: float = 0.0
-    lean: float = 0.0
-    radius: float = 0.0
-    width: float = 0.0
-
-
-class Fall(NamedTuple):
-    """The state of a domino when it is hit: times in s, omega in rad/s, energies in J."""
-
-    domino: int
-    time: float
-    duration: float
-    omega: float
-    kinetic: float
-    barrier: float
-    margin: float
-    lost: float
-
-
-class Verdict(NamedTuple):
-    """How the row ends, and at which domino. `spare` is margin / barrier of the weakest domino that falls."""
-
-    falls: bool
-    end: str
-    domino: int
-    short_by: float
-    seconds: float
-    weakest: int
-    spare: float
-
-
-class Window(NamedTuple):
-    """The range of one gap, place, height, lean or friction in which all dominoes fall; NaN if there is none."""
-
-    domino: int
-    now: float
-    low: float
-    high: float
-
-
-class Mend(NamedTuple):
-    """A change of one gap in m. All dominoes fall with every gap from `to` to `until`."""
-
-    domino: int
-    gap: float
-    to: float
-    until: float
-
-
-class Growth(NamedTuple):
-    """All dominoes fall at growths from r_min to r_max."""
-
-    r_max: float
-    r_min: float
-    end: str
-
-
-class Placement(NamedTuple):
-    """How many of the rows with random errors fall, and a 95 % interval of the probability."""
-
-    rows: int
-    fall: int
-    unknown: int
-    low: float
-    high: float
-    stops: tuple[int, ...]
-
-
-class Budget(NamedTuple):
-    """The size of an error that the probability allows, or the factor of all errors, with its 95 % interval."""
-
-    sigma: float
-    low: float
-    high: float
-
-
-class Design(NamedTuple):
-    """A row that was designed for a wish. The attribute `row` holds its dominoes."""
-
-    s: float
-    r: float
-    steps: int
-    feet: float
-    length: float
-    seconds: float
-    safety: float
-    row: "Row"
-
+    A width of 0 stands for half of the height.""", defaults=(0.0,) * 5)  # fmt: skip
+Fall = record("Fall", "domino time duration omega kinetic barrier margin lost",
+              "The state of a domino when it is hit: times in s, omega in rad/s, energies in J.")  # fmt: skip
+Verdict = record("Verdict", "falls end domino short_by seconds weakest spare",
+                 "How the row ends, and at which domino. `spare` is margin / barrier of the weakest domino that falls.")  # fmt: skip
+Window = record("Window", "domino now low high",
+                "The range of one gap, place, height, lean or friction in which all dominoes fall; NaN if there is none.")  # fmt: skip
+Mend = record("Mend", "domino gap to until", "A change of one gap in m. All dominoes fall with every gap from `to` to `until`.")
+Placement = record("Placement", "rows fall unknown low high stops",
+                   "How many of the rows with random errors fall, and a 95 % interval of the probability.")  # fmt: skip
+Budget = record("Budget", "sigma low high",
+                "The size of an error that the probability allows, or the factor of all errors, with its 95 % interval.")  # fmt: skip
+Design = record("Design", "s r steps feet length seconds safety row",
+                "A row that was designed for a wish. The attribute `row` holds its dominoes.")  # fmt: skip
 
 # Names of columns, and their units in metres or kilograms.
 COLUMNS = {"height": "m", "thickness": "m", "gap": "m", "mass": "kg", "lean": "m", "radius": "m", "width": "m"}
 UNITS = {"m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}, "kg": {"kg": 1.0, "g": 0.001, "t": 1000.0}}
-WINDOWS = {"gap": api.dom_window_of.DOM_WINDOW_GAP, "place": api.dom_window_of.DOM_WINDOW_PLACE,
-           "height": api.dom_window_of.DOM_WINDOW_HEIGHT, "friction": api.dom_window_of.DOM_WINDOW_FRICTION,
-           "lean": api.dom_window_of.DOM_WINDOW_LEAN,
-           "thickness": api.dom_window_of.DOM_WINDOW_THICKNESS}  # fmt: skip
+WINDOWS = {of.name.removeprefix("DOM_WINDOW_").lower(): of for of in api.dom_window_of}
+LEASTS = {least.name.removeprefix("DOM_LEAST_").lower(): least for least in api.dom_least}
 
 
 def error_kind(name: str) -> int:
@@ -132,7 +51,7 @@ def error_kind(name: str) -> int:
 
 
 class Row:
-    """An immutable row of dominoes. A notebook shows a picture of the row.
+    """An immutable row of dominoes.
 
     Row([(0.05, 0.008), (0.06, 0.009, 0.02)]) takes height, thickness and gap in m; see Domino. A row can also be made
     of a train, a csv file or a pandas DataFrame with the columns height, thickness, gap and, if known, mass, lean,
@@ -231,11 +150,6 @@ class Row:
     def __repr__(self) -> str:
         return f"Row of {len(self)} dominoes, {self.dominoes[0].height:.6g} m to {self.dominoes[-1].height:.6g} m"
 
-    def _repr_svg_(self) -> str:
-        from .drawing import row_svg
-
-        return row_svg(self)
-
     def _row(self) -> api.dom_row:
         dominoes = (api.dom_domino * max(len(self), 1))()
         for one, domino in zip(dominoes, self.dominoes):
@@ -280,11 +194,10 @@ class Row:
 
     def tolerance(self, of: str = "gap") -> list[Window]:
         """The windows of each "gap", "place", "height" or "lean", or of the "friction", in which all fall."""
-        if of not in WINDOWS:
-            raise OutOfRange(f"of: {of!r} is not one of {', '.join(WINDOWS)}", "BAD_METHOD", "of")
+        window = number_of(of, WINDOWS, "of", "BAD_METHOD")
         count = {"friction": 1, "gap": len(self) - 1, "place": len(self) - 1}.get(of, len(self))
         windows = (api.dom_window * max(count, 1))()
-        self._call(lib.dom_row_windows, WINDOWS[of], api.dom_progress(), None, windows)
+        self._call(lib.dom_row_windows, window, api.dom_progress(), None, windows)
         return [Window(w.domino, w.now, w.low, w.high) for w in windows[:count]]
 
     def mend(self) -> list[Mend]:
@@ -345,12 +258,9 @@ def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: fl
            q: float | str = 4.0, push: float | None = None, g: float = 9.81, least: str = "dominoes",
            friction: float = 0.0, slope: float = 0.0, edges: float = 0.0, walls: float = 0.0, width: float = 0.5) -> Design:  # fmt: skip
     """The row of a train from `first` to `height`, in m, in which each cycle has `safety` times the energy it needs."""
-    leasts = {"dominoes": api.dom_least.DOM_LEAST_DOMINOES, "length": api.dom_least.DOM_LEAST_LENGTH,
-              "mass": api.dom_least.DOM_LEAST_MASS}  # fmt: skip
-    if least not in leasts:
-        raise OutOfRange(f"least: {least!r} is not one of {', '.join(leasts)}", "BAD_METHOD", "least")
+    chosen = number_of(least, LEASTS, "least", "BAD_METHOD")
     train = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls, width=width).structure()
-    wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g, least=leasts[least],
+    wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g, least=chosen,
                         push=math.nan if push is None else push)  # fmt: skip
     found, compute = api.dom_design(), computing(None)
     with interruptible(compute):
