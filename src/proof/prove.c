@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'prove', which computes rigorous bounds on an answer. */
 #include "domino_proof.h"
+#include "interpreter/feature.h"
 #include "language/quad.h"
 #include "train/row_start.h"
 
@@ -205,7 +206,7 @@ static bool run_prove(const struct query *query, struct answer *a, struct proble
                                : prove_cycle(query, a, problem, what);
 }
 
-const struct command prove_commands[] = {
+static const struct command prove_commands[] = {
     {.name = "prove",
      .synonyms = "proof rigorous certain guaranteed interval enclosure",
      .train = true,
@@ -229,3 +230,10 @@ const struct command prove_commands[] = {
      ANSWER(prove)},
     {.name = NULL},
 };
+
+static const struct command_group groups[] = {
+    {"Answers with a proof", "limits", prove_commands},
+    {NULL, NULL, NULL},
+};
+
+const struct feature proof_feature = {.name = "proof", .groups = groups};

@@ -35,12 +35,10 @@ static bool raised_by_count(const volatile sig_atomic_t *flag)
 
 /* NOLINTBEGIN(bugprone-suspicious-include): the sources themselves, with the switch. */
 #include "proof/model/chain.c"
-#include "proof/model/climb.c"
 #include "proof/model/cover.c"
+#include "proof/model/energy.c"
 #include "proof/model/limit.c"
 #include "proof/model/power.c"
-#include "proof/model/rest.c"
-#include "proof/model/upright.c"
 /* NOLINTEND(bugprone-suspicious-include) */
 
 /* Returns 1 if a value is outside of the interval, or if a bound is NaN. */
@@ -109,7 +107,7 @@ static int points_wrong(struct proof *proof)
             struct shape shape = shape_make(s, csv_number(csv, "d"), csv_number(csv, "q"));
             struct upright *u = &proof->point;
             shape.paper = k % 2;
-            if (!upright_find(&shape, r, r, k < 2 ? 1e-17 : k < 4 ? 1e-9 : k < 6 ? 1e-5 : 1e-2, u))
+            if (!upright_find(&shape, r, r, k < 2 ? 1e-17 : k < 4 ? 1e-9 : k < 6 ? 1e-5 : 1e-2, 0, u))
                 return wrong + 1;
             double slack = 4e-16 * (1 + J0);
             struct span D = climb_find(u, sigma, sigma, false).height;
@@ -137,15 +135,20 @@ static int boxes_wrong(struct proof *proof, bool paper, bool pair)
         shape.pair = pair;
         r[0] = 1 + (1 / s - 1) * 0.95 * random_unit(&seed);
         r[1] = r[0] + (0.99 / s - r[0]) * span;
-        if (r[1] <= r[0] || !upright_find(&shape, r[0], r[1], 1e-6, &proof->box))
+        if (r[1] <= r[0] || !upright_find(&shape, r[0], r[1], 1e-6, 0, &proof->box))
             continue;
         double hit = upright_hit_below(&proof->box);
         sigma[0] = hit * random_unit(&seed);
         sigma[1] = sigma[0] + (hit - sigma[0]) * span;
         struct climb box = climb_find(&proof->box, sigma[0], sigma[1], true);
         struct span D[2][2], K[2];
+        double K_n[2], D_n[2]; /* the sums over as many dominoes as for the box, without their remainders */
         for (int i = 0; i < 2; i++) {
-            if (!upright_find(&shape, r[i], r[i], 1e-15, &proof->point))
+            if (!upright_find(&shape, r[i], r[i], 0, proof->box.n, &proof->point))
+                return wrong + 1;
+            K_n[i] = proof->point.kinetic.value.lo;
+            D_n[i] = climb_find(&proof->point, sigma[0], sigma[0], false).height.hi;
+            if (!upright_find(&shape, r[i], r[i], 1e-15, 0, &proof->point))
                 return wrong + 1;
             K[i] = proof->point.kinetic.value;
             wrong += !pair && (outside(proof->box.inertia, proof->point.inertia.lo, 1e-14) ||
@@ -159,11 +162,10 @@ static int boxes_wrong(struct proof *proof, bool paper, bool pair)
         double slack = 2e-14, by_tilt = (span_middle(D[0][1]) - span_middle(D[0][0])) / (sigma[1] - sigma[0]);
         if (sigma[1] - sigma[0] > 1e-6)
             wrong += outside(box.by_tilt, by_tilt, slack / (sigma[1] - sigma[0]));
-        double width = r[1] - r[0], by_r = (span_middle(D[1][0]) - span_middle(D[0][0])) / width;
+        double width = r[1] - r[0], by_r = (D_n[1] - D_n[0]) / width;
         if (width > 1e-6 && proof->box.by_r) {
             wrong += outside(box.by_r, by_r, slack / width);
-            wrong += outside(proof->box.kinetic.by_r, (span_middle(K[1]) - span_middle(K[0])) / width,
-                             slack / width);
+            wrong += outside(proof->box.kinetic.by_r, (K_n[1] - K_n[0]) / width, slack / width);
         }
     }
     return wrong;
@@ -203,10 +205,11 @@ static int limits_wrong(struct proof *proof, const char *path, bool pair)
             shape_make(csv_number(csv, "s"), pair ? 7.0 / 48 : csv_number(csv, "d"), csv_number(csv, "q"));
         proof->shape.pair = pair;
         proof->shape.paper = !pair && strcmp(csv_text(csv, "fuel"), "paper") == 0;
-        struct limit_proof limit = limit_prove(proof, 1e-12);
+        struct dom_proof limit;
+        limit_prove(proof, 1e-12, &limit);
         bool reach = strcmp(csv_text(csv, "ends_by"), "reach") == 0;
-        wrong += reach ? limit.kind != LIMIT_REACH
-                       : limit.kind != LIMIT_BRACKET || !(limit.low <= r_max && r_max <= limit.high) ||
+        wrong += reach ? limit.ends != DOM_PROVED_REACH
+                       : limit.ends != DOM_PROVED_BARRIER || !(limit.low <= r_max && r_max <= limit.high) ||
                              limit.high - limit.low > 4e-12 * r_max;
     }
     return wrong;
@@ -262,13 +265,14 @@ TEST(an_interrupt_ends_every_stage)
         assert_true(proof_begin(&proof, &shape));
         raise_at = SIZE_MAX;
         passes = &proof.chains;
-        struct limit_proof whole = limit_prove(&proof, 1e-3);
+        struct dom_proof limit;
+        limit_prove(&proof, 1e-3, &limit);
         size_t in_all = proof.chains;
-        assert_true(whole.kind != LIMIT_PARTLY && in_all > 300);
+        assert_true(limit.ends != DOM_PROVED_PARTLY && in_all > 300);
         for (raise_at = 1; raise_at <= in_all; raise_at += 1 + in_all / 499) {
             proof.boxes = proof.chains = 0;
-            struct limit_proof limit = limit_prove(&proof, 1e-3);
-            assert_true(limit.kind != LIMIT_PARTLY || limit.outcome == OUTCOME_INTERRUPTED);
+            const enum outcome outcome = limit_prove(&proof, 1e-3, &limit);
+            assert_true(limit.ends != DOM_PROVED_PARTLY || outcome == OUTCOME_INTERRUPTED);
             assert_true(isnan(limit.low) || limit.low <= train[k].r_max);
             assert_true(limit.high >= train[k].r_max);
             assert_true(proof.chains <= raise_at + 12);

@@ -11,7 +11,6 @@ struct shape shape_make(double s, double d, double q)
     /* The value of v at theta_u is 1 - cos theta_u = [sqrt(1 + d^2) - 1]/sqrt(1 + d^2). To avoid
      * cancellation, the numerator is computed as d^2/(1 + sqrt(1 + d^2)). */
     struct span square = span_square(shape.d), root = span_sqrt(span_add(span_of(1), square));
-    shape.steepest = root.hi;
     shape.g_top = span_over(square, span_add(span_of(1), root));
     shape.v_top = span_over(shape.g_top, root);
     return shape;
@@ -139,9 +138,6 @@ struct growth growth_make(const struct shape *shape, double r_low, double r_high
     g.low = corner_make(shape, r_low);
     g.high = corner_make(shape, r_high);
     g.leave = (struct span){g.high.leave.lo, g.low.leave.hi}; /* theta_leave decreases with r */
-    /* theta_inf < theta_leave if 1/r^2 > L^2 - d^2 = s (s + 2 d). */
-    struct span room = span_scale(shape->s, span_add(shape->s, span_add(shape->d, shape->d)));
-    g.detaches_never = up(up(r_high * r_high) * room.hi) < 1;
     g.rq = span_power(g.r, shape->q);
     g.weight = span_over(span_of(1), g.rq);
     g.weight.hi = most_1(g.weight.hi);

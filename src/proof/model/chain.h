@@ -38,7 +38,6 @@ struct shape {
     /* v at the tilt theta_u, at which the energy h of a domino is largest; tan theta_u = d */
     struct span v_top;
     struct span g_top; /* h(theta_u) - 1 */
-    double steepest;   /* upper bound on sqrt(1 + d^2), which no |dh/dtheta| exceeds */
     bool paper;        /* true to use the paper's closed form of the fuel */
     bool pair;         /* true for a train of two dominoes instead of the endless train */
 };
@@ -58,7 +57,6 @@ struct growth {
     struct span r;
     struct corner low, high;         /* the quantities at the two ends of the interval of growths */
     struct span leave;               /* as in struct corner, but for all growths in the interval */
-    bool detaches_never;             /* true if theta_inf < theta_leave for all growths in the interval */
     struct span rq, weight, inertia; /* r^q, r^-q, r^-(q+1) */
 };
 

@@ -5,6 +5,9 @@
 
 #include <stdlib.h>
 
+/* Sums end when their remainders are at most this large. */
+static const double REST = 1e-17;
+
 enum { DEEPEST = 48, PER_STRIP = 400, PER_WIDE_STRIP = 64 };
 
 bool proof_begin(struct proof *proof, const struct shape *shape)
@@ -65,9 +68,10 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
  * D(sigma) <= D(at) + |sigma - at| max |dD/dsigma|. If D is monotonic in the box, `at` is the end of the
  * interval at which D is largest. Otherwise `at` is the middle of the interval.
  *
- * Bound 3 also uses the mean value theorem in the growth r. K - D is computed only at the upper end of the
- * strip. Let M be an upper bound on d(K - D)/dr, and let w be the width of the strip. Then K - D is at least
- * its value at the upper end, minus max(M, 0) w.
+ * Bound 3 also uses the mean value theorem in the growth r, for the finite sums K_n - D_n <= K - D
+ * (energy.c). They are computed only at the upper end of the strip. Let M be an upper bound on
+ * d(K_n - D_n)/dr, and let w be the width of the strip. Then K_n - D_n is at least its value at the upper
+ * end, minus max(M, 0) w.
  *
  * If all three bounds fail, the interval of tilts is halved. If they fail even for the single tilt `at`, the
  * strip is too wide.
@@ -120,12 +124,12 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
 }
 
 /* Computes the train with an upright head twice: for all growths of the strip, and for the growth at its
- * upper end. The argument `rest` is that of upright_find. */
-static bool strip_begin(struct proof *proof, double r_low, double r_high, double rest)
+ * upper end. */
+static bool strip_begin(struct proof *proof, double r_low, double r_high)
 {
     proof->chains += 3;
-    return upright_find(&proof->shape, r_low, r_high, rest, &proof->box) &&
-           upright_find(&proof->shape, r_high, r_high, smaller(rest, 1e-17), &proof->point);
+    return upright_find(&proof->shape, r_low, r_high, REST, 0, &proof->box) &&
+           upright_find(&proof->shape, r_high, r_high, REST, proof->box.n, &proof->point);
 }
 
 static enum outcome cover_all(struct proof *proof, const struct level *level)
@@ -140,7 +144,7 @@ enum outcome proof_strip(struct proof *proof, double r_low, double r_high)
 {
     if (proof_interrupted(proof))
         return OUTCOME_INTERRUPTED;
-    if (!strip_begin(proof, r_low, r_high, 1e-17))
+    if (!strip_begin(proof, r_low, r_high))
         return OUTCOME_OPEN;
     if (proof->point.fuel.hi <= 0)
         return OUTCOME_REFUTED;
@@ -153,7 +157,7 @@ enum outcome proof_below(struct proof *proof, double r_low, double r_high, doubl
 {
     if (proof_interrupted(proof))
         return OUTCOME_INTERRUPTED;
-    if (!strip_begin(proof, r_low, r_high, 1e-17))
+    if (!strip_begin(proof, r_low, r_high))
         return OUTCOME_LIMIT;
     struct level level = {span_of(most), span_of(most), span_of(0), false};
     return cover_all(proof, &level);
@@ -184,7 +188,7 @@ bool proof_stops(struct proof *proof, double r_low, double r_high, double top)
         return false;
     proof->boxes++;
     proof->chains += 2;
-    if (!upright_find(&proof->shape, r_low, r_high, 1e-17, &proof->box))
+    if (!upright_find(&proof->shape, r_low, r_high, REST, 0, &proof->box))
         return false;
     if (proof->box.fuel.hi <= 0)
         return true;
@@ -202,7 +206,7 @@ double proof_guess(struct proof *proof, double r, double *top)
 {
     enum { SAMPLES = 48, STEPS = 60 };
     *top = 0;
-    if (proof_interrupted(proof) || !upright_find(&proof->shape, r, r, 1e-17, &proof->point))
+    if (proof_interrupted(proof) || !upright_find(&proof->shape, r, r, REST, 0, &proof->point))
         return NAN;
     double hit = upright_hit_below(&proof->point), best = 0,
            kinetic = span_middle(proof->point.kinetic.value);

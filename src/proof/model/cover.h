@@ -3,6 +3,7 @@
 #ifndef DOM_PROOF_COVER_H
 #define DOM_PROOF_COVER_H
 
+#include "domino_proof.h"
 #include "proof/model/energy.h"
 #include <signal.h>
 
@@ -61,5 +62,9 @@ enum outcome proof_below(struct proof *proof, double r_low, double r_high, doubl
  * tell which proof to try. Returns NaN if the train cannot be computed, or after an interrupt.
  */
 double proof_guess(struct proof *proof, double r, double *top);
+
+/* Tries to enclose the smallest growth at which the train stops, as dom_prove_rmax says. If the proof remains
+ * incomplete (DOM_PROVED_PARTLY), the result is the reason. */
+enum outcome limit_prove(struct proof *proof, double tol, struct dom_proof *found);
 
 #endif

@@ -21,38 +21,35 @@ struct link {
 struct upright {
     struct growth growth;
     struct link *link; /* array of LINKS_MOST + 1 dominoes */
-    /* Sums run over dominoes 0 ... n - 1; bounds on the remainders are added. If no domino reaches theta_u, n
-     * is 0, and nothing is known except that P <= 0 and K <= 0. */
+    /* Sums run over dominoes 0 ... n - 1, and intervals include the remainder. If no domino reaches theta_u,
+     * n is 0, and nothing is known except that P <= 0 and K <= 0. */
     int n;
     /* true if there is no domino n, or if domino n and all later ones stay at theta_f during the cycle; then
      * all remainders are 0 */
     bool exact_end;
     double g_last; /* lower bound on h - 1 for domino n and all later ones */
-    /* upper bound on the sum over i >= n of (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)) */
-    double drop_rest;
-    /* upper bound on the sum over i >= n of -r^(-q i) dh(theta_i0)/dr */
-    double slide_rest;
     /* P and T; for a pair, `fuel` is the energy that domino 1 releases, in m g h / 2 of domino 1, and
      * `inertia` is not set */
     struct span fuel, inertia;
-    struct dual kinetic; /* the kinetic energy K; its derivative may be infinite */
+    struct dual kinetic; /* the kinetic energy K, and the derivative of K_n, which may be infinite */
     bool by_r;           /* true if the derivatives with respect to r are finite */
 };
 
 /*
- * Computes the train with an upright head, for all growths from r_low to r_high. Dominoes are added to the
- * sums one by one. This ends when the remainder of the energy is at most `rest`, when more dominoes hardly
- * reduce it, or when the array is full. If the array is full and even its last domino may not lean beyond
- * theta_u, no remainder is known, and the function returns false.
+ * Computes the train with an upright head, for all growths from r_low to r_high. If n is 0, dominoes are
+ * added to the sums until the remainder of the energy is at most `rest`, until more dominoes hardly reduce
+ * it, or until the array is full. If the array is full and even its last domino may not lean beyond theta_u,
+ * no remainder is known, and the function returns false. If n is the number of dominoes that was chosen for
+ * an interval of growths that contains this one, the sums run over the same dominoes.
  */
-bool upright_find(const struct shape *shape, double r_low, double r_high, double rest,
+bool upright_find(const struct shape *shape, double r_low, double r_high, double rest, int n,
                   struct upright *upright);
 
 /* The energy D = H(theta) - H(0) that the train needs to tilt its head from upright to theta. */
 struct climb {
     struct span height;  /* D */
-    struct span by_tilt; /* derivative of D with respect to 2 sin(theta/2) */
-    struct span by_r;    /* dD/dr, or an infinite interval where no bound is known */
+    struct span by_tilt; /* derivative of D_n with respect to 2 sin(theta/2) */
+    struct span by_r;    /* dD_n/dr, or an infinite interval where no bound is known */
 };
 
 /* Returns intervals that hold for all growths of the train, and for all theta <= theta_c for which

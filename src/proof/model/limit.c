@@ -12,12 +12,21 @@
  * root. The second shows that the train keeps falling for all growths up to a decimal number just below the
  * root. If the estimate of the root is wrong, one of the two proofs fails, but nothing wrong is proved.
  */
-#include "proof/model/limit.h"
+#include "proof/model/cover.h"
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates the growth at which the margin is 0. The train must seem to keep falling at `low` and to stop at
- * `high`. */
+struct search {
+    struct proof *proof;
+    double tol;
+    double done;          /* the train keeps falling for all growths from found->from to this one */
+    double stop;          /* after OUTCOME_REFUTED: the train stops at this growth */
+    enum outcome outcome; /* of the last proof */
+    struct dom_proof *found;
+};
+
+/* Estimates the growth at which the margin is 0, between `low`, where the train seems to keep falling, and
+ * `high`, where it seems to stop. Sets *top as proof_guess does. */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
@@ -27,33 +36,12 @@ static double root_between(struct proof *proof, double low, double high, double 
             at = 0.5 * (low + high);
         if (!(at > low && at < high))
             break;
-        double margin = proof_guess(proof, at, top);
-        if (margin > 0) {
-            low = at;
-            at_low = margin;
-        } else {
-            high = at;
-            at_high = margin;
-        }
+        const double margin = proof_guess(proof, at, top);
+        *(margin > 0 ? &low : &high) = at;
+        *(margin > 0 ? &at_low : &at_high) = margin;
     }
+    proof_guess(proof, low, top);
     return low;
-}
-
-/* A grid of decimal numbers n / unit, where n is an integer and unit = 10^decimals. The two ends of an
- * enclosure are such numbers, so they can be printed exactly. */
-struct grid {
-    double unit;
-    int decimals;
-};
-
-static struct grid grid_for(double r, double tol)
-{
-    struct grid grid = {1, 0};
-    while (1 / grid.unit > tol * r * (1 + 1e-9) && r * grid.unit < 0x1p49) {
-        grid.unit *= 10;
-        grid.decimals++;
-    }
-    return grid;
 }
 
 /*
@@ -61,107 +49,93 @@ static struct grid grid_for(double r, double tol)
  * this number may be a little smaller or larger than the number. So the proof covers the whole interval
  * between the two neighbours of r.
  */
-static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
+static bool stops_after(struct search *s, double n, double unit, double top)
 {
     for (int more = 1; more <= 256; more *= 2) {
-        double r = (n + more) / grid->unit, low = nextafter(r, 0), above = nextafter(r, INFINITY);
-        if (low * proof->shape.s.hi < 1 && proof_stops(proof, low, above, top)) {
-            *high = r;
+        const double r = (n + more) / unit, low = nextafter(r, 0), above = nextafter(r, INFINITY);
+        if (low * s->proof->shape.s.hi < 1 && proof_stops(s->proof, low, above, top)) {
+            s->found->high = r;
             return true;
         }
     }
     return false;
 }
 
-/* Tries to prove that the train keeps falling for all growths from *done to n / unit. If the outcome is
- * OUTCOME_OPEN, tries (n - 1) / unit, then (n - 2) / unit, then (n - 4) / unit, and so on. */
-static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
-                           struct limit_proof *limit)
+/* Tries to prove that the train keeps falling for all growths up to n / unit. If the outcome is OUTCOME_OPEN,
+ * tries (n - 1) / unit, then (n - 2) / unit, then (n - 4) / unit, and so on. */
+static bool goes_on_before(struct search *s, double n, double unit)
 {
     for (int less = 0; less <= 1024; less = less > 0 ? 2 * less : 1) {
-        double end = nextafter((n - less) / grid->unit, INFINITY);
-        limit->low = (n - less) / grid->unit;
-        if (limit->low < limit->from)
+        const double end = nextafter((n - less) / unit, INFINITY);
+        s->found->low = (n - less) / unit;
+        if (s->found->low < s->found->from)
             break;
-        limit->outcome = OUTCOME_PROVED;
-        if (*done < end)
-            limit->outcome = proof_range(proof, done, end, larger(1e-3 / grid->unit, LAST_STRIP * end), stop);
-        if (limit->outcome != OUTCOME_OPEN)
+        s->outcome = OUTCOME_PROVED;
+        if (s->done < end)
+            s->outcome =
+                proof_range(s->proof, &s->done, end, larger(1e-3 / unit, LAST_STRIP * end), &s->stop);
+        if (s->outcome != OUTCOME_OPEN)
             break;
     }
-    return limit->outcome == OUTCOME_PROVED;
+    return s->outcome == OUTCOME_PROVED;
 }
 
 /*
- * Estimates the growth between *done and `high` at which the margin is 0 (the root). Tries to prove that the
- * train keeps falling for all growths up to limit->low, slightly below the root. Also tries to prove that the
- * train stops at limit->high, slightly above the root.
- *
- * Returns false if a proof fails, with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, the
- * train already stops at a smaller growth, and *stop is that growth.
+ * Estimates the growth between s->done and `high` at which the margin is 0 (the root). Tries to prove that
+ * the train keeps falling up to a decimal number slightly below the root, and that it stops at one slightly
+ * above. Returns false if a proof fails, with the reason in s->outcome.
  */
-static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
-                          struct limit_proof *limit)
+static bool bracket_prove(struct search *s, double high)
 {
-    double top, root = root_between(proof, *done, high, &top);
-    *stop = NAN;
-    limit->outcome = OUTCOME_OPEN;
-    proof_guess(proof, root, &top);
-    if (proof_interrupted(proof)) {
-        limit->outcome = OUTCOME_INTERRUPTED;
-        return false;
-    }
+    double top, root = root_between(s->proof, s->done, high, &top), tol = s->tol;
+    s->stop = NAN;
+    s->outcome = proof_interrupted(s->proof) ? OUTCOME_INTERRUPTED : OUTCOME_OPEN;
     /* With few decimal places, the number just above the root may lie beyond the next root, where the train
-     * keeps falling again, or beyond 1/s. The number just below the root may lie below limit->from. So try
-     * again with more decimal places. */
-    for (int finer = 0; finer < 9; finer++, tol /= 10) {
-        struct grid grid = grid_for(root, tol);
-        double n = floor(root * grid.unit);
-        limit->decimals = grid.decimals;
-        if (!stops_after(proof, &grid, n, top, &limit->high))
-            continue;
-        if (n / grid.unit <= limit->from)
-            continue;
-        if (goes_on_before(proof, &grid, n, done, stop, limit)) {
-            limit->kind = LIMIT_BRACKET;
-            return true;
-        }
-        break;
+     * keeps falling again, or beyond 1/s. The number just below the root may lie below the first growth. So
+     * try again with more decimal places. */
+    for (int finer = 0; finer < 9 && s->outcome == OUTCOME_OPEN; finer++, tol /= 10) {
+        double unit = 1;
+        int decimals = 0;
+        for (; 1 / unit > tol * root * (1 + 1e-9) && root * unit < 0x1p49; unit *= 10)
+            decimals++;
+        const double n = floor(root * unit);
+        s->found->decimals = decimals;
+        if (stops_after(s, n, unit, top) && n / unit > s->found->from)
+            return goes_on_before(s, n, unit);
     }
     return false;
 }
 
-static struct limit_proof limit_from(struct proof *proof, double from, double tol)
+static void limit_from(struct search *s)
 {
-    struct limit_proof limit = {
-        .kind = LIMIT_PARTLY, .from = from, .low = from, .high = INFINITY, .decimals = 17};
-    double end = up(1 / proof->shape.s.lo), width = FIRST_STRIP, done = from;
-    while (done < end && width > LAST_STRIP * done) {
-        double next = smaller(done + width, end), top;
-        limit.outcome = proof_strip(proof, done, next);
-        if (limit.outcome == OUTCOME_PROVED) {
-            done = next;
+    double end = up(1 / s->proof->shape.s.lo), width = FIRST_STRIP, top;
+    while (s->done < end && width > LAST_STRIP * s->done) {
+        double next = smaller(s->done + width, end);
+        s->outcome = proof_strip(s->proof, s->done, next);
+        if (s->outcome == OUTCOME_PROVED) {
+            s->done = next;
             width *= 2;
             continue;
         }
-        if (limit.outcome == OUTCOME_LIMIT || limit.outcome == OUTCOME_INTERRUPTED)
-            break;
-        bool stops = limit.outcome == OUTCOME_REFUTED || (next < end && proof_guess(proof, next, &top) < 0);
-        while (stops) {
-            double stop;
-            if (bracket_prove(proof, tol, &done, next, &stop, &limit))
-                return limit;
-            stops = limit.outcome == OUTCOME_REFUTED;
-            next = stop;
+        bool stops = s->outcome == OUTCOME_REFUTED ||
+                     (s->outcome == OUTCOME_OPEN && next < end && proof_guess(s->proof, next, &top) < 0);
+        for (; stops; next = s->stop) {
+            if (bracket_prove(s, next)) {
+                s->found->ends = DOM_PROVED_BARRIER;
+                return;
+            }
+            stops = s->outcome == OUTCOME_REFUTED;
         }
-        if (limit.outcome == OUTCOME_LIMIT || limit.outcome == OUTCOME_INTERRUPTED)
+        if (s->outcome == OUTCOME_LIMIT || s->outcome == OUTCOME_INTERRUPTED)
             break;
         width /= 2;
     }
-    if (done >= end)
-        limit.kind = LIMIT_REACH;
-    limit.low = done;
-    return limit;
+    s->found->low = s->done;
+    if (s->done >= end) {
+        s->found->ends = DOM_PROVED_REACH;
+        s->found->low = down(1 / s->proof->shape.s.hi);
+        s->found->high = end;
+    }
 }
 
 /*
@@ -172,47 +146,47 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
 static double band_begin(struct proof *proof)
 {
     enum { SAMPLES = 400 };
-    double last = 1, reach = 1 / proof->shape.s.hi, top;
+    double low = 1, reach = 1 / proof->shape.s.hi, top;
     for (int k = 1; k <= SAMPLES; k++) {
-        double r = 1 + (reach - 1) * k / (SAMPLES + 1);
-        if (proof_guess(proof, r, &top) > 0) {
-            double low = last, high = r;
-            for (int step = 0; step < 24; step++) {
-                double at = 0.5 * (low + high);
-                if (proof_guess(proof, at, &top) > 0)
-                    high = at;
-                else
-                    low = at;
-            }
-            double from = ceil(high * 1e6) / 1e6;
-            if (from < r && proof_strip(proof, from, from) == OUTCOME_PROVED)
-                return from;
-            if (proof_strip(proof, r, r) == OUTCOME_PROVED)
-                return r;
-            return NAN;
+        const double r = 1 + (reach - 1) * k / (SAMPLES + 1);
+        double high = r;
+        if (!(proof_guess(proof, r, &top) > 0)) {
+            low = r;
+            continue;
         }
-        last = r;
+        for (int step = 0; step < 24; step++) {
+            const double at = 0.5 * (low + high);
+            *(proof_guess(proof, at, &top) > 0 ? &high : &low) = at;
+        }
+        const double from = ceil(high * 1e6) / 1e6;
+        if (from < r && proof_strip(proof, from, from) == OUTCOME_PROVED)
+            return from;
+        return proof_strip(proof, r, r) == OUTCOME_PROVED ? r : (double)NAN;
     }
     return NAN;
 }
 
-struct limit_proof limit_prove(struct proof *proof, double tol)
+enum outcome limit_prove(struct proof *proof, double tol, struct dom_proof *found)
 {
-    double top, from = 1;
-    enum outcome first = proof_strip(proof, 1, 1);
-    if (first == OUTCOME_PROVED)
-        return limit_from(proof, 1, tol);
-    proof_guess(proof, 1, &top);
-    bool none = proof_stops(proof, 1, 1, top);
-    if (none && proof->shape.pair) {
-        from = band_begin(proof);
+    struct search s = {.proof = proof, .tol = tol, .done = 1, .found = found};
+    double top;
+    *found = (struct dom_proof){
+        .ends = DOM_PROVED_PARTLY, .from = 1, .low = NAN, .high = INFINITY, .decimals = 17};
+    s.outcome = proof_strip(proof, 1, 1);
+    if (s.outcome != OUTCOME_PROVED) {
+        proof_guess(proof, 1, &top);
+        const bool stops = proof_stops(proof, 1, 1, top);
+        const double from = stops && proof->shape.pair ? band_begin(proof) : (double)NAN;
         if (from > 1)
-            return limit_from(proof, from, tol);
-        none = !proof_interrupted(proof);
+            s.done = found->from = from;
+        else if (proof_interrupted(proof))
+            return OUTCOME_INTERRUPTED;
+        else {
+            found->ends = stops ? DOM_PROVED_NONE : DOM_PROVED_PARTLY;
+            found->high = stops ? 1 : INFINITY;
+            return s.outcome;
+        }
     }
-    return (struct limit_proof){.kind = none ? LIMIT_NONE : LIMIT_PARTLY,
-                                .from = 1,
-                                .low = NAN,
-                                .high = none ? 1 : INFINITY,
-                                .outcome = proof_interrupted(proof) ? OUTCOME_INTERRUPTED : first};
+    limit_from(&s);
+    return s.outcome;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The public functions of <domino_proof.h>. They check their arguments and then run the proof. */
 #include "domino_proof.h"
-#include "proof/model/limit.h"
+#include "proof/model/cover.h"
 #include "proof/model/power.h"
 
 #include <fenv.h>
@@ -106,22 +106,10 @@ static enum dom_status prove_limit(const struct dom_train *train, const struct d
     status = begin(&proof, train, compute, pair);
     if (status != DOM_OK)
         return status;
-    struct limit_proof limit = limit_prove(&proof, larger(tolerance_of(compute), 1e-15));
-    static const enum dom_proof_end end[] = {[LIMIT_BRACKET] = DOM_PROVED_BARRIER,
-                                             [LIMIT_REACH] = DOM_PROVED_REACH,
-                                             [LIMIT_NONE] = DOM_PROVED_NONE,
-                                             [LIMIT_PARTLY] = DOM_PROVED_PARTLY};
-    *result = (struct dom_proof){.ends = end[limit.kind],
-                                 .from = limit.from,
-                                 .low = limit.low,
-                                 .high = limit.high,
-                                 .decimals = limit.decimals,
-                                 .gap = limit.kind == LIMIT_PARTLY ? gap_of(limit.outcome) : DOM_PROOF_NONE,
-                                 .work = work_of(&proof)};
-    if (limit.kind == LIMIT_REACH) {
-        result->low = down(1 / proof.shape.s.hi);
-        result->high = up(1 / proof.shape.s.lo);
-    }
+    const enum outcome outcome = limit_prove(&proof, larger(tolerance_of(compute), 1e-15), result);
+    if (result->ends == DOM_PROVED_PARTLY)
+        result->gap = gap_of(outcome);
+    result->work = work_of(&proof);
     proof_end(&proof);
     return DOM_OK;
 }
@@ -149,7 +137,7 @@ static struct span barrier_prove(struct proof *proof, double low, double high, d
                                  enum outcome *outcome)
 {
     struct span barrier = {0, INFINITY};
-    if (upright_find(&proof->shape, low, high, 1e-17, &proof->box)) {
+    if (upright_find(&proof->shape, low, high, 1e-17, 0, &proof->box)) {
         double at = smaller(top, upright_hit_below(&proof->box));
         barrier.lo = least_0(climb_find(&proof->box, at, at, false).height.lo);
     }
@@ -169,7 +157,7 @@ static void cycle_prove(struct proof *proof, double r, double tol, struct dom_pr
     double low = larger(1, nextafter(r, 0)), high = nextafter(r, INFINITY), top;
     enum outcome outcome;
     proof_guess(proof, r, &top);
-    if (!upright_find(&proof->shape, low, high, 1e-17, &proof->box)) {
+    if (!upright_find(&proof->shape, low, high, 1e-17, 0, &proof->box)) {
         result->gap = DOM_PROOF_BOXES;
         return;
     }
@@ -226,41 +214,43 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
     return DOM_OK;
 }
 
-/*
- * Returns an interval that contains x b for every number x in the interval a. A bound that is computed
- * without a rounding error is not moved outwards. So if a is a single number and its product with b is exact,
- * the result is a single number.
- */
-static struct span times_exactly(struct span a, double b)
+/* Returns a bound on a product, and moves it outwards only if the product has a rounding error. */
+static double product_below(double a, double b)
 {
     const double least = 0x1p-960; /* below this, the rounding error of a product may underflow to 0 */
-    double lo = a.lo * b, hi = a.hi * b;
-    return (struct span){lo > least && fma(a.lo, b, -lo) == 0 ? lo : down(lo),
-                         hi > least && fma(a.hi, b, -hi) == 0 ? hi : up(hi)};
+    return b == 1 || (a * b > least && fma(a, b, -(a * b)) == 0) ? a * b : down(a * b);
+}
+
+static double product_above(double a, double b)
+{
+    return product_below(a, b) == a * b ? a * b : up(a * b);
 }
 
 enum { POWERS_MOST = 100000 };
 
 /*
- * Returns the smallest n with first * r^n >= `height`. Rounding errors may leave this n uncertain. If
- * `surely` is true, returns the smallest n for which the inequality is certain. If `surely` is false, returns
- * the smallest n for which it is possible. Returns INFINITY if no such n is below POWERS_MOST.
+ * Finds bounds on the smallest n with first * r^n >= height, by multiplying. The bounds are infinite if no n
+ * is large enough, and NaN if n may exceed POWERS_MOST. Returns true if all products are exact.
  */
-static double count_until(struct span first, double r, double height, bool surely)
+static bool count_by_products(struct span first, struct span r, struct span height, double *least,
+                              double *most)
 {
-    struct span tall = first;
-    double n = 0;
-    for (; n < POWERS_MOST && (surely ? tall.lo : tall.hi) < height; n++) {
-        struct span next = times_exactly(tall, r);
-        if (!((surely ? next.lo : next.hi) > (surely ? tall.lo : tall.hi)))
-            return INFINITY;
-        tall = next;
+    struct span tall = first, before = {0, 0};
+    *least = *most = DOM_NAN;
+    for (int n = 0; n < POWERS_MOST && isnan(*most); n++) {
+        const bool grows = tall.lo > before.lo, may_grow = tall.hi > before.hi;
+        if (isnan(*least) && (tall.hi >= height.lo || !may_grow))
+            *least = may_grow ? n : HUGE_VAL;
+        if (!isnan(*least) && (tall.lo >= height.hi || !grows))
+            *most = grows ? n : HUGE_VAL;
+        before = tall;
+        tall = (struct span){product_below(tall.lo, r.lo), product_above(tall.hi, r.hi)};
     }
-    return n < POWERS_MOST ? n : HUGE_VAL;
+    return before.lo == before.hi && !isnan(*most);
 }
 
-/* Finds bounds on the smallest n with first * r^n >= `height`, for an n that is too large for count_until.
- * This n is ln(height/first)/ln r, rounded up. `height` must be larger than `first`. */
+/* Finds bounds on the smallest n with first * r^n >= `height`, for an n that is too large for
+ * count_by_products. This n is ln(height/first)/ln r, rounded up. `height` must be larger than `first`. */
 static void count_by_logarithms(double first, double height, double r, double *least, double *most)
 {
     struct span growth = {larger(1, down(r)), up(r)},
@@ -292,20 +282,12 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
      * Otherwise only bounds are found. The bounds hold not only for these arguments, but for all numbers that
      * round to them.
      */
-    struct span exact = span_of(first);
-    double n = count_until(exact, r, height, true), same = count_until(exact, r, height, false);
-    struct span last = exact;
-    for (double k = 0; k < n && isfinite(n) && last.lo == last.hi; k++)
-        last = times_exactly(last, r);
-    if (n == same && (isfinite(n) ? last.lo == last.hi : r == 1)) {
-        *least = *most = n;
+    if (count_by_products(span_of(first), span_of(r), span_of(height), least, most))
         return DOM_OK;
-    }
-    if (!isfinite(same)) {
+    count_by_products(span_around(first), (struct span){larger(1, down(r)), up(r)}, span_around(height),
+                      least, most);
+    if (isnan(*least))
         count_by_logarithms(first, height, r, least, most);
-        return DOM_OK;
-    }
-    *least = count_until(span_around(first), up(r), down(height), false);
-    *most = count_until(span_around(first), r > 1 ? larger(1, down(r)) : 1, up(height), true);
+    *most = isnan(*most) ? HUGE_VAL : *most;
     return DOM_OK;
 }
