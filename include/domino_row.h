@@ -269,18 +269,13 @@ struct dom_limits {
     /* The mass exponent: a domino x times as large has x^(q - 1) times the mass. With walls, the masses
      * follow from the walls instead. */
     double q;
-    double hall;     /* length of the hall in m, into which the fallen row must fit; may be infinite */
-    double heaviest; /* the largest mass, in kg, that dom_row_improve may choose; may be infinite */
-    double grid;     /* in m: changed sizes and gaps are multiples of it; 0 means that there is no grid */
+    double hall; /* length of the hall in m, into which the fallen row must fit; may be infinite */
+    double grid; /* in m: changed sizes and gaps are multiples of it; 0 means that there is no grid */
     /* The thicknesses in m that dominoes may have, in increasing order. If `boards` is 0, any thickness is
      * allowed. In a row with boxes_above > 0, boxes may have any thickness. */
     const double *board;
     size_t boards;
 };
-
-/* What a design minimizes. For given heights of the first and the last domino, the row with the fewest
- * dominoes is also the lightest. */
-enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
 
 /* Why a wish cannot be fulfilled, and what dom_design.needs means in that case. */
 enum dom_design_limit {
@@ -295,11 +290,10 @@ enum dom_design_limit {
 
 /* The row that a builder wants. */
 struct dom_wish {
-    double first, height;    /* heights of the first and the last domino, in m; height > first */
-    double safety;           /* the kinetic energy of each cycle over the energy that it needs, > 1 */
-    double hall;             /* as in struct dom_limits; > height */
-    double g, push, release; /* as in struct dom_row */
-    enum dom_least least;
+    double first, height;            /* heights of the first and the last domino, in m; height > first */
+    double safety;                   /* the kinetic energy of each cycle over the energy that it needs, > 1 */
+    double hall;                     /* as in struct dom_limits; > height */
+    double g, push, release;         /* as in struct dom_row */
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
     /* As in struct dom_row, in m. If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls
      * of the train, and all masses follow from the volume of the wood. */
@@ -327,35 +321,23 @@ struct dom_design {
  *
  * The search first finds the best separation s, at which a train with this safety has the largest growth r,
  * and so the fewest dominoes. r is then reduced until the last domino is exactly `height` tall. The
- * separation stays as close to the best one as the hall and the start of the row allow. DOM_LEAST_LENGTH
- * finds the shortest row instead, which may have up to 30 more dominoes. Separations are multiples of 0.001;
- * one at which a train or a row cannot be computed is skipped. In an engine, the row must also fall, which is
- * tried only at separations 0.1 apart.
+ * separation stays as close to the best one as the hall and the start of the row allow. If the row is too
+ * long for the hall, the shortest row is tried, which may have up to 30 more dominoes. Separations are
+ * multiples of 0.001; one at which a train or a row cannot be computed is skipped. In an engine, the row must
+ * also fall, which is tried only at separations 0.1 apart.
+ *
+ * Unless `limits` is NULL, the row can be built: sizes and gaps are multiples of the grid, except the sizes
+ * of the first domino and the height of the last, and every thickness is that of a board, if there are
+ * boards. The rounded row is as safe as wish->safety demands and fits into wish->hall. The results about the
+ * endless train are computed before rounding. The members `sizes` and `hall` of the limits have no effect.
  *
  * The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the
- * wish is outside its range.
+ * wish is outside its range, and DOM_BAD_Q, DOM_BAD_HALL, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a
+ * board) if a member of the limits is.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
-                                const struct dom_compute *compute, struct dom_design *design);
-
-/* Finds a row as dom_design_find does, but one that can be built: sizes and gaps are multiples of the grid,
- * except the sizes of the first domino and the height of the last, and every thickness is that of a board, if
- * there are boards. The rounded row is as safe as wish->safety demands and fits into wish->hall. The results
- * about the endless train are computed before rounding. The members `sizes`, `hall` and `heaviest` of the
- * limits have no effect. If a member of the limits is outside its range, the status is DOM_BAD_Q,
- * DOM_BAD_HALL, DOM_BAD_MASS, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board). */
-enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
-                               const struct dom_limits *limits, const struct dom_compute *compute,
-                               struct dom_design *design);
-
-/* Finds a row that falls and fits into the hall, with `steps` (>= 1) steps from the first domino to the last,
- * and with a separation as dom_design_find chooses it. wish->least and wish->engine are not used. `limits`
- * may be NULL. If no such row falls, design->limit is DOM_DESIGN_SAFETY. If the hall is too short even
- * without gaps, it is DOM_DESIGN_HALL. In both cases design->needs is NaN. The status is DOM_BAD_COUNT if
- * `steps` is 0. */
-enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
-                                 const struct dom_limits *limits, const struct dom_compute *compute,
-                                 size_t steps, struct dom_design *design);
+                                const struct dom_limits *limits, const struct dom_compute *compute,
+                                struct dom_design *design);
 
 /* Writes the design->steps + 1 dominoes of a design that was found for these arguments. The first mass is
  * 1 kg. `limits` may be NULL. The status is DOM_BAD_COUNT unless design->limit is DOM_DESIGN_FITS. */
@@ -456,14 +438,6 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
                                     const struct dom_placement *placement, struct dom_study *study,
                                     size_t *stops);
 
-/* Finds which kinds of error make rows stop. Runs all rows as dom_placement_study does, and then, for each
- * kind of error, the same rows without the errors of this kind, of which without[kind] fall. Unless `stops`
- * is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count numbers: those of dom_placement_study, and then
- * for each kind how many rows end at a domino, but would fall without the errors of this kind. */
-enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
-                                     const struct dom_placement *placement, struct dom_study *study,
-                                     size_t without[DOM_ERROR_COUNT], size_t *stops);
-
 /* Sets `low` and `high` from the counts. The counts may be sums over several studies of one placement. */
 enum dom_status dom_study_interval(struct dom_study *study);
 
@@ -507,7 +481,7 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
  * After an interrupt, the status is DOM_INTERRUPTED, and the result is the best row so far; if study[0].rows
  * is 0, the dominoes are not written. The status is DOM_BAD_HALL if the dominoes do not fit into the hall
  * even without gaps. If a member of the limits is outside its range, the status is DOM_BAD_THICKNESS (a
- * board), DOM_BAD_Q, DOM_BAD_MASS (`heaviest`) or DOM_BAD_GAP (the grid). Other statuses are those of
+ * board), DOM_BAD_Q or DOM_BAD_GAP (the grid). Other statuses are those of
  * dom_placement_study.
  */
 enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,

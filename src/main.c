@@ -37,7 +37,7 @@ static const char help[] =
     "      --keep-going        go on after errors, even in -e, -f and FILE\n"
     "      --safe              commands may not read or write files\n"
     "      --interruptible     SIGINT ends the running command, not the program\n"
-    "      --shard I/N         compute only part I of N of a curve, sweep or placement\n"
+    "      --shard I/N         compute only part I of N of a curve or sweep\n"
     "  -h, --help              print this help\n"
     "  -V, --version           print the version, and what this program was built with\n"
     "\n"

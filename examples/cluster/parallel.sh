@@ -3,8 +3,7 @@
 # Computes scenes in parts with GNU parallel, on the processors of this machine. With PARALLEL='--sshlogin ...' in the
 # environment, the parts run on other machines that share FOLDER.
 #
-#   parallel.sh [PARTS] [FOLDER] [SCENE...]     writes FOLDER/SCENE.csv for each scene; by default for all scenes but
-#                                               map.dom and improve.dom
+#   parallel.sh [PARTS] [FOLDER] [SCENE...]     writes FOLDER/SCENE.csv for each scene; by default for sweep.dom
 #
 # A part whose program is killed is computed again, at most twice. If the script itself was stopped, run it again: it
 # computes only the parts that are missing. The parts are in FOLDER/SCENE.parts.
@@ -13,7 +12,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 parts=${1:-8}
 folder=${2:-.}
 shift $(($# < 2 ? $# : 2))
-[ $# -gt 0 ] || set -- "$here/sweep.dom" "$here/placement.dom" "$here/errors.dom"
+[ $# -gt 0 ] || set -- "$here/sweep.dom"
 
 # GNU parallel computes one part per processor at a time, so each part uses one thread.
 for scene; do
@@ -21,10 +20,5 @@ for scene; do
     mkdir -p "$folder/$name.parts"
     seq -w "$parts" | parallel --quote --retries 3 --halt now,fail=1 \
         "$here/part.sh" "$scene" {} "$parts" "$folder/$name.parts/{}.csv"
-    # The parts of a sweep are concatenated. The parts of a study are counts of rows, which are added up.
-    if grep -q '^placement' "$scene"; then
-        cat "$folder/$name.parts"/*.csv | "${DOMINO:-domino}" -e 'set output csv' -e 'pool -' >"$folder/$name.csv"
-    else
-        cat "$folder/$name.parts"/*.csv >"$folder/$name.csv"
-    fi
+    cat "$folder/$name.parts"/*.csv >"$folder/$name.csv"
 done

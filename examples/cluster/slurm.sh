@@ -3,14 +3,10 @@
 # Computes a scene as a job array of Slurm: task I of N computes part I of N.
 #
 #   sbatch slurm.sh                               20 parts of the sweep, part-01.csv ... part-20.csv
-#   sbatch --array=1-50 slurm.sh placement.dom    50 parts of a study of placement; errors.dom likewise
 #   sbatch --array=1-100 slurm.sh map.dom         a map of a million points
 #   sbatch slurm.sh improve.dom                   'improve' from 20 seeds; choose the best
 #
-# When all tasks are done, combine the parts:
-#
-#   cat part-*.csv > sweep.csv                    for a sweep, as in sweep.dom, map.dom and improve.dom
-#   cat part-*.csv | domino -e 'pool -'           for a study
+# When all tasks are done, combine the parts with 'cat part-*.csv > sweep.csv'.
 #
 # If tasks were lost, submit the same command again: it computes only the parts that are missing. To run only tasks 7
 # and 31, use '--array=7,31', and give the number of parts with '--export=ALL,PARTS=50'.

@@ -13,7 +13,6 @@
 struct error_kind {
     const char *name, *unit;    /* as in DOM_ERRORS */
     const char *keep;           /* what to do about the error, such as "Keep the gaps accurate" */
-    const char *cause;          /* a noun phrase, such as "the errors in the gaps" */
     struct parameter parameter; /* the effect as a parameter; not used for gaps and heights */
     struct domq_effect effect;
 };
@@ -43,9 +42,6 @@ const char *errors_text(const struct dom_random_error *error, bool for_people, c
 
 /* ---- Studies ---- */
 
-extern const struct column placement_columns[];
-bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
-
 /* The row and the random errors of a study. Do not copy this struct, which has pointers into itself. */
 struct trials {
     struct double_row row;
@@ -62,36 +58,12 @@ bool trials_make(const struct query *query, struct problem *problem, size_t rows
 /* Reports that `what` needs random errors. Returns false. */
 bool problem_no_errors(struct problem *problem, const char *what);
 
-/* The results of a study of random rows. */
-struct study {
-    double sigma, heights;
-    char errors[ERRORS_TEXT];
-    bool is_on[DOM_ERROR_COUNT];
-    bool causes; /* the rows were also run with each kind of error left out in turn */
-    struct dom_study result;
-    size_t without[DOM_ERROR_COUNT]; /* for each kind of error, how many rows fall if it is left out */
-    size_t dominoes;                 /* the number of dominoes in the row */
-    size_t *stops;                   /* how many rows stop at each domino: see dom_placement_causes */
-};
-
 /* Runs a study of the scene's row with `rows` random rows. Stores the scene's random errors in `error`. If
  * the scene has no random errors, runs nothing and sets study->rows to 0. */
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct dom_study *study,
                struct dom_random_error error[DOM_ERROR_COUNT]);
 
-/* Runs a study. If there are several kinds of errors, finds out which of them matter: for each kind, runs the
- * rows again without errors of this kind. The caller frees study->stops, even after a failure. */
-enum dom_status study_run_with_causes(const struct dom_row *row, const struct dom_compute *compute,
-                                      const struct dom_placement *placement, struct study *study);
-
-/* Returns an array whose element k is the number of rows that this kind of error stops at domino k + 1. */
-size_t *study_stops(const struct study *study, int kind);
-
-/* Writes the answer of 'placement'. If the study is incomplete, `reason` says why; otherwise it is NULL. */
-void study_answer(struct answer *a, const struct study *study, const char *reason);
-
-/* Computes and prints the part of a study that --shard selects, as counts for blocks of 100 rows. */
-bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
-                  const struct double_row *row, const struct dom_placement *placement);
+/* Returns a phrase such as "1795 of 2000 rows fall (88.3 % to 91 %)". */
+struct words study_words(const struct dom_study *study);
 
 #endif

@@ -52,35 +52,78 @@ bool study_run(const struct query *query, struct problem *problem, size_t rows, 
     return row_status(query, problem, status);
 }
 
+struct words study_words(const struct dom_study *s)
+{
+    struct words words;
+    snprintf(words.text, sizeof words.text, "%zu of %zu rows fall (%.40s to %.40s)", s->fall, s->rows,
+             measured((domq_real)s->low, "share", s->low > 0.99 ? 5 : 3).text,
+             measured((domq_real)s->high, "share", s->high > 0.99 ? 5 : 3).text);
+    return words;
+}
+
 /* ---- placement ---- */
 
-static bool placement_answer(const struct query *query, struct answer *a, struct problem *problem,
-                             const struct trials *t)
+static const struct column placement_columns[] = {
+    {"sigma", "m", "standard deviation of the errors in the gaps; for uniform errors, the largest error", 0},
+    {"heights", "share",
+     "standard deviation of relative errors in the heights; for uniform errors, the largest error", 0},
+    {"rows", "", "the number of rows that were set up", 0},
+    {"fall", "", "the number of rows that fall completely", 0},
+    {"probability", "share", "fall / rows", 0},
+    {"low", "share", "the lower end of the 95 % interval of the probability", 0},
+    {"high", "share", "the upper end of the 95 % interval of the probability", 0},
+    {"unknown", "", "the number of rows that the model cannot decide; they widen the interval", 0},
+    {"stops_most", "", "the domino at which rows stop most often", 0},
+    {"errors", "", "all errors of the rows, each with its size", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* If the study is incomplete, `reason` says why; otherwise it is NULL. `stops` has the number of rows that
+ * stop at each domino. */
+static void placement_answer(struct answer *a, const struct trials *t, const struct dom_study *s,
+                             const size_t *stops, const char *reason)
 {
-    struct study study;
-    char partial[80];
-    const enum dom_status status = study_run_with_causes(&t->row.row, &t->row.compute, &t->placement, &study);
-    const size_t rows = study.result.rows;
-    /* Within a sweep, an interrupted study has no answer. */
-    const bool interrupted = status == DOM_INTERRUPTED && rows > 0 && !a->sink.take;
-    snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", rows, t->placement.rows);
-    if (status == DOM_OK || interrupted)
-        study_answer(a, &study, interrupted ? partial : NULL);
-    free(study.stops);
-    return row_status(query, problem, status);
+    char errors[ERRORS_TEXT];
+    size_t most = 0, others = s->rows - s->fall - s->unknown;
+    for (size_t k = 1; k < t->row.row.count; k++)
+        most = stops[k] > stops[most] ? k : most;
+    answer_say(a, "%s, with 95 %% confidence.", study_words(s).text);
+    if (others > 0)
+        answer_say(a, "The other rows stop most often at domino %zu (%.3g %% of them).", most + 1,
+                   100 * (double)stops[most] / (double)others);
+    answer_row(a,
+               ROW(cell_real((domq_real)t->placement.error[DOM_ERROR_gap].size),
+                   cell_real((domq_real)t->placement.error[DOM_ERROR_height].size),
+                   cell_count((domq_real)s->rows), cell_count((domq_real)s->fall),
+                   cell_computed((domq_real)s->fall / (domq_real)s->rows), cell_computed((domq_real)s->low),
+                   cell_computed((domq_real)s->high), cell_count((domq_real)s->unknown),
+                   others > 0 ? cell_count((domq_real)most + 1) : cell_real(DOMQ_NAN),
+                   cell_word(errors_text(t->placement.error, false, errors))),
+               reason);
 }
 
 static bool run_placement(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct trials t;
+    struct dom_study s = {.rows = 0};
+    char partial[80];
     if (!trials_make(query, problem, query->given->count > 0 ? (size_t)query->given->number[0] : 2000, true,
                      &t))
         return false;
-    bool done = !t.has_errors                         ? problem_no_errors(problem, "this command")
-                : query->run_context->shard.parts > 0 ? study_blocks(query, a, problem, &t.row, &t.placement)
-                                                      : placement_answer(query, a, problem, &t);
+    size_t *stops = calloc(t.row.row.count, sizeof *stops);
+    const enum dom_status status =
+        !stops         ? DOM_NO_MEMORY
+        : t.has_errors ? dom_placement_study(&t.row.row, &t.row.compute, &t.placement, &s, stops)
+                       : DOM_OK;
+    /* Within a sweep, an interrupted study has no answer. */
+    const bool interrupted = status == DOM_INTERRUPTED && s.rows > 0 && !a->sink.take;
+    snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", s.rows, t.placement.rows);
+    if (s.rows > 0 && (status == DOM_OK || interrupted))
+        placement_answer(a, &t, &s, stops, interrupted ? partial : NULL);
+    free(stops);
     free(t.row.domino);
-    return done;
+    return t.has_errors || status != DOM_OK ? row_status(query, problem, status)
+                                            : problem_no_errors(problem, "this command");
 }
 
 /* ---- budget ---- */
@@ -95,26 +138,18 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns out of how many rows a share is counted: 100 for 0.95, which is written as "95 of 100", or 1000 for
- * 0.999, which is written as "999 of 1000". Returns 0 if the share has more than three decimal places. */
-static int rows_of(domq_real share)
-{
-    for (int of = 100; of <= 1000; of *= 10)
-        if (quad(fabs)(share * of - quad(round)(share * of)) < (domq_real)1e-9)
-            return of;
-    return 0;
-}
+/* The arguments of 'budget'. */
+struct budget_call {
+    const struct trials *trials;
+    domq_real share;
+    enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
+};
 
-/* Returns a phrase such as "95 of 100", "999 of 1000" or "99.95 % of the". */
-static struct words share_words(domq_real share)
+/* Returns the size of an error with its unit. In a budget of all errors together, the size is a factor. */
+static struct measured size_words(const struct budget_call *call, domq_real size)
 {
-    struct words words;
-    const int of = rows_of(share);
-    if (of)
-        snprintf(words.text, sizeof words.text, "%.0f of %d", round((double)share * of), of);
-    else
-        snprintf(words.text, sizeof words.text, "%s of the", measured(share, "share", 6).text);
-    return words;
+    const char *unit = error_kinds[call->kind].unit;
+    return measured(size, *unit || call->kind == DOM_ERROR_COUNT ? unit : "share", 2);
 }
 
 /* Rounds sigma down to two digits, which is safe: more rows fall with a smaller sigma. */
@@ -123,70 +158,42 @@ static domq_real two_digits(domq_real sigma)
     return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
 }
 
-/* The arguments of 'budget'. */
-struct budget_call {
-    const struct trials *trials;
-    domq_real share;
-    enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
-};
-
-/* Returns the size of an error with its unit. In a budget of all errors together, `size` is a factor that
- * multiplies the errors, and has no unit. */
-static struct measured size_words(const struct budget_call *call, domq_real size)
-{
-    const char *unit = error_kinds[call->kind].unit;
-    return measured(size, *unit || call->kind == DOM_ERROR_COUNT ? unit : "share", 2);
-}
-
-/* Writes how precise the row must be, for example "Keep the gaps accurate to within 2 mm". */
-static void precision_say(const struct budget_call *call, domq_real size, char *text, size_t room)
-{
-    const bool all = call->kind == DOM_ERROR_COUNT;
-    const bool uniform = !all && call->trials->placement.error[call->kind].uniform;
-    if (all)
-        snprintf(text, room, "All errors may be %s times as large as they are now",
-                 size_words(call, size).text);
-    else
-        snprintf(text, room, "%s to within %s (%s)", error_kinds[call->kind].keep,
-                 size_words(call, size).text,
-                 uniform ? "limits of uniform errors" : "one standard deviation");
-}
-
-/* Prints the largest error that the row may have, rounded down to two digits, and the share of the rows that
- * was asked for. Runs rows with the rounded error and prints the 95 % interval of the share that falls. */
+/* Prints the largest error that the row may have, rounded down to two digits. Runs rows with this error and
+ * prints how many of them fall. */
 static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
                                   const struct dom_budget *budget)
 {
     const struct trials *t = call->trials;
     struct dom_placement at = t->placement;
     struct dom_study study;
-    char text[200];
-    const double size = (double)two_digits((domq_real)budget->sigma);
+    const domq_real size = two_digits((domq_real)budget->sigma);
+    const bool all = call->kind == DOM_ERROR_COUNT;
     for (int k = 0; k < DOM_ERROR_COUNT; k++)
-        if (call->kind == DOM_ERROR_COUNT)
-            at.error[k].size *= size;
+        if (all)
+            at.error[k].size *= (double)size;
         else if (k == (int)call->kind)
-            at.error[k].size = size;
-    enum dom_status status = dom_placement_study(&t->row.row, &t->row.compute, &at, &study, NULL);
+            at.error[k].size = (double)size;
+    const enum dom_status status = dom_placement_study(&t->row.row, &t->row.compute, &at, &study, NULL);
     if (status != DOM_OK)
         return status;
-    const int of = rows_of(call->share), digits = of ? 0 : 2;
-    const double digit = pow(10, -digits), scale = of ? of : 100;
-    precision_say(call, (domq_real)size, text, sizeof text);
-    answer_say(a, "%s: then %s rows fall (95 %% interval: %.*f to %.*f%s).", text,
-               share_words(call->share).text, digits, floor(scale * study.low / digit) * digit, digits,
-               ceil(scale * study.high / digit) * digit, of ? "" : " %");
+    if (all)
+        answer_say(a, "All errors may be %s times as large as they are now: then %s, with 95 %% confidence.",
+                   size_words(call, size).text, study_words(&study).text);
+    else
+        answer_say(a, "%s to within %s (%s): then %s, with 95 %% confidence.", error_kinds[call->kind].keep,
+                   size_words(call, size).text,
+                   at.error[call->kind].uniform ? "limits of uniform errors" : "one standard deviation",
+                   study_words(&study).text);
     return DOM_OK;
 }
 
 /* Prints what the search had found when ^C interrupted it. */
 static void interrupted_say(struct answer *a, const struct budget_call *call, const struct dom_budget *b)
 {
-    const bool open = !isfinite(b->high);
-    const bool all = call->kind == DOM_ERROR_COUNT;
-    answer_say(a, "Interrupted: with %s%s%s, at least %s rows fall%s%s.", all ? "all errors " : "errors of ",
-               size_words(call, two_digits((domq_real)b->sigma)).text, all ? " times as large" : "",
-               share_words(call->share).text,
+    const bool open = !isfinite(b->high), all = call->kind == DOM_ERROR_COUNT;
+    answer_say(a, "Interrupted: with %s%s%s, at least %s of the rows fall%s%s.",
+               all ? "all errors " : "errors of ", size_words(call, two_digits((domq_real)b->sigma)).text,
+               all ? " times as large" : "", measured(call->share, "share", 6).text,
                open ? "; it is not known how many fall with larger errors" : ", and fewer with ",
                open ? "" : size_words(call, (domq_real)b->high).text);
 }
@@ -289,34 +296,15 @@ const struct command study_commands[] = {
      .summary = "the probability that the whole row falls, and where rows stop",
      .help = "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene. "
              "First turn on at least one kind of error: 'set placement 1 mm' for errors in the gaps or, "
-             "for example, 'set error_thickness 1 %' or 'set error_friction 0.05'. If there are "
-             "several errors, each row is also run without each error in turn, with the same random numbers "
-             "for the other errors. The answer then says which error makes the most rows fail, and at which "
-             "domino. With the same 'seed', row number i is always the same, whatever the number of "
-             "'threads'. ^C ends the study, and the answer then covers only the rows that have been run. "
-             "'domino --shard 2/7' runs only the second of seven parts of the study, and prints counts for "
-             "blocks of 100 rows. The command 'pool' adds up the counts of all parts.",
+             "for example, 'set error_thickness 1 %' or 'set error_friction 0.05'. To see how much an error "
+             "matters, turn it off: the random numbers of the other errors stay the same. With the same "
+             "'seed', row number i is always the same, whatever the number of 'threads'. ^C ends the study, "
+             "and the answer then covers only the rows that have been run.",
      .example = "set row 13; set placement 3 mm; set error_thickness 5 %; placement 500",
-     .see = "pool budget effects",
+     .see = "budget effects",
      .principal = "probability",
      .brief = "",
      ANSWER(placement)},
-    {.name = "pool",
-     .synonyms = "cluster parallel merge combine add",
-     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "combine the parts of a 'placement' study into one answer",
-     .help = "To run a study in N parts, start 'domino --shard I/N' for each I from 1 to N, and enter 'set "
-             "output csv' and 'placement' there. Collect the outputs in FILE, in any order. If FILE is '-', "
-             "'pool' reads standard input. The answer equals the answer of the undivided study, digit for "
-             "digit. If rows are missing, the answer says so. It is an error if a row occurs twice, or if "
-             "blocks come from different studies.",
-     .see = "placement",
-     .columns = placement_columns,
-     .sweep.refusal = "it reads a file",
-     .principal = "probability",
-     .brief = "",
-     .access.files = true,
-     .run = run_pool},
     {.name = "budget",
      .precision = PRECISION_DOUBLE,
      .synonyms = "probability chance random precision spacing tolerance",
@@ -337,17 +325,5 @@ const struct command study_commands[] = {
      .principal = "sigma",
      .brief = "",
      ANSWER(budget)},
-    {.name = "slip",
-     .precision = PRECISION_AS_SET,
-     .synonyms = "foot feet slide slippery ground",
-     .train = true,
-     .summary = "the least friction of the floor at which no foot slips",
-     .help = "Finds how much friction the floor needs so that no foot slips: one number for the time while "
-             "dominoes fall, and one for the moment of a hit.",
-     .example = "set floor 0.5; slip",
-     .see = "effects fall",
-     .principal = "motion",
-     .brief = "motion hit slips slips_hit",
-     ANSWER(slip)},
     {.name = NULL},
 };

@@ -151,7 +151,7 @@ bool fit_read(const struct query *query, const char *name, double rate, struct f
               struct problem *problem)
 {
     *data = (struct fit_data){.points = 0};
-    struct csv_table *csv = csv_named(query->scene, query->run_context, name, false, &speeds, problem);
+    struct csv_table *csv = csv_named(query->scene, query->run_context, name, &speeds, problem);
     if (csv)
         data->kind = csv->kind == &speeds ? FIT_SPEEDS : csv->column[DOMINO] ? FIT_HITS : FIT_TOTALS;
     while (csv && csv_next(csv) && row_add(query, data, csv, rate)) {

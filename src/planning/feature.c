@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands design, plan and improve. */
 #include "interpreter/feature.h"
-#include "planning/plan.h"
 #include "planning/planning.h"
 
 static const struct command design_commands[] = {
@@ -19,25 +18,20 @@ static const struct command design_commands[] = {
          "'design' finds a gap and a growth such that every domino after the first has at least 'safety' "
          "times the energy that it needs. This is true both in the endless train and in the row. The first "
          "domino, friction, slope and push come from the scene.\n\n"
-         "WISHES can come in any order. 'safety 2' is "
-         "the default. 'hall 20 m' is the greatest length of the row, including its fallen last domino. "
-         "'minimise dominoes' is the default. 'minimise mass' finds the same row, because fewer dominoes "
-         "also have less mass. 'minimise length' finds the shortest row. 'boards 9, 12, 15 mm' are the "
-         "thicknesses to choose from; with 'set walls 12 mm 30 cm', a box can have any thickness. 'grid 1 "
-         "mm' makes all gaps, heights and thicknesses multiples of 1 mm, except the first domino, the height "
-         "H and the thicknesses of boards. The row still has the required safety.\n\n"
-         "'design 8 m falls 99 %' "
-         "finds how few dominoes are enough for the row to fall with this probability. It takes the random "
-         "errors of the scene into account, such as 'set placement 3 mm'. The lower end of the 95 % "
-         "interval must reach this probability. A table shows the results for fewer and for more dominoes; "
-         "then the row is improved, as with 'improve sizes'.\n\n"
+         "WISHES can come in any order. 'safety 2' is the default. 'hall 20 m' is the greatest length of the "
+         "row, including its fallen last domino. The row has as few dominoes as possible. 'boards 9, 12, 15 "
+         "mm' are the thicknesses to choose from; with 'set walls 12 mm 30 cm', a box can have any "
+         "thickness. 'grid 1 mm' makes all gaps, heights and thicknesses multiples of 1 mm, except the first "
+         "domino, the height H and the thicknesses of boards. The row still has the required safety. With "
+         "random errors, 'placement' then shows how likely the row is to fall, and 'improve sizes' makes it "
+         "more likely.\n\n"
          "If the rigid-body engine runs rows ('set "
          "feet', 'set bounce', 'set method engine'), the row also falls in the engine. 'safety' still "
          "refers to the model, which treats feet as hinges.\n\n"
          "The row becomes the session's row; 'design ... > "
          "hall.csv' writes a file for 'set row hall.csv'.",
      .example = "set q hollow; set friction 0.3; design 8 m",
-     .see = "verdict fall row assert solve",
+     .see = "placement improve verdict fall row",
      .principal = "steps",
      .holds = "a row meets the wishes",
      .access.changes = true,
@@ -78,8 +72,8 @@ static const struct command design_commands[] = {
          "order. 'sizes' also changes the sizes of all dominoes between the first and the last; their "
          "proportions stay fixed. 'hall 20 m' is the greatest length of the row, including its fallen last "
          "domino; the default is the present length. 'boards 9, 12, 15 mm' are the thicknesses to choose "
-         "from; with 'set walls 12 mm 30 cm', a box can have any thickness. 'mass 50 kg' is the greatest "
-         "mass that a changed domino may have. 'grid 1 mm' makes all gaps, and the heights and thicknesses "
+         "from; with 'set walls 12 mm 30 cm', a box can have any thickness. "
+         "'grid 1 mm' makes all gaps, and the heights and thicknesses "
          "that change, multiples of 1 mm. A domino that becomes twice as large gets 2^(q-1) times the mass. "
          "The search uses random rows; the probabilities before and after the changes come from other "
          "random rows. A row within these limits is never replaced by a worse one. ^C ends the search with "

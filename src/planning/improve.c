@@ -32,6 +32,7 @@ enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 /* A row and its improvement. */
 struct improvement {
     struct trials before; /* the row before the changes, and its random errors */
+    size_t count;
     struct dom_domino *domino;
     struct dom_limits limits;
     struct dom_study study[2];
@@ -61,7 +62,7 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
     struct trials *t = &i->before;
     if (!trials_make(query, problem, ROWS, false, t))
         return false;
-    const size_t count = t->row.row.count;
+    const size_t count = i->count = t->row.row.count;
     t->placement.first = 1;
     t->placement.rows = t->row.row.engine ? ROWS_OF_ENGINE : ROWS;
     i->domino = malloc(count * sizeof *i->domino);
@@ -70,59 +71,38 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
     i->from = length_of(t->row.domino, count);
     i->limits = (struct dom_limits){.sizes = w->sizes,
                                     .q = (double)query->scene->train.q,
-                                    .hall = w->has_hall ? (double)w->hall : i->from,
-                                    .heaviest = (double)w->mass,
+                                    .hall = isfinite(w->hall) ? (double)w->hall : i->from,
                                     .grid = (double)w->grid,
                                     .board = w->board,
                                     .boards = w->boards};
     if (!t->has_errors)
         return problem_no_errors(problem, "this command");
-    if (!w->sizes && (w->boards > 0 || isfinite(w->mass)))
-        return problem_error(
-            problem,
-            "without 'sizes', only gaps change, not thicknesses or masses; enter 'improve sizes ...'");
-    if (!grid_check(w->grid, quad_decimal(t->row.domino[0].height), problem))
-        return false;
-    if (isfinite(w->mass) && !scene_has_masses(query->scene))
-        return problem_error(problem, "the masses of this row are not known; set the mass of its first "
-                                      "domino with 'set mass', or leave out 'mass'");
-    return true;
+    if (!w->sizes && w->boards > 0)
+        return problem_error(problem,
+                             "without 'sizes', only gaps change, not thicknesses; enter 'improve sizes ...'");
+    return grid_check(w->grid, quad_decimal(t->row.domino[0].height), problem);
 }
 
 /* ---- The answer ---- */
 
-/* A phrase such as "1795 of 2000 rows fall (88.3 % to 91 %)". */
-struct phrase {
-    char text[320];
-};
-static struct phrase study_words(const struct dom_study *s)
-{
-    struct phrase phrase;
-    snprintf(phrase.text, sizeof phrase.text, "%zu of %zu rows fall (%s to %s)", s->fall, s->rows,
-             measured((domq_real)s->low, "share", s->low > 0.99 ? 5 : 3).text,
-             measured((domq_real)s->high, "share", s->high > 0.99 ? 5 : 3).text);
-    return phrase;
-}
-
 static void improvement_say(const struct query *query, struct answer *a, const struct improvement *i,
                             bool interrupted)
 {
-    const size_t count = i->before.row.row.count;
+    const struct dom_study *study = i->study;
     if (interrupted)
         answer_say(a, "Interrupted; this is the best row so far.");
-    if (i->study[0].fall == i->study[0].rows && i->changed == 0)
-        answer_say(
-            a, "All %zu random rows fall, so there is nothing to improve; the probability is at least %s.",
-            i->study[0].rows, measured((domq_real)i->study[0].low, "share", 5).text);
-    else if (count < 2)
-        answer_say(a, "There is nothing to change in a row of one domino.");
-    else if (i->changed == 0)
-        answer_say(a, "No better row was found. For the present row, %s.%s%s", study_words(&i->study[0]).text,
-                   i->limits.sizes ? "" : " 'improve sizes' also changes the sizes of the dominoes.",
-                   i->study[0].fall > 0 ? "" : " 'mend' looks for a change that makes the row fall.");
+    if (i->changed > 0)
+        answer_say(a, "Before, %s; now %s, with 95 %% confidence.", study_words(&study[0]).text,
+                   study_words(&study[1]).text);
     else
-        answer_say(a, "Before, %s; now %s, with 95 %% confidence.", study_words(&i->study[0]).text,
-                   study_words(&i->study[1]).text);
+        answer_say(a, "%s For the present row, %s, with 95 %% confidence.%s",
+                   study[0].fall == study[0].rows ? "There is nothing to improve."
+                                                  : "No better row was found.",
+                   study_words(&study[0]).text,
+                   study[0].fall == 0 ? " 'mend' looks for a change that makes the row fall."
+                   : study[0].fall < study[0].rows && !i->limits.sizes
+                       ? " 'improve sizes' also changes the sizes of the dominoes."
+                       : "");
     if (i->before.row.row.engine)
         answer_detail(
             a,
@@ -131,7 +111,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
             scene_engine_why(query->scene));
     if (i->changed == 0)
         return;
-    if (i->study[1].fall < i->study[0].fall)
+    if (study[1].fall < study[0].fall)
         answer_say(a, "The old row was outside these limits.");
     answer_detail(a, "The search itself used other random rows.\n");
     answer_say(a, "Including the fallen last domino, the row is %s long; before, it was %s.%s",
@@ -139,95 +119,72 @@ static void improvement_say(const struct query *query, struct answer *a, const s
                query->next ? " 'row' lists the row, and 'undo' reverts the changes." : "");
 }
 
-/* Reports that no row within the limits falls, and names these limits. Returns false. */
-static bool limits_unmet(const struct wishes *w, struct problem *problem)
-{
-    return problem_no_answer(
-        problem, "no row that falls was found within these limits; enter other values of%s%s%s%s%s",
-        w->boards > 0 ? " 'boards'" : "", isfinite(w->mass) ? " 'mass'" : "", w->grid > 0 ? " 'grid'" : "",
-        w->has_hall ? " 'hall'" : "", ", or leave some of them out");
-}
-
-/* Reports why there is no improvement. Returns false. */
-static bool improvement_none(const struct query *query, struct problem *problem, const struct improvement *i,
-                             enum dom_status status)
-{
-    if (status == DOM_BAD_HALL)
-        return problem_no_answer(problem,
-                                 "a hall of %s has no room for %s, even without gaps; enter a longer "
-                                 "hall%s%s",
-                                 measured(i->limits.hall, "m", 6).text,
-                                 i->limits.boards > 0 ? "dominoes of these boards" : "these dominoes",
-                                 i->limits.boards > 0 ? ", or thinner boards" : "",
-                                 i->limits.grid > 0 ? ", or a finer grid" : "");
-    return row_status(query, problem, status);
-}
-
 /* Makes the improved row the row of the scene. */
 static bool improvement_keep(struct scene *scene, const struct improvement *i, struct problem *problem)
 {
-    const size_t count = i->before.row.row.count;
-    struct domq_domino *domino = malloc(count * sizeof *domino);
+    struct domq_domino *domino = malloc(i->count * sizeof *domino);
     if (!domino)
         return problem_status(problem, scene, DOM_NO_MEMORY);
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; k < i->count; k++)
         domino[k] = domino_from_double(&i->domino[k]);
-    const bool kept = scene_row_set(scene, domino, count, i->limits.sizes, problem);
+    const bool kept = scene_row_set(scene, domino, i->count, i->limits.sizes, problem);
     free(domino);
     return kept;
 }
 
-bool improve_row(const struct query *query, const struct wishes *w, struct answer *a, struct improved *found,
-                 struct problem *problem)
+/* Writes the answer. If the command can change the session, the improved row becomes its row. */
+static bool improvement_answer(const struct query *query, struct answer *a, struct improvement *i,
+                               bool interrupted, struct problem *problem)
 {
-    struct improvement i = {.domino = NULL};
-    bool good = improvement_make(query, w, problem, &i);
-    enum dom_status status =
-        good ? dom_row_improve(&i.before.row.row, &i.before.row.compute, &i.before.placement, &i.limits,
-                               progress_count, NULL, i.domino, i.study)
-             : DOM_OK;
-    const bool interrupted = status == DOM_INTERRUPTED && i.study[1].rows > 0 && !a->sink.take;
-    if (good && status == DOM_OK && (i.study[1].rows == 0 || (i.study[1].fall == 0 && i.study[0].fall > 0)))
-        good = limits_unmet(w, problem);
-    if (good && (status == DOM_OK || interrupted)) {
-        i.to = length_of(i.domino, i.before.row.row.count);
-        for (size_t k = 0; k < i.before.row.row.count; k++)
-            i.changed += is_changed(&i.before.row.domino[k], &i.domino[k]);
-        if (answer_for_people(a))
-            improvement_say(query, a, &i, interrupted);
-        *found = (struct improved){.study = {i.study[0], i.study[1]},
-                                   .changed = i.changed,
-                                   .length = i.to,
-                                   .interrupted = interrupted};
-        good = !query->next || a->sink.take || i.changed == 0 ||
-               improvement_keep(&query->next->scene, &i, problem);
+    const struct dom_study *s = i->study;
+    i->to = length_of(i->domino, i->count);
+    for (size_t k = 0; k < i->count; k++)
+        i->changed += is_changed(&i->before.row.domino[k], &i->domino[k]);
+    if (answer_for_people(a))
+        improvement_say(query, a, i, interrupted);
+    const bool keeps = query->next && !a->sink.take && i->changed > 0;
+    bool good = !keeps || improvement_keep(&query->next->scene, i, problem);
+    struct answer list = {.out = answer_rest(a), .style = a->style};
+    if (good && list.out && keeps) { /* the details list the new row */
+        struct query after = *query;
+        after.scene = &query->next->scene;
+        good = row_list(&after, 0, &list, problem);
     }
-    free(i.domino);
-    free(i.before.row.domino);
-    return good && (status == DOM_OK || improvement_none(query, problem, &i, status));
+#define SHARE(value) cell_computed((domq_real)(value))
+    if (good)
+        answer_row(a,
+                   ROW(SHARE((double)s[0].fall / (double)s[0].rows), SHARE(s[0].low), SHARE(s[0].high),
+                       SHARE((double)s[1].fall / (double)s[1].rows), SHARE(s[1].low), SHARE(s[1].high),
+                       cell_count((domq_real)s[1].rows), cell_count((domq_real)i->changed),
+                       cell_narrow(i->to, 5)),
+                   interrupted ? "interrupted: the best row so far" : NULL);
+#undef SHARE
+    return good;
 }
 
 bool run_improve(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
-    struct improved i = {.interrupted = false};
-    bool good = improve_row(query, w, a, &i, problem);
-    if (!good && !i.interrupted)
-        return false;
-    struct answer list = {.out = answer_rest(a), .style = a->style};
-    struct query after = *query;
-    if (list.out && query->next && i.changed > 0) { /* the details list the new row */
-        after.scene = &query->next->scene;
-        good = row_list(&after, 0, &list, problem) && good;
-    }
+    const struct wishes *w = wishes_of(query);
+    struct improvement i = {.domino = NULL};
     const struct dom_study *s = i.study;
-#define SHARE(value) cell_computed((domq_real)(value))
-    answer_row(a,
-               ROW(SHARE((double)s[0].fall / (double)s[0].rows), SHARE(s[0].low), SHARE(s[0].high),
-                   SHARE((double)s[1].fall / (double)s[1].rows), SHARE(s[1].low), SHARE(s[1].high),
-                   cell_count((domq_real)s[1].rows), cell_count((domq_real)i.changed),
-                   cell_narrow(i.length, 5)),
-               i.interrupted ? "interrupted: the best row so far" : NULL);
-#undef SHARE
-    return good;
+    bool good = improvement_make(query, w, problem, &i);
+    const enum dom_status status =
+        good ? dom_row_improve(&i.before.row.row, &i.before.row.compute, &i.before.placement, &i.limits,
+                               progress_count, NULL, i.domino, i.study)
+             : DOM_OK;
+    const bool interrupted = status == DOM_INTERRUPTED && s[1].rows > 0 && !a->sink.take;
+    if (good && status == DOM_BAD_HALL)
+        good = problem_no_answer(problem,
+                                 "a hall of %s has no room for %s, even without gaps; enter a longer hall%s",
+                                 measured(i.limits.hall, "m", 6).text,
+                                 w->boards > 0 ? "dominoes of these boards" : "these dominoes",
+                                 w->boards > 0 ? ", or thinner boards" : "");
+    else if (good && status == DOM_OK && (s[1].rows == 0 || (s[1].fall == 0 && s[0].fall > 0)))
+        good = problem_no_answer(problem, "no row that falls was found within these limits; enter other "
+                                          "values of 'hall', 'grid' or 'boards', or leave some of them out");
+    if (good && (status == DOM_OK || interrupted))
+        good = improvement_answer(query, a, &i, interrupted, problem);
+    free(i.domino);
+    free(i.before.row.domino);
+    return good && row_status(query, problem, status);
 }

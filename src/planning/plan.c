@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'plan', which writes a guide for building the row. */
-#include "planning/plan.h"
+#include "chance/chance.h"
 #include "language/quad.h"
-#include "planning/plan_tables.h"
+#include "pictures/drawing/falling_row.h"
+#include "pictures/picture/paper.h"
+#include "planning/planning.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,6 +49,18 @@ bool plan_parse(struct reader *r, struct question *q)
     return *title != NULL;
 }
 
+/* A row that falls, and what a builder must know about it. */
+struct plan {
+    struct falling_row row;
+    struct windows windows;
+    double *back; /* positions of the dominoes' back edges on the tape measure, in m */
+    bool is_thin; /* the dominoes are hollow, and the thickness of their walls is not known */
+    bool has_leans;
+    struct dom_study study;
+    struct dom_random_error error[DOM_ERROR_COUNT];
+    struct paper paper;
+};
+
 /* ---- The numbers ---- */
 
 /* The number of random rows. A row takes hundreds of times as long in the engine as in the model. */
@@ -81,9 +95,11 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
     }
     p->back = malloc(count * sizeof *p->back);
     enum dom_status status = p->back ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
-    for (size_t k = 0; k < count && p->back; k++)
+    for (size_t k = 0; k < count && p->back; k++) {
         p->back[k] =
             k > 0 ? p->back[k - 1] + (double)(scene->domino[k - 1].thickness + scene->domino[k].gap) : 0;
+        p->has_leans = p->has_leans || scene->domino[k].lean != 0;
+    }
     const size_t rows = scene->row.engine ? STUDY_ROWS_OF_ENGINE : STUDY_ROWS;
     bool good = status == DOM_OK ? study_run(query, problem, rows, &p->study, p->error)
                                  : row_status(query, problem, status);
@@ -162,6 +178,169 @@ static void caption_write(struct plan *p, const char *mark)
             mark, critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
 }
 
+/* ---- The tables ---- */
+
+/* Writes a cell with a length in mm with one decimal, rounded down if `round` is -1, up if it is 1, and to
+ * the nearest if it is 0. A '!' marks a length that `is_critical`. */
+static void mm(FILE *out, domq_real metres, int round, bool is_critical)
+{
+    double tenths = 10000 * (double)metres;
+    tenths = round < 0 ? floor(tenths + 1e-6) : round > 0 ? ceil(tenths - 1e-6) : rint(tenths);
+    if (isfinite(tenths))
+        fprintf(out, "|%.1f%s", tenths / 10, is_critical ? "!" : "");
+    else
+        fputs("| ", out);
+}
+
+/* Writes cells with a value and the limits of its window. They are marked if the domino has the tightest
+ * limits of all dominoes, for this kind of window. If `is_any` is true, there is no lower limit. */
+static void window_put(const struct plan *p, enum dom_window_of kind, size_t k, domq_real now, bool is_any)
+{
+    const struct dom_window *w = &p->windows.kind[kind][k];
+    const bool is_critical = p->windows.critical[kind] == k + 1;
+    FILE *out = p->paper.out;
+    mm(out, now, 0, is_critical);
+    if (is_any)
+        fprintf(out, "|any%s", is_critical ? "!" : "");
+    else
+        mm(out, w->low, 1, is_critical);
+    mm(out, w->high, -1, is_critical);
+}
+
+/* A box is empty inside if its thickness is more than this above that of two walls, in m. */
+#define THIN ((domq_real)1 / 5000)
+
+static bool is_box(const struct plan *p, size_t k)
+{
+    const struct domq_row *row = &p->row.run.scene.row;
+    return row->walls > 0 && p->row.run.scene.domino[k].height > row->boxes_above;
+}
+
+static void plan_tape_table(const struct plan *p)
+{
+    const struct scene_row *scene = &p->row.run.scene;
+    FILE *out = p->paper.out;
+    fprintf(out,
+            "# For the hall: where the dominoes stand\nIn mm, on a tape whose zero is at the back of domino "
+            "1. If only one domino is moved, and its back stays between 'least' and 'most', all dominoes "
+            "still fall.%s\n|domino|back|least|most|front|gap%s\n",
+            p->has_leans ? " 'lean' is how far the top is off plumb; a negative lean is backwards." : "",
+            p->has_leans ? "|lean" : "");
+    for (size_t k = 0; k < scene->row.count; k++) {
+        const struct domq_domino *d = &scene->domino[k];
+        fprintf(out, "|%zu", k + 1);
+        window_put(p, DOM_WINDOW_PLACE, k, (domq_real)p->back[k], false);
+        mm(out, (domq_real)p->back[k] + d->thickness, 0, false);
+        mm(out, k > 0 ? d->gap : DOMQ_NAN, 0, false);
+        if (p->has_leans)
+            mm(out, lean_offset(d), 0, false);
+        putc('\n', out);
+    }
+}
+
+static void plan_size_table(const struct plan *p, const struct scene *of)
+{
+    const struct scene_row *scene = &p->row.run.scene;
+    const bool has_boxes = scene->row.walls > 0, has_masses = scene_has_masses(of);
+    domq_real heaviest = 0;
+    FILE *out = p->paper.out;
+    for (size_t k = 0; k < scene->row.count; k++)
+        heaviest = scene->domino[k].mass > heaviest ? scene->domino[k].mass : heaviest;
+    const struct measure unit = scene_mass_measure(of, heaviest);
+    fputs("# For the workshop: the sizes of the dominoes\n", out);
+    if (has_masses)
+        fprintf(out, "In mm and %s.", unit.unit);
+    else
+        fputs("Lengths are in mm, and masses are divided by the mass of domino 1.", out);
+    fprintf(out,
+            " If only one height or thickness changes, and stays between 'least' and 'most', all dominoes "
+            "still fall.%s\n|domino|height|least|most|thickness|least|most|width|%s\n",
+            has_boxes ? " 'any': as thin as the boards allow." : "", has_masses ? "mass" : "relative");
+    for (size_t k = 0; k < scene->row.count; k++) {
+        const struct domq_domino *d = &scene->domino[k];
+        fprintf(out, "|%zu", k + 1);
+        window_put(p, DOM_WINDOW_HEIGHT, k, d->height, false);
+        window_put(p, DOM_WINDOW_THICKNESS, k, d->thickness,
+                   is_box(p, k) &&
+                       p->windows.kind[DOM_WINDOW_THICKNESS][k].low < 2 * scene->row.walls + THIN);
+        mm(out, d->width, 0, false);
+        fprintf(out, "|%.4g\n",
+                (double)(has_masses ? measure_number(unit, d->mass) : d->mass / scene->domino[0].mass));
+    }
+}
+
+/* ---- Boards ---- */
+
+/* Pieces of equal size that are cut from one board for one domino. */
+struct piece {
+    double board, length, width; /* m */
+    size_t domino;
+    int count;
+};
+
+/* Orders the pieces by the thickness of their boards, then by the number of the domino, and then by length,
+ * with the longest piece first. */
+static int piece_order(const void *one, const void *other)
+{
+    const struct piece *a = one, *b = other;
+    return fabs(a->board - b->board) > 5e-5 ? (a->board < b->board ? -1 : 1)
+           : a->domino != b->domino         ? (a->domino < b->domino ? -1 : 1)
+                                            : (a->length > b->length ? -1 : 1);
+}
+
+/* Lists the pieces of wood for one domino. A solid block is one piece. A box consists of six boards: three
+ * pairs of equal boards. Returns the number of different pieces, which is 1 or 3. */
+static size_t pieces_of(const struct plan *p, size_t k, struct piece piece[3])
+{
+    const struct scene_row *scene = &p->row.run.scene;
+    const struct domq_domino *d = &scene->domino[k];
+    const struct domq_row *row = &scene->row;
+    const double walls = d->height > row->boxes_above ? (double)row->walls : 0, height = (double)d->height,
+                 thick = (double)d->thickness, width = (double)d->width, inside = thick - 2 * walls;
+    if (!p->is_thin && !(walls > 0 && inside > 1e-6 && width - 2 * walls > 1e-6)) {
+        piece[0] = (struct piece){thick, height, width, k + 1, 1};
+        return 1;
+    }
+    piece[0] = (struct piece){walls, height, width, k + 1, 2};
+    piece[1] = (struct piece){walls, height, inside, k + 1, 2};
+    piece[2] = (struct piece){walls, width - 2 * walls, inside, k + 1, 2};
+    return 3;
+}
+
+static bool plan_board_table(const struct plan *p)
+{
+    const struct domq_row *row = &p->row.run.scene.row;
+    const size_t count = row->count;
+    FILE *out = p->paper.out;
+    struct piece *piece = malloc(3 * count * sizeof *piece);
+    size_t pieces = 0;
+    if (!piece)
+        return false;
+    for (size_t k = 0; k < count; k++)
+        pieces += pieces_of(p, k, piece + pieces);
+    qsort(piece, pieces, sizeof *piece, piece_order);
+    fprintf(out,
+            "# For the workshop: boards to cut, by thickness\nIn mm. %s\n|board|domino|pieces|length|width\n",
+            p->is_thin ? "The dominoes are hollow, with walls as thin as paper; 'set walls 12 mm' makes them "
+                         "boxes of boards 12 mm thick."
+            : row->boxes_above > 0 ? "A solid block is one piece. Each box has a front and a back, two sides "
+                                     "between them, and a bottom and a top."
+            : row->walls > 0
+                ? "Each box has a front and a back, two sides between them, and a bottom and a top."
+                : "A solid block is one piece.");
+    for (size_t i = 0; i < pieces; i++) {
+        const struct piece *of = &piece[i];
+        const bool is_new = of->board > 0 && (i == 0 || fabs(of->board - of[-1].board) > 5e-5);
+        mm(out, is_new ? (domq_real)of->board : DOMQ_NAN, 0, false);
+        fprintf(out, "|%zu|%d", of->domino, of->count);
+        mm(out, (domq_real)of->length, 0, false);
+        mm(out, (domq_real)of->width, 0, false);
+        putc('\n', out);
+    }
+    free(piece);
+    return true;
+}
+
 /* ---- The answer ---- */
 
 static void plan_rows(const struct plan *p, struct answer *a)
@@ -169,9 +348,9 @@ static void plan_rows(const struct plan *p, struct answer *a)
     const struct scene_row *scene = &p->row.run.scene;
     for (size_t k = 0; k < scene->row.count && !answer_lost(a); k++) {
         const struct domq_domino *d = &scene->domino[k];
-        const struct dom_window *place = plan_window(p, DOM_WINDOW_PLACE, k),
-                                *height = plan_window(p, DOM_WINDOW_HEIGHT, k),
-                                *thickness = plan_window(p, DOM_WINDOW_THICKNESS, k);
+        const struct dom_window *place = &p->windows.kind[DOM_WINDOW_PLACE][k],
+                                *height = &p->windows.kind[DOM_WINDOW_HEIGHT][k],
+                                *thickness = &p->windows.kind[DOM_WINDOW_THICKNESS][k];
         const domq_real back = (domq_real)p->back[k];
         answer_cells(a, cell_count((domq_real)k + 1), cell_real(back), cell_real(back + d->thickness),
                      cell_real(place->low), cell_real(place->high), cell_real(d->gap), cell_real(d->height),
@@ -234,7 +413,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
         return false;
     if (!has_masses)
         answer_leave_out(a, "mass");
-    if (!plan_has_leans(&p))
+    if (!p.has_leans)
         answer_leave_out(a, "lean");
     caption_write(&p, is_drawn ? "bold" : "!");
     bool good = true;

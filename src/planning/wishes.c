@@ -5,59 +5,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum wish { SAFETY, HALL, MINIMISE, FALLS, SIZES, BOARDS, MASS, GRID, WISHES };
+/* Each command has four successive wishes: 'design' the first ones, and 'improve' the last ones. */
+enum wish { SAFETY, HALL, GRID, BOARDS, SIZES, WISHES, OF_EACH = 4 };
 
-static const char *const names[WISHES] = {
-    [SAFETY] = "safety", [HALL] = "hall",     [MINIMISE] = "minimise", [FALLS] = "falls",
-    [SIZES] = "sizes",   [BOARDS] = "boards", [MASS] = "mass",         [GRID] = "grid"};
+static const char *const names[WISHES] = {"safety", "hall", "grid", "boards", "sizes"};
 
-/* The largest probability that 'falls' accepts. At this probability, up to 200000 random rows are run for
- * each design. */
-#define FALLS_MOST ((domq_real)9999 / 10000)
+static const struct wishes usual_wishes = {.safety = 2, .hall = (domq_real)HUGE_VAL};
 
-const struct wishes usual_wishes = {
-    .safety = 2, .hall = (domq_real)HUGE_VAL, .mass = (domq_real)HUGE_VAL, .least = DOM_LEAST_DOMINOES};
+const struct wishes *wishes_of(const struct query *query)
+{
+    return query->given->bound ? query->given->bound : &usual_wishes;
+}
 
 const char *design_wishes(const void *context, int k)
 {
-    static const enum wish wishes[] = {SAFETY, HALL, MINIMISE, FALLS, BOARDS, GRID};
     (void)context;
-    return k < (int)(sizeof wishes / sizeof *wishes) ? names[wishes[k]] : NULL;
+    return k < OF_EACH ? names[k] : NULL;
 }
 
 const char *improve_wishes(const void *context, int k)
 {
-    static const enum wish wishes[] = {SIZES, HALL, BOARDS, MASS, GRID};
     (void)context;
-    return k < (int)(sizeof wishes / sizeof *wishes) ? names[wishes[k]] : NULL;
-}
-
-/* Returns the wish with this number in a list. */
-static enum wish wish_of(names_list *list, int number)
-{
-    int k = 0;
-    while (k + 1 < WISHES && strcmp(names[k], list(NULL, number)) != 0)
-        k++;
-    return (enum wish)k;
-}
-
-static const char *least_names(const void *context, int k)
-{
-    static const char *const least[] = {
-        [DOM_LEAST_DOMINOES] = "dominoes", [DOM_LEAST_LENGTH] = "length", [DOM_LEAST_MASS] = "mass", NULL};
-    (void)context;
-    return least[k];
+    return k < OF_EACH ? names[k + HALL] : NULL;
 }
 
 /* The wishes as they were parsed. An item that the user did not type is zero. */
 struct wishes_parsed {
-    struct item value[WISHES], board[BOARDS_MOST];
+    struct item value[BOARDS], board[BOARDS_MOST];
     size_t boards;
     /* The unit at the end of the list of boards, in m: 0.01 for '1, 2, 3 cm'. If the list does not end with a
      * unit of length, 0.001, which stands for mm. */
     domq_real board_unit;
     bool sizes;
-    enum dom_least least;
 };
 
 /* Returns the length unit at the end of the text from `from` to `end` in m, or 1 mm if there is none. */
@@ -98,52 +77,34 @@ static bool boards_parse(struct reader *r, struct wishes_parsed *w)
     return true;
 }
 
-static bool wish_parse(struct reader *r, names_list *list, struct wishes_parsed *w)
-{
-    const struct argument wish = {.name = "WISHES", .noun = "wish", .choices = list};
-    static const struct argument least = {.name = "minimise",
-                                          .noun = "thing to minimise",
-                                          .choices = least_names},
-                                 values[WISHES] = {[SAFETY] = {.name = "safety", .kind = ARGUMENT_ANY},
-                                                   [HALL] = {.name = "hall", .kind = ARGUMENT_HEIGHT},
-                                                   [MASS] = {.name = "mass", .kind = ARGUMENT_ANY},
-                                                   [FALLS] = {.name = "falls", .kind = ARGUMENT_ANY},
-                                                   [GRID] = {.name = "grid", .kind = ARGUMENT_HEIGHT}};
-    struct item name, thing;
-    if (!item_parse_choice(r, &wish, &name))
-        return false;
-    const enum wish k = wish_of(list, (int)name.number);
-    if (k == SIZES)
-        return w->sizes = true;
-    bool ends = reader_ends(r);
-    reader_place(r, r->at);
-    if (ends)
-        return problem_error(
-            r->problem, "the value of '%s' is missing; the possible wishes are %s", names[k],
-            list == design_wishes
-                ? "'safety 2', 'falls 99 %', 'hall 20 m', 'boards 9, 12, 15 mm', 'grid 1 mm' and 'minimise "
-                  "dominoes'"
-                : "'sizes', 'hall 20 m', 'boards 9, 12, 15 mm', 'mass 50 kg' and 'grid 1 mm'");
-    if (k == BOARDS)
-        return boards_parse(r, w);
-    if (k != MINIMISE)
-        return item_parse(r, &values[k], &w->value[k]);
-    if (!item_parse_choice(r, &least, &thing))
-        return false;
-    w->least = (enum dom_least)thing.number;
-    return true;
-}
-
 static bool wishes_parse(struct reader *r, names_list *list, struct question *q)
 {
+    static const struct argument values[BOARDS] = {{.name = "safety", .kind = ARGUMENT_ANY},
+                                                   {.name = "hall", .kind = ARGUMENT_HEIGHT},
+                                                   {.name = "grid", .kind = ARGUMENT_HEIGHT}};
+    const struct argument wish = {.name = "WISHES", .noun = "wish", .choices = list};
     struct wishes_parsed *w = q->parsed = reader_memory(r, sizeof *w);
     if (!w)
         return false;
-    w->least = usual_wishes.least;
     r->last = false;
     while (!reader_ends(r)) {
+        struct item name;
         reader_place(r, r->at);
-        if (!wish_parse(r, list, w))
+        if (!item_parse_choice(r, &wish, &name))
+            return false;
+        const int k = (int)name.number + (list == improve_wishes ? HALL : 0);
+        const bool ends = k != SIZES && reader_ends(r);
+        reader_place(r, r->at);
+        if (ends)
+            return problem_error(r->problem, "the value of '%s' is missing; write, for example, '%s'",
+                                 names[k],
+                                 k == SAFETY   ? "safety 2"
+                                 : k == HALL   ? "hall 20 m"
+                                 : k == BOARDS ? "boards 9, 12, 15 mm"
+                                               : "grid 1 mm");
+        if (k == SIZES)
+            w->sizes = true;
+        else if (k == BOARDS ? !boards_parse(r, w) : !item_parse(r, &values[k], &w->value[k]))
             return false;
     }
     return true;
@@ -203,31 +164,19 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
                  struct problem *problem)
 {
     const struct wishes_parsed *parsed = q->parsed;
-    struct quantity unit[WISHES] = {{.value = 0}};
+    struct quantity unit[BOARDS] = {{.value = 0}};
     struct wishes *w = arguments_take(given, sizeof *w, query, problem);
     if (!w)
         return false;
     *w = usual_wishes;
-    w->least = parsed->least;
     w->sizes = parsed->sizes;
-    domq_real *const value[WISHES] = {[SAFETY] = &w->safety,
-                                      [FALLS] = &w->probability,
-                                      [HALL] = &w->hall,
-                                      [MASS] = &w->mass,
-                                      [GRID] = &w->grid};
-    for (int k = 0; k < WISHES; k++)
+    domq_real *const value[BOARDS] = {&w->safety, &w->hall, &w->grid};
+    for (int k = 0; k < BOARDS; k++)
         if (parsed->value[k].argument &&
             !item_bind(&parsed->value[k], q->text, query, &unit[k], value[k], problem))
             return false;
-    w->has_hall = parsed->value[HALL].argument;
     if (!quantity_is_number(unit[SAFETY]))
         return problem_error(
             problem, "the safety is a number without a unit; 2 means twice the energy that a domino needs");
-    if (parsed->value[FALLS].argument &&
-        !(quantity_is_number(unit[FALLS]) && w->probability > 0 && w->probability <= FALLS_MOST))
-        return problem_error(problem, "'falls' is a probability of at most 99.99 %%, as in 'falls 99 %%'");
-    if (parsed->value[MASS].argument &&
-        !(w->mass > 0 && quantity_alike(unit[MASS], (struct quantity){.mass = 1})))
-        return problem_error(problem, "'mass' needs a mass above 0, as in 'mass 50 kg'");
     return boards_bind(q, query, w, problem);
 }

@@ -322,5 +322,17 @@ const struct command row_commands[] = {
      .sweep.echo = "s",
      .principal = "r_max",
      ANSWER(rowmax)},
+    {.name = "slip",
+     .precision = PRECISION_AS_SET,
+     .synonyms = "foot feet slide slippery ground",
+     .train = true,
+     .summary = "the least friction of the floor at which no foot slips",
+     .help = "Finds how much friction the floor needs so that no foot slips: one number for the time while "
+             "dominoes fall, and one for the moment of a hit.",
+     .example = "set floor 0.5; slip",
+     .see = "effects fall",
+     .principal = "motion",
+     .brief = "motion hit slips slips_hit",
+     ANSWER(slip)},
     {.name = NULL},
 };

@@ -180,7 +180,7 @@ bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *row
 static bool row_read(const struct scene *scene, const char *name, const struct run_context *run_context,
                      struct listed_row *row, struct problem *problem)
 {
-    struct csv_table *csv = csv_named(scene, run_context, name, false, &rowfile_kind, problem);
+    struct csv_table *csv = csv_named(scene, run_context, name, &rowfile_kind, problem);
     if (!csv)
         return false;
     bool good = rowfile_read(csv, scene->train.alpha, row), rounded = false;

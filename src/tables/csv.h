@@ -180,10 +180,10 @@ bool csv_check(struct csv_table *csv, int k, domq_real value);
 void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 /* Opens a csv file and reads the first line of its table. The file may be beside the running script, or else
- * in the current directory. If `standard` is true, the name '-' means standard input. On failure, sets
+ * in the current directory. On failure, sets
  * *problem and returns NULL. */
 struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
-                            const char *name, bool standard, const struct csv_kind *kind,
+                            const char *name, const struct csv_kind *kind,
                             struct problem *problem);
 
 /* Closes a table after it has been read. Returns true if there was no error. Otherwise copies the error from

@@ -19,19 +19,17 @@ bool csv_end(struct csv_table *csv, struct problem *problem)
 }
 
 struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
-                            const char *name, bool standard, const struct csv_kind *kind,
-                            struct problem *problem)
+                            const char *name, const struct csv_kind *kind, struct problem *problem)
 {
     const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
-    standard = standard && strcmp(name, "-") == 0;
     char *path = path_beside(run_context, name);
-    FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_open_read(path, interrupt);
+    FILE *in = path ? io_open_read(path, interrupt) : NULL;
     struct csv_table *csv = in ? csv_open(in, path, kind) : NULL;
     if (csv)
         csv->interrupt = interrupt;
     else
         problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
-    if (in && !standard)
+    if (in)
         fclose(in);
     if (!csv)
         free(path);

@@ -27,7 +27,7 @@ outcome() { # WHAT STATUS
 every_allocation() { # SESSION
     enter
     printf 'fuel; theta1 0.1\n' >in.dom
-    "$DOMINO" --shard 1/1 -e 'set output csv; effect row 4; row > row.csv; effect placement 5 mm; placement 20 > study'
+    "$DOMINO" -e 'effect row 4; row > row.csv'
     fail=$(dirname "$DOMINO")/faults/fail_alloc.so
     LD_PRELOAD=$fail FAIL_COUNT=$PWD/count soon "$DOMINO" --bail -n -e "$1" >expected
     answers=$(grep -vE '\.$' expected)
@@ -47,7 +47,7 @@ every_allocation() { # SESSION
 @test "failing allocations: answers" { every_allocation 'fuel; set output json; rmax 0.3; show s; print ans; help rmax'; }
 @test "failing allocations: files" { every_allocation 'fuel > a; fuel >> a; save b.dom; source b.dom; source in.dom > c; fuel'; }
 @test "failing allocations: a row" { every_allocation 'effect row row.csv; fall; place 3 5 mm; mend; verdict'; }
-@test "failing allocations: studies" { every_allocation 'set output csv; pool study; set threads 2; sweep s 0.2 0.6 3 : rmax'; }
+@test "failing allocations: studies" { every_allocation 'set output csv; set threads 2; sweep s 0.2 0.6 3 : rmax'; }
 @test "failing allocations: friction, a walk, pictures" {
     every_allocation 'effect friction 0.2; step; goto 0.1; why; cycle 3; draw 0.2 forces'
 }

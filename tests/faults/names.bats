@@ -47,7 +47,7 @@ readable() { # WHAT NAME
     answer=$("$DOMINO" -n -e fuel)
     for name in "${names[@]}"; do
         echo fuel 2>/dev/null >./"$name" || continue
-        for call in source 'effect row' pool; do
+        for call in source 'effect row'; do
             [[ $name != *$'\n'* ]] || continue
             soon "$DOMINO" -n -e "$call $(quoted "$name")" >../out 2>../err && status=0 || status=$?
             no_crash "$call $(printf %q "$name")" "$status"
@@ -70,7 +70,7 @@ readable() { # WHAT NAME
     mkdir folder && ln -s loop loop && touch file
     for name in . .. / folder folder/ file/ file/x loop loop/x nowhere/x '' "folder/${long:0:256}" \
         "$(printf 'folder/../%.0s' {1..500})x"; do
-        for call in 'fuel >' 'fuel >>' save source 'effect row' pool; do
+        for call in 'fuel >' 'fuel >>' save source 'effect row'; do
             soon "$DOMINO" -n --keep-going -e "$call $(quoted "$name"); print 42" >out 2>err && status=0 || status=$?
             same "$call ${name:0:40}: status" 1 "$status"
             readable "$call" "${name:0:40}"

@@ -104,7 +104,6 @@ every_file_command() { # SIGNAL
         done <<'END'
 source fifo
 effect row fifo
-pool fifo
 fuel > fifo
 fuel >> fifo
 save fifo

@@ -172,9 +172,4 @@ END
     run -1 --separate-stderr "$DOMINO" -e 'echo "a'
     [[ $stderr == *'never closed'* ]]
     same 'source -' $'0.3\n0.4' "$(echo 'set s 0.3; print s' | "$DOMINO" -e 'source -; reset; print s' | grep .)"
-    study='effect row 4; effect placement 5 mm; set output csv; placement 8'
-    same 'data after pool -' "$("$DOMINO" -e "$study")" "$({
-        echo 'set output csv; pool -'
-        "$DOMINO" --shard 1/1 -e "$study"
-    } | "$DOMINO")"
 }

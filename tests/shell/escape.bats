@@ -40,13 +40,13 @@ harmless() { # FILE
     printf '%s\n' "effect row \"${controls//\"/\"\"}\"; set output json; effects" | "$DOMINO" >json
     harmless json
     same 'json of control characters' "$controls" "$(jq -r 'select(.effect == "row").state' json)"
-    printf '%s\n' "source \"s $name\"" "source \"no$name\"" "effect row \"no$name\"" "pool \"$name\"" "foo$name" \
+    printf '%s\n' "source \"s $name\"" "source \"no$name\"" "effect row \"no$name\"" "foo$name" \
         "save \"/no/$name\"" "verdict > \"/no/$name\"" "apropos $name" "set $name 1" "print 1 $name" \
         "sweep $name 1" >messages.dom
     run -1 --separate-stderr "$DOMINO" --keep-going messages.dom "s no$name"
     printf '%s\n' "$stderr" >messages
     harmless messages
-    same 'a line each' 11 "$(wc -l <messages)"
+    same 'a line each' 10 "$(wc -l <messages)"
     # The name of a script is at the beginning of its messages, and must not hide them. A csv file would be a row.
     name=${name%.csv}.dom shown=${shown%.csv}.dom
     printf 'foo\n' >"$name"
@@ -71,7 +71,7 @@ harmless() { # FILE
     grep -qF "$name" table
     name=$(printf '\x01%.0s' {1..200})
     printf 'foo\n' >"$name"
-    for line in "pool $name" "effect row \"$name\"" "source $name"; do
+    for line in "effect row \"$name\"" "source $name"; do
         run -1 --separate-stderr "$DOMINO" --keep-going -e "$line"
         [[ $stderr =~ (not a block|no block|other fields|one column|unknown command) ]] || same "$line" 'what is wrong' "$stderr"
     done
@@ -176,7 +176,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
 
 # bats test_tags=rows,chance
 @test "endless NUL bytes: the first one ends the file, and the session goes on" {
-    for command in 'source /dev/zero' 'pool /dev/zero' 'effect row /dev/zero'; do
+    for command in 'source /dev/zero' 'effect row /dev/zero'; do
         run -1 --separate-stderr timeout 30 "$DOMINO" --keep-going -e "$command; print 41 + 1"
         [[ $stderr =~ (NUL|too long) ]] || same "$command" 'why not' "$stderr"
         same "$command: goes on" 42 "$output"
@@ -197,7 +197,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     same 'stdin' 'stdin:1: the line is longer than 4 MB; put each command on a line of its own' "$stderr"
     same 'goes on' 42 "$output"
     line >long
-    for command in 'source long' 'effect row long' 'pool long'; do
+    for command in 'source long' 'effect row long'; do
         run -1 --separate-stderr endless "$DOMINO" --keep-going -e "$command; print 41 + 1"
         [[ $stderr =~ the\ line\ is\ (longer|too\ long) ]] || same "$command" 'too long' "$stderr"
         same "$command" 42 "${lines[-1]}"

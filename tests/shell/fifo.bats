@@ -10,8 +10,6 @@ load common
 
 @test "^C ends the wait for the writer of a FIFO: effect row" { prompt interrupt_fifo 'effect row %s'; }
 
-@test "^C ends the wait for the writer of a FIFO: pool" { prompt interrupt_fifo 'pool %s'; }
-
 @test "^C ends the wait for the reader of a FIFO: >" { prompt interrupt_fifo 'fuel > %s'; }
 
 @test "^C ends the wait for the reader of a FIFO: >>" { prompt interrupt_fifo 'fuel >> %s'; }
@@ -29,7 +27,6 @@ load common
 }
 
 @test "^C ends a command that reads the terminal" {
-    prompt interrupt_terminal 'pool -'
     prompt interrupt_terminal 'source /dev/tty'
 }
 

@@ -191,6 +191,6 @@ END
     done <<'END'
 cycles|thetac theta1 chain energy fuel launch omega barrier duration cycle step why
 pictures|draw animate plot sheet
-chances|placement pool budget slip
+chances|placement budget
 END
 }

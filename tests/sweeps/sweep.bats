@@ -259,15 +259,13 @@ END
     chmod +x mortal
 }
 
-# bats test_tags=rows,chance
-@test "examples/cluster: two workers of GNU parallel, one of which is killed, give the whole sweep and the whole studies" {
+@test "examples/cluster: two workers of GNU parallel, one of which is killed, give the whole sweep" {
     mortal
     DOMINO=$PWD/mortal PARALLEL=--jobs=2 "$root/examples/cluster/parallel.sh" 5 "$PWD"
     same 'killed in one part' '1/5 2/5 2/5 3/5 4/5 5/5' "$(head -n 6 computed | sort | paste -sd ' ')"
     [ -d killed ]
     "$DOMINO" -f "$root/examples/cluster/sweep.dom" | cmp - sweep.csv
-    for study in placement errors; do "$DOMINO" -f "$root/examples/cluster/$study.dom" | cmp - "$study.csv"; done
-    for file in sweep placement errors; do [ "$(wc -l <"$file.csv")" -gt 1 ]; done
+    [ "$(wc -l <sweep.csv)" -gt 1 ]
     # When the script is run again, only the missing part is computed.
     rm computed sweep.csv sweep.parts/4.csv
     DOMINO=$PWD/mortal PARALLEL=--jobs=2 "$root/examples/cluster/parallel.sh" 5 "$PWD" "$root/examples/cluster/sweep.dom"

@@ -153,9 +153,9 @@ TEST(studies)
     struct dom_placement parallel = p;
     parallel.parallel = last_first;
     parallel.pool = &tasks;
-    struct dom_study study, same, causes;
+    struct dom_study study, same;
     struct dom_budget budget;
-    size_t stops[ROW], stops_same[ROW], without[DOM_ERROR_COUNT], all[(1 + DOM_ERROR_COUNT) * ROW];
+    size_t stops[ROW], stops_same[ROW];
     rows_make(&r, 1.3, 6);
     assert_status(dom_placement_study(&r.row, &r.compute, &p, &study, stops), DOM_OK);
     assert_status(dom_placement_budget(&r.row, &r.compute, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
@@ -165,15 +165,6 @@ TEST(studies)
     assert_memory_equal(&same, &study, sizeof same);
     assert_memory_equal(stops_same, stops, sizeof stops);
     assert_true(tasks > 0);
-    assert_status(dom_placement_causes(&r.row, &r.compute, &p, &causes, without, all), DOM_OK);
-    assert_memory_equal(&causes, &study, sizeof study);
-    assert_memory_equal(all, stops, r.row.count * sizeof *all);
-    /* A study without the error of the thickness counts as many rows as `without`. */
-    struct dom_placement alone = p;
-    alone.error[DOM_ERROR_thickness].size = 0;
-    assert_status(dom_placement_study(&r.row, &r.compute, &alone, &causes, NULL), DOM_OK);
-    assert_int_equal(causes.fall, without[DOM_ERROR_thickness]);
-    assert_int_equal(without[DOM_ERROR_mass], study.fall); /* the masses have no error */
     study.low = 2;
     assert_status(dom_study_interval(&study), DOM_OK);
     assert_true(study.low == same.low);

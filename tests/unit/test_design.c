@@ -3,15 +3,10 @@
 /* Designs, checked with the functions for trains and rows, and compared with all separations on a grid. */
 #include "support.h"
 
-static struct dom_wish wish_of(double height, double safety, double hall, enum dom_least least)
+static struct dom_wish wish_of(double height, double safety, double hall)
 {
-    return (struct dom_wish){.first = 0.048,
-                             .height = height,
-                             .safety = safety,
-                             .hall = hall,
-                             .g = 9.81,
-                             .push = DOM_NAN,
-                             .least = least};
+    return (struct dom_wish){
+        .first = 0.048, .height = height, .safety = safety, .hall = hall, .g = 9.81, .push = DOM_NAN};
 }
 
 static double train_ratio(const struct dom_train *train, double s, double r)
@@ -88,9 +83,8 @@ TEST(designs_hold)
         train.mu = i % 3 ? 0.6 * random_unit(&seed) : 0;
         train.alpha = i % 5 ? 0 : 0.04 * random_unit(&seed) - 0.02;
         double height = random_log(&seed, 0.06, 20), safety = 1 + random_log(&seed, 0.05, 4);
-        struct dom_wish w =
-            wish_of(height, safety, i % 4 ? HUGE_VAL : height * (2 + random_unit(&seed)), DOM_LEAST_DOMINOES);
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+        struct dom_wish w = wish_of(height, safety, i % 4 ? HUGE_VAL : height * (2 + random_unit(&seed)));
+        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
         limits[d.limit]++;
         if (d.limit != DOM_DESIGN_FITS)
             continue;
@@ -125,8 +119,8 @@ TEST(friction_with_edges)
         train.d = 0.12 + 0.2 * random_unit(&seed);
         train.mu = 0.1 + 0.3 * random_unit(&seed);
         train.rho = 0.003 + 0.03 * random_unit(&seed);
-        const struct dom_wish w = wish_of(5, 1.5, HUGE_VAL, DOM_LEAST_DOMINOES);
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+        const struct dom_wish w = wish_of(5, 1.5, HUGE_VAL);
+        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
         assert_int_equal(d.limit, DOM_DESIGN_FITS);
         assert_true(d.row >= w.safety && d.train >= w.safety && d.steps < MOST);
         train.s = d.s;
@@ -169,27 +163,23 @@ TEST(engine_decides)
     struct fake fake = {HUGE_VAL, true};
     const struct dom_engine engine = {fake_run, &fake};
     struct dom_design free, d;
-    for (int least = DOM_LEAST_DOMINOES; least <= DOM_LEAST_LENGTH; least++) {
-        struct dom_wish w = wish_of(5, 1.5, HUGE_VAL, (enum dom_least)least);
-        fake = (struct fake){HUGE_VAL, true};
-        assert_status(dom_design_find(&train, &w, NULL, &free), DOM_OK);
-        w.engine = &engine;
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
-        assert_true(d.s == free.s && d.steps == free.steps && d.seconds == 10);
-        assert_status(dom_design_steps(&train, &w, NULL, NULL, free.steps, &d), DOM_OK);
-        assert_true(d.seconds > 0 && d.seconds != 10); /* the time in the model */
-        fake.most = free.r * 0.999;
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
-        assert_int_equal(d.limit, DOM_DESIGN_FITS);
-        assert_int_equal(d.steps, free.steps + 1);
-        assert_true(d.r <= fake.most && d.row >= w.safety);
-        fake.most = 1.001;
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
-        assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
-        fake = (struct fake){HUGE_VAL, false};
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
-        assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
-    }
+    struct dom_wish w = wish_of(5, 1.5, HUGE_VAL);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &free), DOM_OK);
+    assert_true(free.seconds > 0 && free.seconds != 10); /* the time in the model */
+    w.engine = &engine;
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_true(d.s == free.s && d.steps == free.steps && d.seconds == 10);
+    fake.most = free.r * 0.999;
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_FITS);
+    assert_int_equal(d.steps, free.steps + 1);
+    assert_true(d.r <= fake.most && d.row >= w.safety);
+    fake.most = 1.001;
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
+    fake = (struct fake){HUGE_VAL, false};
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
 }
 
 /* Checks that `needs` makes an impossible wish possible, and that a slightly smaller number does not. */
@@ -199,31 +189,28 @@ TEST(needs_are_enough)
     struct dom_design d;
     train.q = 3;
     train.mu = 0.3;
-    struct dom_wish w = wish_of(8, 2, 15, DOM_LEAST_DOMINOES);
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+    struct dom_wish w = wish_of(8, 2, 15);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_HALL);
     double shortest = d.needs;
     w.hall = shortest;
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_FITS);
     w.hall = shortest * (1 - 1e-9);
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_HALL);
-    w = wish_of(8, 2, HUGE_VAL, DOM_LEAST_LENGTH);
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
-    assert_near("shortest", d.length, shortest, 1e-12);
 
-    w = wish_of(8, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
+    w = wish_of(8, 2, HUGE_VAL);
     w.push = 0.5;
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_START);
     w.push = d.needs;
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_FITS);
 
     train.mu = 3;
-    w = wish_of(8, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+    w = wish_of(8, 2, HUGE_VAL);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_SAFETY);
     double most = 0;
     for (int k = 1; k < 1000; k++)
@@ -232,16 +219,27 @@ TEST(needs_are_enough)
     assert_true(isnan(d.s) && d.steps == 0);
 }
 
+/* Returns the shortest row that has a wished safety: it just fits into the shortest possible hall. */
+static struct dom_design shortest(const struct dom_train *train, struct dom_wish *w)
+{
+    struct dom_design d;
+    w->hall = w->height * (1 + 1e-9);
+    assert_status(dom_design_find(train, w, NULL, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_HALL);
+    w->hall = d.needs;
+    assert_status(dom_design_find(train, w, NULL, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_FITS);
+    return d;
+}
+
 /* Checks that no possible row is shorter than the shortest one that is found. */
 TEST(shortest_is_shortest)
 {
     struct dom_train train = dom_train_default();
-    struct dom_design d;
     train.q = 3;
     train.mu = 0.3;
-    struct dom_wish w = wish_of(2, 2.5, HUGE_VAL, DOM_LEAST_LENGTH);
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
-    double length = d.length;
+    struct dom_wish w = wish_of(2, 2.5, HUGE_VAL);
+    const double length = shortest(&train, &w).length;
     struct dom_verdict v;
     for (size_t n = 4; n < 16; n++)
         for (int k = 200; k < 600; k += 4) {
@@ -263,12 +261,10 @@ TEST(closest_of_thin_dominoes)
     } cases[] = {{0.001, 0.053, 2}, {0.0005, 0.05, 1}};
     for (int i = 0; i < 2; i++) {
         struct dom_train train = dom_train_default();
-        struct dom_design d;
         struct dom_verdict v;
         train.d = cases[i].d;
-        struct dom_wish w = wish_of(cases[i].height, 1.01, HUGE_VAL, DOM_LEAST_LENGTH);
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
-        assert_int_equal(d.limit, DOM_DESIGN_FITS);
+        struct dom_wish w = wish_of(cases[i].height, 1.01, HUGE_VAL);
+        const struct dom_design d = shortest(&train, &w);
         assert_near("s", d.s, cases[i].k / 1000.0, 1e-12);
         row_holds(&train, &w, &d);
         double closer = (cases[i].k - 1) / 1000.0;
@@ -303,24 +299,17 @@ TEST(dominoes_of_a_train)
     }
 }
 
-/* Checks that a search for a given number of dominoes finds the design that has this number, and that a
- * design in whole millimetres describes dominoes of whole millimetres. */
-TEST(given_number_of_dominoes)
+/* Checks that a design in whole millimetres describes dominoes of whole millimetres. */
+TEST(whole_millimetres)
 {
     struct dom_train train = dom_train_default();
     const struct dom_wish wish = {
         .first = 0.048, .height = 8, .safety = 2, .hall = INFINITY, .g = 9.81, .push = NAN};
-    const struct dom_limits limits = {.q = 3, .hall = INFINITY, .heaviest = INFINITY, .grid = 0.001};
-    struct dom_design design, same, whole;
+    const struct dom_limits limits = {.q = 3, .hall = INFINITY, .grid = 0.001};
+    struct dom_design whole;
     train.q = 3;
     train.mu = 0.3;
-    assert_status(dom_design_find(&train, &wish, NULL, &design), DOM_OK);
-    assert_status(dom_design_steps(&train, &wish, NULL, NULL, design.steps, &same), DOM_OK);
-    assert_true(same.limit == DOM_DESIGN_FITS && same.s == design.s && same.r == design.r);
-    assert_status(dom_design_steps(&train, &wish, NULL, NULL, 3, &same), DOM_OK);
-    assert_int_equal(same.limit, DOM_DESIGN_SAFETY);
-    assert_status(dom_design_steps(&train, &wish, NULL, NULL, 0, &same), DOM_BAD_COUNT);
-    assert_status(dom_design_fit(&train, &wish, &limits, NULL, &whole), DOM_OK);
+    assert_status(dom_design_find(&train, &wish, &limits, NULL, &whole), DOM_OK);
     struct dom_domino found[32];
     assert_in_range(whole.steps, 1, 31);
     assert_status(dom_design_dominoes(&train, &wish, &limits, &whole, found), DOM_OK);
@@ -345,7 +334,7 @@ TEST(first_mass)
     for (int in_air = 0; in_air < 2; in_air++) {
         train.q = 4;
         train.air = in_air ? 1.2 / 650 : 0;
-        assert_status(dom_design_find(&train, &wish, NULL, &design), DOM_OK);
+        assert_status(dom_design_find(&train, &wish, NULL, NULL, &design), DOM_OK);
         assert_in_range(design.steps, 1, 63);
         assert_status(dom_design_dominoes(&train, &wish, NULL, &design, found), DOM_OK);
         assert_near("first mass", found[0].mass, 1, 1e-14);
@@ -359,34 +348,34 @@ TEST(wrong_wishes)
     struct dom_train train = dom_train_default();
     struct dom_design d;
     for (int k = 0; k < 4; k++) {
-        struct dom_wish w = wish_of(1, 2, HUGE_VAL, DOM_LEAST_DOMINOES), ok = w;
+        struct dom_wish w = wish_of(1, 2, HUGE_VAL), ok = w;
         w.first = bad[k];
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
+        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HEIGHT);
         w = ok, w.height = bad[k];
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
+        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HEIGHT);
         w = ok, w.safety = bad[k];
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_SAFETY);
+        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_SAFETY);
         w = ok, w.g = bad[k];
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_G);
+        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_G);
         w = ok, w.hall = bad[k];
         if (k < 3)
-            assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HALL);
+            assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HALL);
         w = ok, w.push = bad[k];
         if (k % 2)
-            assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_PUSH);
+            assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_PUSH);
     }
-    struct dom_wish w = wish_of(0.048, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
-    w = wish_of(1, 1, HUGE_VAL, DOM_LEAST_DOMINOES);
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_SAFETY);
-    w = wish_of(1, 2, 1, DOM_LEAST_DOMINOES);
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_HALL);
-    w = wish_of(1, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
+    struct dom_wish w = wish_of(0.048, 2, HUGE_VAL);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HEIGHT);
+    w = wish_of(1, 1, HUGE_VAL);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_SAFETY);
+    w = wish_of(1, 2, 1);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HALL);
+    w = wish_of(1, 2, HUGE_VAL);
     train.d = 0;
-    assert_status(dom_design_find(&train, &w, NULL, &d), DOM_BAD_D);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_D);
     volatile sig_atomic_t stop = 1;
     struct dom_compute compute = dom_compute_default();
     compute.interrupt = &stop;
     train = dom_train_default();
-    assert_status(dom_design_find(&train, &w, &compute, &d), DOM_INTERRUPTED);
+    assert_status(dom_design_find(&train, &w, NULL, &compute, &d), DOM_INTERRUPTED);
 }

@@ -44,7 +44,7 @@ typedef enum dom_status function(void);
     }
 
 static const struct dom_placement placement = {.error[DOM_ERROR_gap] = {.size = 1e-3}, .rows = RANDOM_ROWS};
-static const struct dom_limits limits = {.q = 4, .hall = HUGE_VAL, .heaviest = HUGE_VAL};
+static const struct dom_limits limits = {.q = 4, .hall = HUGE_VAL};
 static const struct dom_wish wish = {
     .first = 0.05, .height = 1, .safety = 1.1, .hall = HUGE_VAL, .g = 9.81, .push = (double)NAN};
 
@@ -62,7 +62,7 @@ ASKS(budget, struct dom_budget found,
      dom_placement_budget(&row, &compute, &placement, DOM_ERROR_gap, 0.5, &found))
 ASKS(improve, struct dom_study found[2],
      dom_row_improve(&row, &compute, &placement, &limits, NULL, NULL, other, found))
-ASKS(design, struct dom_design found, dom_design_find(&train, &wish, &compute, &found))
+ASKS(design, struct dom_design found, dom_design_find(&train, &wish, NULL, &compute, &found))
 
 static enum dom_status prove(void)
 {

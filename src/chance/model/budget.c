@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds how large random errors may be if a row must fall with a given probability. */
 #include "chance/model/draw.h"
-#include "chance/model/interval.h"
 #include "search/edge.h"
 #include <math.h>
 

@@ -191,8 +191,7 @@ static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct do
             size_draw(draw, &draw->row, kind, error, &draw->domino[k]);
 }
 
-void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *p, size_t i,
-              unsigned off)
+void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *p, size_t i)
 {
     /* Random leans come last, since their limits depend on the sizes and on the slope. */
     static const enum dom_error_of order[] = {DOM_ERROR_gap,       DOM_ERROR_place, DOM_ERROR_height,
@@ -207,7 +206,7 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
     draw->row.floor = false;
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
         const struct dom_random_error *error = &p->error[order[k]];
-        if (!(error->size > 0) || off >> order[k] & 1)
+        if (!(error->size > 0))
             continue;
         kind_begin(draw, p, i, (int)order[k]);
         kind_draw(draw, order[k], error);

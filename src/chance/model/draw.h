@@ -16,12 +16,19 @@ struct draw {
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row);
 void draw_end(struct draw *draw);
 
-/* Draws random row number i. If the bit (1 << kind) is set in `off`, errors of this kind are left out. The
- * random numbers for all other kinds stay the same. */
-void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *placement, size_t i,
-              unsigned off);
+/* Draws random row number i. */
+void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *placement, size_t i);
 
 /* Returns the steepest slope, in rad, on which no domino of a row falls over by itself. */
 double row_steepest(const struct dom_row *row);
+
+/*
+ * Each of `rows` rows falls with the probability `share`. This function finds a count of fallen rows that is
+ * so large, or so small, that it is unlikely.
+ * - If `at_least` is true, returns the smallest k for which P(at least k rows fall) < 2.5 %.
+ * - If `at_least` is false, returns the largest k for which P(at most k rows fall) < 2.5 %. If there is none,
+ *   returns -1.
+ */
+double unlikely_count(double share, double rows, bool at_least);
 
 #endif

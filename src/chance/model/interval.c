@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes the exact (Clopper-Pearson) confidence interval for the probability that a row falls. */
-#include "chance/model/interval.h"
+#include "chance/model/draw.h"
 #include <math.h>
 
 /* The probability that the true value lies beyond one given end of a 95 % confidence interval. */

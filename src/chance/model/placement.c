@@ -18,11 +18,9 @@ struct shared {
     const struct dom_row *row;
     struct dom_compute compute;
     const struct dom_placement *placement;
-    bool causes;       /* true to run each row again for each kind of error, without errors of this kind */
     atomic_int status; /* DOM_OK, or the status of the first batch that failed */
-    atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
-    /* how many falls ended at each domino (dom_placement_causes), or NULL if not requested */
-    atomic_size_t *stops;
+    atomic_size_t done, fall, unknown;
+    atomic_size_t *stops; /* how many falls ended at each domino, or NULL if not requested */
 };
 
 struct batch {
@@ -30,49 +28,23 @@ struct batch {
     struct study *study; /* memory of the model that runs the rows, or NULL if an engine runs them */
 };
 
-static size_t stops_length(const struct shared *s)
-{
-    const size_t lists = s->causes ? 1 + DOM_ERROR_COUNT : 1;
-    return lists * s->row->count;
-}
-
-/* Draws random row number i without the kinds of error in `off` and runs this row. */
-static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i, unsigned off,
-                               struct dom_verdict *verdict)
-{
-    draw_row(&b->draw, s->row, s->placement, i, off);
-    return b->study ? row_study(b->study, &b->draw.row, 0, s->row->count - 1, verdict)
-                    : dom_row_run(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
-}
-
-/* Runs random row number i and adds the result to the counts. If s->causes is true, also finds out which
- * kinds of error matter: runs the row again once for each kind of error, with this kind left out. */
+/* Runs random row number i and adds the result to the counts. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
-    struct dom_verdict all, verdict;
-    size_t without[DOM_ERROR_COUNT] = {0};
-    enum dom_status status = row_try(b, s, i, 0, &all);
-    for (int k = 0; s->causes && k < DOM_ERROR_COUNT && status == DOM_OK; k++) {
-        const bool is_on = s->placement->error[k].size > 0;
-        verdict = all;
-        if (is_on)
-            status = row_try(b, s, i, 1U << k, &verdict);
-        without[k] = verdict.end == DOM_ROW_FALLS;
-    }
+    struct dom_verdict verdict;
+    draw_row(&b->draw, s->row, s->placement, i);
+    const enum dom_status status = b->study
+                                       ? row_study(b->study, &b->draw.row, 0, s->row->count - 1, &verdict)
+                                       : dom_row_run(&b->draw.row, &s->compute, false, NULL, NULL, &verdict);
     if (status != DOM_OK)
         return status;
-    const bool unknown = all.end == DOM_ROW_PASSES || all.end == DOM_ROW_PARTS,
-               stops = all.end != DOM_ROW_FALLS && !unknown;
-    s->unknown += unknown;
-    s->fall += all.end == DOM_ROW_FALLS;
+    const bool falls = verdict.end == DOM_ROW_FALLS,
+               unknown = verdict.end == DOM_ROW_PASSES || verdict.end == DOM_ROW_PARTS;
     s->done++;
-    if (s->stops && stops)
-        s->stops[all.domino - 1]++;
-    for (size_t k = 0; s->causes && k < DOM_ERROR_COUNT; k++) {
-        s->without[k] += without[k];
-        if (s->stops && stops && without[k])
-            s->stops[(k + 1) * s->row->count + all.domino - 1]++;
-    }
+    s->fall += falls;
+    s->unknown += unknown;
+    if (s->stops && !falls && !unknown)
+        s->stops[verdict.domino - 1]++;
     return DOM_OK;
 }
 
@@ -135,7 +107,7 @@ static enum dom_status study_check(const struct dom_row *row, const struct dom_c
 }
 
 /* Runs the study. Copies its counts if it has ended or was interrupted. */
-static enum dom_status study_run(struct shared *s, struct dom_study *study, size_t *without, size_t *stops)
+static enum dom_status study_run(struct shared *s, struct dom_study *study, size_t *stops)
 {
     const struct dom_placement *p = s->placement;
     dom_quiet_begin();
@@ -150,38 +122,25 @@ static enum dom_status study_run(struct shared *s, struct dom_study *study, size
     const enum dom_status counted = status == DOM_OK || partial ? dom_study_interval(&found) : status;
     if (counted == DOM_OK)
         *study = found;
-    for (size_t k = 0; without && counted == DOM_OK && k < DOM_ERROR_COUNT; k++)
-        without[k] = s->without[k];
-    for (size_t k = 0; stops && counted == DOM_OK && k < stops_length(s); k++)
+    for (size_t k = 0; stops && counted == DOM_OK && k < s->row->count; k++)
         stops[k] = s->stops[k];
     dom_quiet_end();
     return partial ? status : counted;
 }
 
-enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
-                                     const struct dom_placement *p, struct dom_study *study,
-                                     size_t without[DOM_ERROR_COUNT], size_t *stops)
+enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
+                                    const struct dom_placement *p, struct dom_study *study, size_t *stops)
 {
-    struct shared shared = {
-        .row = row, .compute = compute_or_default(compute), .placement = p, .causes = without != NULL};
+    struct shared shared = {.row = row, .compute = compute_or_default(compute), .placement = p};
     enum dom_status status = study_check(row, &shared.compute, p);
     if (status != DOM_OK)
         return status;
     shared.compute.work = NULL; /* rows may run in parallel and must not share the counters */
     if (shared.compute.tol < VERDICT_TOL)
         shared.compute.tol = VERDICT_TOL;
-    if (stops) {
-        shared.stops = calloc(stops_length(&shared), sizeof *shared.stops);
-        if (!shared.stops)
-            return DOM_NO_MEMORY;
-    }
-    status = study_run(&shared, study, without, stops);
+    if (stops && !(shared.stops = calloc(row->count, sizeof *shared.stops)))
+        return DOM_NO_MEMORY;
+    status = study_run(&shared, study, stops);
     free(shared.stops);
     return status;
-}
-
-enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
-                                    const struct dom_placement *p, struct dom_study *study, size_t *stops)
-{
-    return dom_placement_causes(row, compute, p, study, NULL, stops);
 }

@@ -3,16 +3,21 @@
  * Designs a row whose first and last heights are given. The search finds a separation, a growth and a number
  * of dominoes. When a domino after the first is hit in the designed row, the moving dominoes have at least
  * `safety` times the energy that they need. The search uses the same computations as the public functions, so
- * their results agree. planner.h describes the candidates.
+ * their results agree.
+ *
+ * The separation s is a gap divided by the height of the domino after the gap. Only multiples of 1 / GRID are
+ * tried: s = k / GRID. If k increases by 1, the gaps of the standard domino become 0.05 mm wider.
  */
-#include "planning/model/planner.h"
+#include "entry/study.h"
+#include "numerics/real.h"
 #include "planning/model/shape.h"
-#include "search/edge.h"
+#include "rows/model/boxes.h"
+#include "search/trial.h"
 #include <stdlib.h>
 
 /* In the first search, k is a multiple of COARSE. A search for a separation takes steps of STEP, or of
  * STEP_OF_ENGINE with an engine, which is about a thousand times slower than the model. */
-enum { COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
+enum { GRID = 1000, COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
 
 /*
  * A search begins with the smallest number of dominoes that may suffice. It adds at most MORE dominoes. The
@@ -21,28 +26,210 @@ enum { COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
-/* ---- Tests of a candidate ---- */
+/* A candidate row. Its separation is k / GRID, and it has steps + 1 dominoes. */
+struct choice {
+    int k;
+    size_t steps;
+};
 
-/* Returns the length of a candidate row after its last domino has fallen forwards. */
-static double length_of(struct planner *p, struct choice c)
+/* The state of a search for a design. If an error occurs, `status` is set to a value other than DOM_OK. From
+ * then on, nothing more is computed, and every test fails. */
+struct planner {
+    struct dom_train train;
+    struct dom_compute compute; /* settings of the search */
+    const struct dom_wish *wish;
+    const struct dom_limits *limits; /* the sizes that the dominoes may have, or NULL if any are allowed */
+    double hall;                     /* the length that a row may have */
+    struct dom_domino *domino;       /* array of `room` dominoes */
+    size_t room;
+    enum dom_status status;
+    double failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
+    bool whole; /* true to run all dominoes; false to end a run at the first one that is not safe enough */
+    /* number of the weakest domino in the last run, counted from 1: the domino with the smallest ratio of
+     * kinetic energy to barrier; the first domino does not count, because its energy depends on the push */
+    size_t weakest;
+    double least;                   /* ratio of kinetic energy to barrier of `weakest` */
+    struct choice pushed;           /* the row for which a push is searched */
+    double seconds, engine_seconds; /* duration of the last run in the model and in the engine */
+    bool engine_refused; /* true if a row was safe enough in the model but did not fall in the engine */
+};
+
+/* Returns the growth that leads from the first height to the last in `steps` steps. */
+static double growth_of(const struct planner *p, size_t steps)
 {
-    return planner_feet(p, c) + p->wish->height;
+    return pow(p->wish->height / p->wish->first, 1 / (double)steps);
+}
+
+/* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
+
+/* Decides whether a failed computation is tried again. A few digits can be found even if rounding errors
+ * exceed the usual tolerance, so this function sets a larger tolerance in *compute and returns true. If it is
+ * already large, only the present separation is skipped. Any other failure ends the search. */
+static bool tried_again(struct planner *p, enum dom_status status, struct dom_compute *compute)
+{
+    const double rougher = 1000, roughest = 1e-6;
+    const bool imprecise = status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE;
+    if (imprecise && compute->tol < roughest) {
+        compute->tol = fmin(rougher * compute->tol, roughest);
+        return true;
+    }
+    if (imprecise)
+        p->failed_s = p->train.s;
+    else
+        p->status = status;
+    return false;
+}
+
+/* Returns the ratio of kinetic energy to barrier in an endless train. If there is no such ratio, for example
+ * because the next domino is out of reach, returns 0. */
+static double train_ratio(struct planner *p, double s, double r)
+{
+    struct dom_barrier barrier;
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    if (p->status != DOM_OK || s * r > 1)
+        return 0;
+    p->train.s = s;
+    p->train.r = r;
+    do {
+        status = dom_barrier_find(&p->train, &compute, &barrier);
+        if (status == DOM_OK || status == DOM_STOPS)
+            return barrier.kinetic / barrier.barrier;
+    } while (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
+             status != DOM_UNDERFLOW && status != DOM_TOO_LONG && tried_again(p, status, &compute));
+    return 0;
+}
+
+/* Returns a row with the `count` dominoes that row_write wrote last. */
+static struct dom_row row_of(const struct planner *p, size_t count, double push,
+                             const struct dom_engine *engine)
+{
+    struct dom_row row = {.domino = p->domino,
+                          .count = count,
+                          .g = p->wish->g,
+                          .push = push,
+                          .release = p->wish->release,
+                          .engine = engine};
+#define VALUE(effect, member, status) row.member = p->train.member;
+    DOM_DYNAMICS(VALUE)
+#undef VALUE
+    row.walls *= p->wish->first; /* converts the thickness of walls from multiples of the first height to m */
+    if (p->wish->boxes_above > 0) {
+        row.walls = p->wish->walls;
+        row.boxes_above = p->wish->boxes_above;
+    }
+    return row;
+}
+
+/* Writes the dominoes of a candidate row to p->domino. If memory is exhausted, or if the walls do not fit
+ * into a domino, sets p->status and returns false. */
+static bool row_write(struct planner *p, struct choice c)
+{
+    const size_t count = c.steps + 1;
+    struct dom_domino *more = count > p->room ? realloc(p->domino, count * sizeof *more) : p->domino;
+    if (!more) {
+        p->status = DOM_NO_MEMORY;
+        return false;
+    }
+    p->domino = more;
+    p->room = count > p->room ? count : p->room;
+    const struct dom_scale scale = {.h = p->wish->first, .g = p->wish->g};
+    p->train.s = (double)c.k / GRID;
+    p->train.r = growth_of(p, c.steps);
+    /* In air the masses count: with the density 1, the ratio of the densities is the density of the air. */
+    const double volume = p->wish->first * p->wish->first * p->wish->first * p->train.d * p->train.width,
+                 mass = p->train.air != 0 ? volume : 1;
+    dom_row_of_train(&p->train, &scale, mass, p->domino, count);
+    p->domino[c.steps].height = p->wish->height;
+    p->domino[c.steps].width = p->train.width * p->wish->height;
+    const struct dom_row row = row_of(p, count, p->wish->push, NULL);
+    for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
+        struct dom_domino *d = &p->domino[k], *first = p->domino;
+        d->mass = mass * wood_volume(&row, d) / wood_volume(&row, first);
+        if (!(d->mass > 0)) {
+            p->status = DOM_NO_ROOM;
+            return false;
+        }
+    }
+    if (p->limits)
+        shape_round(&(struct shape){&row, p->limits}, p->domino);
+    return true;
+}
+
+/* Records the smallest ratio of kinetic energy to barrier so far. Returns false to end the run. */
+static bool ratio_seen(const struct dom_fall *fall, void *context)
+{
+    struct planner *p = context;
+    double ratio = fall->barrier > 0 ? fall->kinetic / fall->barrier : HUGE_VAL;
+    if (fall->domino > 1 && !(ratio >= p->least)) {
+        p->least = ratio;
+        p->weakest = fall->domino;
+    }
+    return p->whole || p->least >= p->wish->safety;
+}
+
+/* Writes a candidate row and runs it. Returns the smallest ratio of kinetic energy to barrier among the
+ * dominoes after the first. If the row does not fall, returns 0. If `times` is false, the run ends at the
+ * first domino whose ratio is below the required safety, and this ratio is returned. Since the dominoes after
+ * it are not run, the row may stop even if the ratio is above 1. */
+static double row_ratio(struct planner *p, struct choice c, double push, bool times)
+{
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    if (p->status != DOM_OK || !row_write(p, c))
+        return 0;
+    const struct dom_row row = row_of(p, c.steps + 1, push, NULL);
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    do {
+        p->least = HUGE_VAL;
+        p->weakest = 0;
+        p->whole = times;
+        status = dom_row_run(&row, &compute, times, ratio_seen, p, &verdict);
+    } while (status != DOM_OK && tried_again(p, status, &compute));
+    p->seconds = verdict.seconds;
+    return status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
+}
+
+/* ---- Lengths, and tests of a candidate ---- */
+
+/* Returns the length of a standing row, from the back of the first domino to the front of the last. The row
+ * has the separation s. Its dimensions are not rounded to a grid. */
+static double feet_exact(const struct planner *p, size_t steps, double s)
+{
+    double r = growth_of(p, steps), height = p->wish->first, sum = 0;
+    for (size_t k = 0; k <= steps; k++, height *= r)
+        sum += (p->train.d + (k ? s : 0)) * height;
+    return sum;
+}
+
+static double feet_of(struct planner *p, struct choice c)
+{
+    double sum = 0;
+    if (!p->limits)
+        return feet_exact(p, c.steps, (double)c.k / GRID);
+    for (size_t k = 0; row_write(p, c) && k <= c.steps; k++)
+        sum += p->domino[k].gap + p->domino[k].thickness;
+    return sum;
+}
+
+/* Returns the largest k, up to GRID, for which a row with the separation k / GRID fits into the hall. If
+ * there is none, returns 0. The dimensions of the row are not rounded to a grid. */
+static int widest(const struct planner *p, size_t steps, double hall)
+{
+    double closed = feet_exact(p, steps, 0), open = feet_exact(p, steps, 1);
+    double s = (hall - p->wish->height - closed) / (open - closed);
+    return s >= 1 ? GRID : s > 0 ? (int)floor(s * GRID) : 0;
 }
 
 typedef bool choice_test(struct planner *p, struct choice c);
 
-/* Returns true if the row is safe enough and fits into the hall. */
-static bool row_enough(struct planner *p, struct choice c)
-{
-    return planner_row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
-           (!p->limits || length_of(p, c) <= p->hall);
-}
-
-/* Returns true if row_enough holds, and an endless train of such dominoes is safe enough, too. */
+/* Returns true if the row fits into the hall and is safe enough, and so is an endless train of such
+ * dominoes. */
 static bool enough(struct planner *p, struct choice c)
 {
-    return planner_train_ratio(p, separation(c.k), planner_growth(p, c.steps)) >= p->wish->safety &&
-           row_enough(p, c);
+    return train_ratio(p, (double)c.k / GRID, growth_of(p, c.steps)) >= p->wish->safety &&
+           row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
+           (!p->limits || feet_of(p, c) + p->wish->height <= p->hall);
 }
 
 /* Returns true if the row also falls in the engine. If the engine cannot decide whether it falls, returns
@@ -52,9 +239,9 @@ static bool enough_in_engine(struct planner *p, struct choice c)
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
     if (!enough(p, c))
         return false;
-    const struct dom_row row = planner_row(p, c.steps + 1, p->wish->push, p->wish->engine);
+    const struct dom_row row = row_of(p, c.steps + 1, p->wish->push, p->wish->engine);
     enum dom_status status = dom_row_run(&row, &p->compute, true, NULL, NULL, &verdict);
-    bool falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
+    const bool falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
     p->engine_seconds = verdict.seconds;
     p->engine_refused |= !falls;
     p->status = status == DOM_NOT_CONVERGED ? DOM_OK : status;
@@ -68,7 +255,7 @@ static bool growth_enough(double r, double *spare, void *planner)
 {
     struct planner *p = planner;
     (void)spare;
-    return planner_train_ratio(p, p->train.s, r) >= p->wish->safety;
+    return train_ratio(p, p->train.s, r) >= p->wish->safety;
 }
 
 /* Returns the largest growth r at which a train with the separation s is safe. Its relative error is at most
@@ -92,7 +279,7 @@ static double separation_find(struct planner *p, int *best)
     for (int step = COARSE, from = 0; step > 0; step /= 2, from = *best) {
         const bool all = step == COARSE;
         for (int k = all ? step : from - step; k <= (all ? GRID : from + step); k += all ? step : 2 * step) {
-            double r = k > 0 && k <= GRID ? safe_growth(p, separation(k)) : 0;
+            double r = k > 0 && k <= GRID ? safe_growth(p, (double)k / GRID) : 0;
             if (r > most) {
                 most = r;
                 *best = k;
@@ -102,9 +289,9 @@ static double separation_find(struct planner *p, int *best)
     return most;
 }
 
-/* Searches for a separation at which the row passes the test. Starts at k, or at `most` if k is larger. Moves
- * away from there in both directions, in steps of `step`, but not beyond `most`. Returns the first separation
- * at which the row passes, or 0 if there is none. Separations are in units of 1/GRID. */
+/* Searches for a separation k / GRID at which the row passes the test. Starts at k, or at `most` if k is
+ * larger. Moves away from there in both directions, in steps of `step`, but not beyond `most`. Returns the
+ * first k at which the row passes, or 0 if there is none. */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
     int from = k < most ? k : most;
@@ -117,9 +304,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* Narrows the gaps of a safe row. Starts at the separation `good`, at which the row must be safe, and reduces
- * it as long as the row stays safe. Returns the smallest separation that is reached. Separations are in units
- * of 1/GRID. */
+/* Narrows the gaps of a row that is safe with k = `good`, as long as it stays safe. Returns the smallest k.
+ */
 static int closest(struct planner *p, size_t steps, int good)
 {
     for (int step = COARSE / 2; step > 0;) {
@@ -145,16 +331,16 @@ static double row_search(struct planner *p, size_t fewest, int k, bool shortest,
     size_t longer = 0, longer_most = p->wish->engine ? LONGER_IN_ENGINE : LONGER;
     p->hall = shortest ? HUGE_VAL : p->wish->hall;
     for (size_t n = fewest; n <= fewest + MORE && longer < longer_most && p->status == DOM_OK; n++) {
-        const int most = shortest ? GRID : planner_widest(p, n, p->hall);
-        if (most <= 0 || planner_widest(p, n, length) == 0)
+        const int most = shortest ? GRID : widest(p, n, p->hall);
+        if (most <= 0 || widest(p, n, length) == 0)
             break; /* a row with more dominoes would be too long, too */
         struct choice c = {nearest(p, n, k, most, STEP, enough), n};
         if (c.k > 0 && shortest)
             c.k = closest(p, n, c.k);
         if (c.k > 0 && p->wish->engine)
-            c.k = nearest(p, n, c.k, shortest ? planner_widest(p, n, length) : most, STEP_OF_ENGINE,
-                          enough_in_engine);
-        const double found = c.k > 0 ? length_of(p, c) : HUGE_VAL;
+            c.k =
+                nearest(p, n, c.k, shortest ? widest(p, n, length) : most, STEP_OF_ENGINE, enough_in_engine);
+        const double found = c.k > 0 ? feet_of(p, c) + p->wish->height : HUGE_VAL;
         longer = found < length || !isfinite(length) ? 0 : longer + 1;
         if (!(found < length))
             continue;
@@ -171,7 +357,7 @@ static bool push_enough(double push, double *spare, void *planner)
 {
     struct planner *p = planner;
     (void)spare;
-    return planner_row_ratio(p, p->pushed, push, false) >= p->wish->safety;
+    return row_ratio(p, p->pushed, push, false) >= p->wish->safety;
 }
 
 /* Returns the weakest push that makes the row safe enough, with a relative error of at most 1e-4. If no such
@@ -186,35 +372,51 @@ static double push_find(struct planner *p, struct choice c)
     return DOM_NAN;
 }
 
-/* Returns an estimate of the largest ratio of kinetic energy to barrier that any train can have. This ratio
- * occurs at r = 1. The estimate is slightly too low, because only some separations are tried. */
-static double safety_most(struct planner *p)
-{
-    double most = 0;
-    for (int k = COARSE / 2; k <= GRID; k += COARSE / 2)
-        most = fmax(most, planner_train_ratio(p, separation(k), 1));
-    return most;
-}
-
 /* ---- Designs ---- */
 
-/* The result of a search that found no row. */
-static const struct dom_design no_design = {.s = DOM_NAN,
-                                            .r = DOM_NAN,
-                                            .feet = DOM_NAN,
-                                            .length = DOM_NAN,
-                                            .seconds = DOM_NAN,
-                                            .train = DOM_NAN,
-                                            .row = DOM_NAN,
-                                            .needs = DOM_NAN};
+/* Finds a row. If none is found, returns a choice with k = 0, and says in `limit` and `needs` of *found
+ * why. */
+static struct choice design_search(struct planner *p, struct dom_design *found)
+{
+    const struct dom_wish *wish = p->wish;
+    struct choice c = {0, 0};
+    size_t fewest = 1;
+    int best;
+    const double most = separation_find(p, &best);
+    if (most == 0) {
+        /* The largest ratio that any train can have is that of equal dominoes. This estimate is slightly too
+         * low, because only some separations are tried. */
+        found->limit = DOM_DESIGN_SAFETY;
+        found->needs = 0;
+        for (int k = COARSE / 2; k <= GRID; k += COARSE / 2)
+            found->needs = fmax(found->needs, train_ratio(p, (double)k / GRID, 1));
+        return c;
+    }
+    while (growth_of(p, fewest) > most && fewest < (size_t)MORE * MORE)
+        fewest++;
+    double length = row_search(p, fewest, best, false, &c);
+    if (isinf(length) && isfinite(wish->hall))
+        length = row_search(p, fewest, best, true, &c);
+    if (length <= wish->hall && isfinite(length))
+        return c;
+    if (isfinite(length)) {
+        found->limit = DOM_DESIGN_HALL;
+        found->needs = length;
+    } else if (p->engine_refused) {
+        found->limit = DOM_DESIGN_ENGINE;
+    } else if (p->status == DOM_OK) {
+        found->limit = DOM_DESIGN_START;
+        found->needs = push_find(p, (struct choice){best, fewest});
+    }
+    return (struct choice){0, 0};
+}
 
 /* Prepares a search. If an argument is outside its range, the member `status` of the result tells which. The
  * caller must free the member `domino` of the result. */
 static struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
                                    const struct dom_limits *limits, const struct dom_compute *compute)
 {
-    struct planner p = {
-        .train = *train, .compute = *compute, .wish = wish, .limits = limits, .hall = wish->hall};
+    struct planner p = {.train = *train, .compute = *compute, .wish = wish, .limits = limits};
     p.compute.method = DOM_METHOD_OURS;
     p.status = !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
                    ? DOM_BAD_HEIGHT
@@ -227,7 +429,7 @@ static struct planner planner_make(const struct dom_train *train, const struct d
                                                                : DOM_OK;
     if (p.status != DOM_OK)
         return p;
-    p.train.s = separation(GRID / 2);
+    p.train.s = 0.5;
     p.train.r = 1;
     if (wish->boxes_above > 0)
         p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
@@ -236,116 +438,48 @@ static struct planner planner_make(const struct dom_train *train, const struct d
     return p;
 }
 
-/* Ends a search. If a row was found, computes it with the requested tolerance. */
-static enum dom_status planner_end(struct planner *p, struct choice c, const struct dom_compute *compute,
-                                   struct dom_design *found, struct dom_design *design)
-{
-    if (p->status == DOM_OK && c.k > 0 && p->wish->engine)
-        (void)enough_in_engine(p, c); /* for the time in the engine */
-    if (p->status == DOM_OK && c.k > 0) {
-        p->compute = *compute;
-        const double s = separation(c.k), r = planner_growth(p, c.steps),
-                     train = planner_train_ratio(p, s, r), row = planner_row_ratio(p, c, p->wish->push, true),
-                     feet = planner_feet(p, c);
-        *found = (struct dom_design){.s = s,
-                                     .r = r,
-                                     .steps = c.steps,
-                                     .feet = feet,
-                                     .length = feet + p->wish->height,
-                                     .seconds = p->wish->engine ? p->engine_seconds : p->seconds,
-                                     .train = train > 0 ? train : DOM_NAN,
-                                     .row = row > 0 ? row : DOM_NAN,
-                                     .weakest = p->weakest,
-                                     .needs = DOM_NAN};
-    }
-    if (p->status == DOM_OK)
-        *design = *found;
-    free(p->domino);
-    return p->status;
-}
-
-/* Finds a row. If none is found, says in `limit` and `needs` of *found why. */
-static struct choice design_search(struct planner *p, struct dom_design *found)
-{
-    const struct choice none = {0, 0};
-    const struct dom_wish *wish = p->wish;
-    struct choice c = none;
-    int k;
-    size_t fewest = 1;
-    double most = separation_find(p, &k), length = HUGE_VAL;
-    if (most == 0) {
-        found->limit = DOM_DESIGN_SAFETY;
-        found->needs = safety_most(p);
-        return none;
-    }
-    while (planner_growth(p, fewest) > most && fewest < (size_t)MORE * MORE)
-        fewest++;
-    if (wish->least != DOM_LEAST_LENGTH)
-        length = row_search(p, fewest, k, false, &c);
-    if (isinf(length) && (wish->least == DOM_LEAST_LENGTH || isfinite(wish->hall)))
-        length = row_search(p, fewest, k, true, &c);
-    if (length <= wish->hall && isfinite(length))
-        return c;
-    if (isfinite(length)) {
-        found->limit = DOM_DESIGN_HALL;
-        found->needs = length;
-    } else if (p->engine_refused) {
-        found->limit = DOM_DESIGN_ENGINE;
-    } else if (p->status == DOM_OK) {
-        found->limit = DOM_DESIGN_START;
-        found->needs = push_find(p, (struct choice){k, fewest});
-    }
-    return none;
-}
-
-enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
-                               const struct dom_limits *limits, const struct dom_compute *compute,
-                               struct dom_design *design)
+enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
+                                const struct dom_limits *limits, const struct dom_compute *compute,
+                                struct dom_design *design)
 {
     const struct dom_compute final = compute_or_default(compute);
     struct planner p = planner_make(train, wish, limits, &final);
-    struct dom_design found = no_design;
+    struct dom_design found = {.s = DOM_NAN,
+                               .r = DOM_NAN,
+                               .feet = DOM_NAN,
+                               .length = DOM_NAN,
+                               .seconds = DOM_NAN,
+                               .train = DOM_NAN,
+                               .row = DOM_NAN,
+                               .needs = DOM_NAN};
     struct choice c = {0, 0};
     if (p.status == DOM_OK)
         c = design_search(&p, &found);
-    bool remedy = found.limit == DOM_DESIGN_HALL || (found.limit == DOM_DESIGN_START && !isnan(found.needs));
+    const bool remedy =
+        found.limit == DOM_DESIGN_HALL || (found.limit == DOM_DESIGN_START && !isnan(found.needs));
     if (found.limit != DOM_DESIGN_FITS && !remedy && p.failed_s > 0) {
         found.limit = DOM_DESIGN_FAILED;
         found.needs = p.failed_s;
     }
-    return planner_end(&p, c, &final, &found, design);
-}
-
-enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
-                                const struct dom_compute *compute, struct dom_design *design)
-{
-    return dom_design_fit(train, wish, NULL, compute, design);
-}
-
-enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
-                                 const struct dom_limits *limits, const struct dom_compute *compute,
-                                 size_t steps, struct dom_design *design)
-{
-    const struct dom_compute final = compute_or_default(compute);
-    struct planner p = planner_make(train, wish, limits, &final);
-    struct dom_design found = no_design;
-    struct dom_wish falls = *wish;
-    struct choice c = {0, steps};
-    int k = 0;
-    if (p.status == DOM_OK && steps == 0)
-        p.status = DOM_BAD_COUNT;
-    falls.safety = 1 + 1.0 / 1000;
-    falls.engine = NULL;
-    if (p.status == DOM_OK && separation_find(&p, &k) == 0) {
-        p.wish = &falls; /* no train has the required safety, so look for one that merely falls */
-        (void)separation_find(&p, &k);
+    if (p.status == DOM_OK && c.k > 0 && wish->engine)
+        (void)enough_in_engine(&p, c); /* for the time in the engine */
+    if (p.status == DOM_OK && c.k > 0) {
+        p.compute = final; /* the answer has the requested tolerance */
+        found.s = (double)c.k / GRID;
+        found.r = growth_of(&p, c.steps);
+        found.steps = c.steps;
+        const double ratio = train_ratio(&p, found.s, found.r), least = row_ratio(&p, c, wish->push, true);
+        found.train = ratio > 0 ? ratio : DOM_NAN;
+        found.row = least > 0 ? least : DOM_NAN;
+        found.weakest = p.weakest;
+        found.seconds = wish->engine ? p.engine_seconds : p.seconds;
+        found.feet = feet_of(&p, c);
+        found.length = found.feet + wish->height;
     }
-    p.wish = &falls;
-    const int most = p.status == DOM_OK ? planner_widest(&p, steps, wish->hall) : 0;
-    if (k > 0 && most > 0)
-        c.k = nearest(&p, steps, k, most, STEP, row_enough);
-    found.limit = c.k > 0 ? DOM_DESIGN_FITS : most <= 0 ? DOM_DESIGN_HALL : DOM_DESIGN_SAFETY;
-    return planner_end(&p, c, &final, &found, design);
+    if (p.status == DOM_OK)
+        *design = found;
+    free(p.domino);
+    return p.status;
 }
 
 enum dom_status dom_design_dominoes(const struct dom_train *train, const struct dom_wish *wish,
@@ -357,7 +491,7 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
     const struct choice c = {(int)floor(design->s * GRID + 0.5), design->steps};
     if (p.status == DOM_OK && design->limit != DOM_DESIGN_FITS)
         p.status = DOM_BAD_COUNT;
-    if (p.status == DOM_OK && planner_write(&p, c))
+    if (p.status == DOM_OK && row_write(&p, c))
         for (size_t k = 0; k <= c.steps; k++) {
             domino[k] = p.domino[k];
             domino[k].mass /= p.domino->mass; /* in air, the planner computes with a density of 1 */

@@ -25,7 +25,6 @@ enum dom_status limits_check(const struct dom_limits *l)
 {
     enum dom_status status = !(l->q > 0 && l->q < HUGE_VAL)          ? DOM_BAD_Q
                              : !(l->hall > 0)                        ? DOM_BAD_HALL
-                             : !(l->heaviest > 0)                    ? DOM_BAD_MASS
                              : !(l->grid >= 0 && l->grid < HUGE_VAL) ? DOM_BAD_GAP
                                                                      : DOM_OK;
     for (size_t i = 0; i < l->boards && status == DOM_OK; i++)
@@ -87,7 +86,9 @@ static double on_grid(const struct shape *s, double length)
     return grid > 0 ? multiple_of(fmax(floor(length / grid + 0.5), 1), grid) : length;
 }
 
-bool shape_from_board(const struct shape *s, double height)
+/* Returns true if a domino of this height must be as thick as one of the boards. If boxes_above of the row is
+ * > 0, boxes may have any thickness. */
+static bool is_from_board(const struct shape *s, double height)
 {
     const bool is_box = s->row->boxes_above > 0 && walls_of(s->row, height) > 0;
     return s->limits->boards > 0 && !is_box;
@@ -99,7 +100,7 @@ bool shape_from_board(const struct shape *s, double height)
 static double board_near(const struct shape *s, double height, double thickness, bool final)
 {
     const struct dom_limits *l = s->limits;
-    if (!shape_from_board(s, height))
+    if (!is_from_board(s, height))
         return final ? on_grid(s, thickness) : thickness;
     double near = l->board[0];
     for (size_t i = 1; i < l->boards; i++)
@@ -108,20 +109,14 @@ static double board_near(const struct shape *s, double height, double thickness,
     return near;
 }
 
-/* Sets the height of domino k to `height`, or to less if the domino would be too heavy. */
+/* Sets the height of domino k. */
 static void size_set(const struct shape *s, size_t k, double height, bool final, struct dom_domino *d)
 {
     const struct dom_domino *given = &s->row->domino[k];
-    const double heaviest = s->limits->heaviest, ratio = given->thickness / given->height;
     height = fmin(fmax(height, given->height / FARTHEST), given->height * FARTHEST);
-    for (int i = 0; i < 8; i++) {
-        const double rounded = final ? on_grid(s, height) : height;
-        *d = *given;
-        shape_resize(s, d, rounded, board_near(s, rounded, ratio * rounded, final));
-        if (d->mass <= heaviest)
-            break;
-        height = fmin(height * pow(heaviest / d->mass, 1 / (s->limits->q - 1)), rounded - s->limits->grid);
-    }
+    height = final ? on_grid(s, height) : height;
+    *d = *given;
+    shape_resize(s, d, height, board_near(s, height, given->thickness / given->height * height, final));
 }
 
 /* Rounds all gaps to the grid. If each gap were rounded alone, the rounding errors could add up. So before a
@@ -172,15 +167,15 @@ static bool is_on_grid(const struct shape *s, double length)
     return fabs(cells - floor(cells + 0.5)) < 1e-6;
 }
 
-/* Returns true if the mass, the height and the thickness of a domino are within the limits. */
+/* Returns true if the height and the thickness of a domino are within the limits. */
 static bool size_keeps(const struct shape *s, const struct dom_domino *d)
 {
     const struct dom_limits *l = s->limits;
-    const bool from_board = shape_from_board(s, d->height);
+    const bool from_board = is_from_board(s, d->height);
     bool sold = !from_board && is_on_grid(s, d->thickness);
     for (size_t i = 0; from_board && i < l->boards; i++)
         sold = sold || fabs(d->thickness / l->board[i] - 1) < ROUNDED - 1;
-    return sold && is_on_grid(s, d->height) && d->mass <= l->heaviest * ROUNDED;
+    return sold && is_on_grid(s, d->height);
 }
 
 bool shape_keeps(const struct shape *s, const struct dom_domino *d)

@@ -22,19 +22,13 @@ size_t shape_variables(const struct shape *shape);
 /* Sets the variables x to the values that describe shape->row. */
 void shape_begin(const struct shape *shape, double *x);
 
-/* Returns true if a domino of this height must be as thick as one of the boards. If there are no boards,
- * returns false. If boxes_above of the row is > 0, boxes may have any thickness, so the function also returns
- * false if the domino is a box. */
-bool shape_from_board(const struct shape *shape, double height);
-
 /* Sets the height and the thickness of a domino. Its mass, its width and the radius of its edges change
  * accordingly. */
 void shape_resize(const struct shape *shape, struct dom_domino *domino, double height, double thickness);
 
 /* Writes the dominoes that the variables x describe. If a domino cannot reach across the gap after it, this
- * gap is narrowed. If the row is too long for the hall, all gaps are narrowed. A domino that would be too
- * heavy is made smaller. If `final` is true, lengths are rounded to the grid. If the hall is too short even
- * without gaps, returns false. */
+ * gap is narrowed. If the row is too long for the hall, all gaps are narrowed. If `final` is true, lengths
+ * are rounded to the grid. If the hall is too short even without gaps, returns false. */
 bool shape_dominoes(const struct shape *shape, const double *x, bool final, struct dom_domino *domino);
 
 /* Rounds the dimensions of a row to the grid. If there are boards, the thicknesses are those of the closest

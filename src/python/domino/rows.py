@@ -39,7 +39,6 @@ Design = record("Design", "s r steps feet length seconds safety row",
 COLUMNS = {"height": "m", "thickness": "m", "gap": "m", "mass": "kg", "lean": "m", "radius": "m", "width": "m"}
 UNITS = {"m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}, "kg": {"kg": 1.0, "g": 0.001, "t": 1000.0}}
 WINDOWS = {of.name.removeprefix("DOM_WINDOW_").lower(): of for of in api.dom_window_of}
-LEASTS = {least.name.removeprefix("DOM_LEAST_").lower(): least for least in api.dom_least}
 
 
 def error_kind(name: str) -> int:
@@ -255,16 +254,15 @@ class Row:
 
 
 def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: float = math.inf, d: float = 7 / 48,
-           q: float | str = 4.0, push: float | None = None, g: float = 9.81, least: str = "dominoes",
+           q: float | str = 4.0, push: float | None = None, g: float = 9.81,
            friction: float = 0.0, slope: float = 0.0, edges: float = 0.0, walls: float = 0.0, width: float = 0.5) -> Design:  # fmt: skip
     """The row of a train from `first` to `height`, in m, in which each cycle has `safety` times the energy it needs."""
-    chosen = number_of(least, LEASTS, "least", "BAD_METHOD")
     train = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls, width=width).structure()
-    wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g, least=chosen,
+    wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g,
                         push=math.nan if push is None else push)  # fmt: skip
     found, compute = api.dom_design(), computing(None)
     with interruptible(compute):
-        status = run(lib.dom_design_find, ctypes.byref(train), ctypes.byref(wish), ctypes.byref(compute), ctypes.byref(found))
+        status = run(lib.dom_design_find, ctypes.byref(train), ctypes.byref(wish), None, ctypes.byref(compute), ctypes.byref(found))
     raise_status(status)
     limits = api.dom_design_limit
     refusals = {

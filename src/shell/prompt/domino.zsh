@@ -21,7 +21,7 @@ _arguments -s \
     '(--bail)--keep-going[go on after errors]' \
     '--safe[commands may not read or write files]' \
     '--interruptible[SIGINT ends the running command, not the program]' \
-    '--shard[compute only a part of a curve, sweep or placement]:part, such as 2/7' \
+    '--shard[compute only a part of a curve or sweep]:part, such as 2/7' \
     '(-)--help[print a summary of the options]' \
     '(-)--version[print the version]' \
     '*:file of commands:_files'
