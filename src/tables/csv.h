@@ -183,8 +183,7 @@ void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
  * in the current directory. On failure, sets
  * *problem and returns NULL. */
 struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
-                            const char *name, const struct csv_kind *kind,
-                            struct problem *problem);
+                            const char *name, const struct csv_kind *kind, struct problem *problem);
 
 /* Closes a table after it has been read. Returns true if there was no error. Otherwise copies the error from
  * the table to *problem and returns false. If `csv` is NULL, only returns false. */
