@@ -264,27 +264,17 @@ DOCDIR     ?= $(DATADIR)/doc/domino
 
 # Each installed file and its folder, as shell words.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
-COMPLETIONS := $(addprefix $(B)/completion/,domino _domino domino.fish)
 IN         = $(foreach file,$(1),'$(file)' "$(2)")
 INSTALLED  = $(call IN,$(P)/domino,$(BINDIR)) $(call IN,$(P)/libdomino.a $(B)/$(SONAME) $(B)/libdomino.so,$(LIBDIR)) \
   $(call IN,$(wildcard include/*.h) $(B)/include/domino_float.h $(B)/include/domino_quad.h,$(INCLUDEDIR)) \
   $(call IN,$(B)/domino.pc,$(LIBDIR)/pkgconfig) \
   $(foreach page,$(PAGES),$(call IN,$(page),$(MANDIR)/man$(subst .,,$(suffix $(page))))) \
-  $(call IN,$(B)/completion/domino,$(DATADIR)/bash-completion/completions) \
-  $(call IN,$(B)/completion/_domino,$(DATADIR)/zsh/site-functions) \
-  $(call IN,$(B)/completion/domino.fish,$(DATADIR)/fish/vendor_completions.d) \
   $(call IN,README.md,$(DOCDIR)) $(foreach file,$(EXAMPLES),$(call IN,$(file),$(DOCDIR)/$(patsubst %/,%,$(dir $(file))))) \
   $(if $(PYTHONDIR),$(call IN,$(addprefix $(B)/python/domino/,$(notdir $(PYTHON_PY)) _api.py),$(PREFIX)/$(PYTHONDIR)/domino))
 MANIFEST   = "$(DOCDIR)/installed"
 
-$(B)/completion/domino: src/shell/prompt/domino.bash
-$(B)/completion/_domino: src/shell/prompt/domino.zsh
-$(B)/completion/domino.fish: src/shell/prompt/domino.fish
-$(COMPLETIONS):
-	@mkdir -p $(@D) && cp $< $@
-
 # domino.pc is written again for the folders of this installation.
-install: all $(COMPLETIONS) $(if $(filter install,$(MAKECMDGOALS)),$(if $(PYTHONDIR),python))
+install: all $(if $(filter install,$(MAKECMDGOALS)),$(if $(PYTHONDIR),python))
 	@printf '%s\t%s\n' $(INSTALLED) | DESTDIR="$(DESTDIR)" .packaging/install $(MANIFEST)
 	@$(PC_TEXT) > "$(DESTDIR)$(LIBDIR)/pkgconfig/domino.pc"
 

@@ -8,7 +8,6 @@
 #include <errno.h>
 #include <getopt.h>
 #include <limits.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,39 +69,31 @@ struct plan {
  * the signal in `ended` ends the whole script. */
 static volatile sig_atomic_t interrupted, ended;
 
-/* If one of these is true, SIGINT does not end the program. With --interruptible it ends the running command,
- * and in a file that runs before the prompt opens, it ends the file. */
-static bool is_interruptible, has_prompt;
-
-static bool sigint_ends(void)
-{
-    return !is_interruptible && !has_prompt;
-}
+/* False with --interruptible, where SIGINT ends only the running command, and if a prompt opens, where it
+ * also ends a file that runs before the prompt. */
+static bool sigint_ends;
 
 static void on_signal(int number)
 {
-    if (number != SIGINT || sigint_ends())
+    if (number != SIGINT || sigint_ends)
         ended = number;
     /* The store is atomic because other threads read `interrupted` in dom_raised. */
     __atomic_store_n(&interrupted, ended ? ended : number, __ATOMIC_RELAXED);
 }
 
 /* Installs the signal handler. The first signal ends the script, after the script has written its results so
- * far. If the same signal arrives again, the program ends at once. SIGINT never
- * ends the program with --interruptible, or if a prompt opens. A signal that was ignored when the program
- * started stays ignored, except for such a SIGINT. */
-static void signals_begin(struct session *session)
+ * far. If the same signal arrives again, the program ends at once. A signal that was ignored when the program
+ * started stays ignored, except for a SIGINT that does not end the program. */
+static void signals_begin(void)
 {
     static const int all[] = {SIGINT, SIGTERM, SIGHUP};
     struct sigaction before, action = {.sa_handler = on_signal};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        const bool is_kept = all[i] == SIGINT && !sigint_ends();
+        const bool is_kept = all[i] == SIGINT && !sigint_ends;
         action.sa_flags = is_kept ? SA_RESTART : (int)SA_RESETHAND;
         if (is_kept || (sigaction(all[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL))
             sigaction(all[i], &action, NULL);
     }
-    session->state.scene.compute.interrupt = &interrupted;
-    session->interrupt_flag = is_interruptible ? &interrupted : NULL;
 }
 
 /* ---- Options ---- */
@@ -140,12 +131,14 @@ static bool options_check(int argc, char **argv, struct session *session, struct
             session->bail = option == 'b';
             plan->keep_going = option == 'k';
         }
-        session->run_context.safe = session->run_context.safe || option == 's';
-        is_interruptible = is_interruptible || option == 'c';
-        plan->reads = plan->reads && option != 'e' && option != 'f' && !(option == 1 && !is_row(optarg));
-        stays = stays || option == 'i';
+        const bool is_source = option == 'e' || option == 'f' || option == 1;
+        plan->reads = plan->reads && (!is_source || (option == 1 && is_row(optarg)));
+        plan->sources = plan->sources || is_source;
         plan->init = plan->init && option != 'n';
-        plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
+        session->run_context.safe = session->run_context.safe || option == 's';
+        stays = stays || option == 'i';
+        if (option == 'c')
+            session->interrupt_flag = &interrupted;
         if (option == 'V')
             command_run_text(session, "version");
         if (option == 'h')
@@ -173,35 +166,25 @@ static bool options_check(int argc, char **argv, struct session *session, struct
 static bool is_over(const struct session *session)
 {
     return session->quit || ended || (session->bail && session->errors > 0) ||
-           (interrupted && !is_interruptible);
-}
-
-/* A row from a spreadsheet is a file for 'set row'. */
-static void run_row(struct session *session, const char *name)
-{
-    char command[2 * PATH_MAX + 16], *to = stpcpy(command, "set row \"");
-    session->source.name = "domino";
-    session->source.line = 1;
-    for (const char *c = name; *c && to < command + sizeof command - 16; c++) {
-        *to++ = *c;
-        if (*c == '"') /* within quotes, two quotes stand for one */
-            *to++ = '"';
-    }
-    stpcpy(to, "\"");
-    command_run_text(session, command);
+           (interrupted && !session->interrupt_flag);
 }
 
 static void run_file(struct session *session, const char *name)
 {
     bool standard = strcmp(name, "-") == 0;
-    const volatile sig_atomic_t *raised = is_interruptible ? &ended : &interrupted;
-    if (is_row(name)) {
-        run_row(session, name);
+    const volatile sig_atomic_t *raised = session->interrupt_flag ? &ended : &interrupted;
+    session->source.name = NULL;
+    if (is_row(name)) { /* as with 'set row FILE' */
+        const struct parameter *row = parameter_find("row");
+        struct problem problem;
+        problem_begin(&problem, "domino");
+        if (row ? !row->load(&session->state.scene, name, &session->run_context, &problem)
+                : !problem_error(&problem, "this program has no rows"))
+            session_problem(session, &problem);
         return;
     }
     FILE *in = standard ? io_stdin(raised) : io_open_read(name, raised);
     if (!in) {
-        session->source.name = NULL;
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));
         return;
     }
@@ -240,37 +223,19 @@ static void run_init(struct session *session)
         run_file(session, path);
 }
 
-/* ---- The end ---- */
-
-/* Returns true if standard output is a pipe whose reader has gone. */
-static bool reader_gone(void)
-{
-    struct pollfd out = {.fd = STDOUT_FILENO};
-    struct stat status;
-    return fstat(STDOUT_FILENO, &status) == 0 && S_ISFIFO(status.st_mode) && poll(&out, 1, 0) == 1 &&
-           (out.revents & POLLERR) != 0;
-}
-
 /* Closes standard output. If output was lost, prints a message and returns false. If standard output is a
  * pipe whose reader has gone, as in 'domino | head', SIGPIPE normally ends the program without a message. If
  * the program was started with SIGPIPE ignored, it prints the message instead. */
-static bool output_close(const struct output *standard, bool ignores_pipe)
+static bool output_close(FILE *out, bool ignores_pipe)
 {
-    errno = 0;
-    bool is_gone = reader_gone(), is_lost = ferror(standard->out) != 0;
-    /* The stream knows the reason of its first failure; a later write may know none. */
-    const bool is_closed = fclose(standard->out) == 0;
-    const int closing = is_closed ? 0 : errno;
-    if (is_closed && !is_lost)
+    if (fclose(out) == 0)
         return true;
-    if (!ignores_pipe && (is_gone || closing == EPIPE)) {
+    if (errno == EPIPE && !ignores_pipe) {
         signal(SIGPIPE, SIG_DFL);
         raise(SIGPIPE);
     }
-    const int reason = closing ? closing : standard->error;
     if (!ended)
-        fprintf(io_stderr(), "domino: cannot write the output%s%s\n", reason ? ": " : "",
-                reason ? strerror(reason) : "");
+        fprintf(io_stderr(), "domino: cannot write the output: %s\n", strerror(errno));
     return false;
 }
 
@@ -284,13 +249,13 @@ int main(int argc, char **argv)
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     features_register(every_feature);
-    FILE *out = io_stdout(&ended);
-    session_init(&session, out);
+    session_init(&session, io_stdout(&ended));
+    session.state.scene.compute.interrupt = &interrupted;
     if (!options_check(argc, argv, &session, &plan))
         return EXIT_USAGE;
     plan.prompt = plan.reads && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
-    has_prompt = plan.prompt;
-    signals_begin(&session);
+    sigint_ends = !plan.prompt && !session.interrupt_flag;
+    signals_begin();
     if (plan.prompt && plan.init)
         run_init(&session);
     if (plan.sources) {
@@ -311,7 +276,7 @@ int main(int argc, char **argv)
     } else if (plan.reads && !is_over(&session))
         run_file(&session, "-");
     session_close(&session);
-    bool is_good = output_close(&session.standard, ignores_pipe) && session.errors == 0;
+    bool is_good = output_close(session.standard.out, ignores_pipe) && session.errors == 0;
     io_stderr_end();
     if (ended) {
         signal(ended, SIG_DFL);

@@ -3,7 +3,6 @@
 #include "parallel/workers.h"
 #include "io/io.h"
 #include "io/terminal.h"
-#include <errno.h>
 #include <pthread.h>
 #include <sched.h>
 #include <stdlib.h>
@@ -36,7 +35,7 @@ struct pool {
     bool is_over;
     /* How the computation ended: */
     enum dom_status status;
-    int error;     /* errno of a write that failed, or 0 */
+    bool is_lost;  /* a write has failed */
     bool by_point; /* the function `point` returned false */
 };
 
@@ -55,13 +54,13 @@ static void pool_write(struct pool *p)
     struct block *b;
     while (!p->is_over && p->written < p->taken && (b = &p->waiting[p->written % p->window])->is_done) {
         if (out && ((b->size > 0 && fwrite(b->text, 1, b->size, out) != b->size) || ferror(out)))
-            p->error = errno ? errno : EIO;
+            p->is_lost = true;
         else if (b->last) {
             memcpy(p->job->context, b->last, p->job->size);
             p->by_point = true;
         } else if (dom_raised(p->job->interrupt))
             p->status = DOM_INTERRUPTED;
-        p->is_over = p->error || p->by_point || p->status != DOM_OK;
+        p->is_over = p->is_lost || p->by_point || p->status != DOM_OK;
         free(b->text);
         *b = (struct block){.text = NULL};
         p->written++;
@@ -207,7 +206,6 @@ bool points_answer(const struct query *query, struct problem *problem, struct an
     workers_run(&pool);
     *by_point = pool.by_point;
     a->progress.has_rows = a->progress.is_open = true;
-    a->error = a->error ? a->error : pool.error;
     return pool.status == DOM_OK ? !pool.by_point : problem_status(problem, query->scene, pool.status);
 }
 

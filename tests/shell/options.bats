@@ -156,7 +156,7 @@ END
     same 'with commands of its own' "$verdict" "$(echo 'print 1' | "$DOMINO" hall.csv -e verdict)"
     same 'after --' "$verdict" "$(echo verdict | "$DOMINO" -- hall.csv)"
     run -1 --separate-stderr bash -c 'echo "print 7" | "$DOMINO" none.csv'
-    same 'no such row' "domino:1: set: cannot read 'none.csv': No such file or directory|" "$stderr|$output"
+    same 'no such row' "domino: cannot read 'none.csv': No such file or directory|" "$stderr|$output"
     run -1 --separate-stderr bash -c 'echo "print 7" | "$DOMINO" -i -e foo'
     same 'after an error, nothing is read' '(nothing)' "$output"
     same 'but with --keep-going' 7 "$(echo 'print 7' | "$DOMINO" --keep-going -i -e foo 2>/dev/null)"

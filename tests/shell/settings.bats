@@ -24,7 +24,7 @@ columns_in_line() { # WHAT FILLED
 # bats test_tags=rows,chance,engine
 @test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
     json show >all
-    same names 's r d q width tol h g mass density fuel precision method seed threads output header digits angle errors timing hints' "$(values name <all | paste -sd ' ' -)"
+    same names 's r d q width tol h g mass density fuel precision method seed threads output header digits angle errors timing' "$(values name <all | paste -sd ' ' -)"
     while read -r name unit value; do
         row=$(json "show $name")
         same "show $name" "$(grep "\"name\":\"$name\"" "$PWD/all")" "$row"

@@ -14,7 +14,7 @@ setup() {
     socket=$BATS_TEST_TMPDIR/tmux
     prompt='domino❯'
     export HOME=$BATS_TEST_TMPDIR XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
-    export INPUTRC=/dev/null DOMINO_HISTORY='' LC_ALL=C.UTF-8 NO_COLOR=1 PAGER=cat
+    export INPUTRC=/dev/null DOMINO_HISTORY='' LC_ALL=C.UTF-8 NO_COLOR=1
     unset TMUX TMUX_TMPDIR BASH_ENV ENV PROMPT_COMMAND
 }
 teardown() {
@@ -128,98 +128,6 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
     done
 }
 
-# ---- Long texts ----
-
-rows_are() { [ "$(stty -F "$(terminal display-message -p '#{pane_tty}')" size | cut -d ' ' -f 1)" = "$1" ]; }
-modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
-
-@test "a long text goes through PAGER, but not in a pipe, into a file, on a dumb terminal, or in a safe session" {
-    export PAGER="sed -e '1s/.*/PAGED/' -e '2,\$d'"
-    open_session 80 24
-    ask 'help all; print 6*7'
-    see '^PAGED$'
-    see '^42$'
-    clear_screen
-    ask "help all > $BATS_TEST_TMPDIR/file"
-    ask "help s"
-    see "'set s VALUE'"
-    hides PAGED
-    "$DOMINO" -e "help all" | diff - "$BATS_TEST_TMPDIR/file"
-    ask 'curve 0.1 0.9 40'
-    see '^PAGED$'
-    clear_screen
-    ask "log $BATS_TEST_TMPDIR/log answers"
-    ask 'curve 0.1 0.9 40'
-    ask 'log off'
-    same 'the log has what the pager got' 40 "$(grep -c '^ *0\.[0-9]' "$BATS_TEST_TMPDIR/log")"
-    clear_screen
-    ask 'curve 0.1 0.9 10; print 6*7' # shorter than the screen
-    see '^42$'
-    hides PAGED
-    press -l quit
-    press Enter
-    until_true gone
-    open_terminal 80 24 sh -c "'$DOMINO' -e \"help all\" | tail -n 1; '$DOMINO' --safe"
-    see_last "$prompt"
-    see "'apropos WORD' finds one"
-    ask 'help all'
-    ask 'curve 0.1 0.9 40'
-    hides PAGED
-    terminal capture-pane -p -S - | grep -q '^One cycle of the train'
-    close_terminal
-    export PAGER=''
-    open_terminal 80 24 env TERM=dumb "$DOMINO"
-    see_last "$prompt"
-    ask 'help all'
-    terminal capture-pane -p -S - | grep -q '^One cycle of the train'
-}
-
-@test "a slow answer appears as it comes; once it is longer than the screen, the pager has it from its first line" {
-    mkdir "$BATS_TEST_TMPDIR/bin"
-    cat >"$BATS_TEST_TMPDIR/bin/less" <<'END'
-#!/bin/sh
-[ "$1" = --help ] && echo '        ........  --header=L[,C]' && exit
-echo "with $LESS"
-exec cat >"$BATS_TEST_TMPDIR/paged"
-END
-    chmod +x "$BATS_TEST_TMPDIR/bin/less"
-    unset PAGER LESS
-    PATH=$BATS_TEST_TMPDIR/bin:$PATH BATS_TEST_TMPDIR=$BATS_TEST_TMPDIR open_session 200 12
-    ask 'set threads 1; effect row 20; effect placement 1 mm'
-    clear_screen
-    type_in 'sweep seed 1 14 14 : placement 20000'
-    press Enter
-    see '^ +[12] +1 '                    # before the pager begins
-    hides 'with '
-    see_last "$prompt"
-    see 'with -FRX --header=1 -P'  # the head of a table is kept in sight
-    head -n 4 "$BATS_TEST_TMPDIR/paged" | grep -q "^ *seed "
-    same 'rows' 14 "$(grep -Ec '^ +[0-9]+ ' "$BATS_TEST_TMPDIR/paged")"
-    ask 'help all'
-    see 'with -FRX  -P' # a text has no head
-    terminal resize-window -x 200 -y 20
-    ask 'set r 1; set push 3; set row 9; sheet'
-    grep -q '^How fast do dominoes fall' "$BATS_TEST_TMPDIR/paged"
-}
-gone() { ! terminal has-session 2>/dev/null; }
-
-@test "a PAGER that does not exist, and one that is killed and leaves a raw terminal" {
-    export PAGER=no-such-program
-    open_session 80 24
-    modes >"$BATS_TEST_TMPDIR/before"
-    type_in 'help all'
-    press Enter
-    see_last 'space: more, q: back' # less takes its place
-    press q
-    see_last "$prompt"
-    close_terminal
-    export PAGER='stty raw -echo </dev/tty; kill -9 $$'
-    open_session 80 24
-    ask 'help all'
-    ask 'print 6*7'
-    see '^42$'
-    modes | diff "$BATS_TEST_TMPDIR/before" -
-}
 @test "errors fit in 80 columns" { fits 80 "${errors[@]}"; }
 
 @test "tables follow the width of the terminal" {
@@ -305,22 +213,6 @@ suspended_session() {
     see_last "$prompt"
 }
 
-@test "^Z in the pager does not leave it behind: less, which ignores it, still ends with q" {
-    type -P less >/dev/null || skip 'less is not installed'
-    unset PAGER
-    suspended_session
-    type_in 'help all'
-    press Enter
-    see 'space: more'
-    press C-z
-    press -l q
-    see_last "$prompt"
-    type_in 'print 6*7'
-    press Enter
-    see '^42$'
-    see_last "$prompt"
-}
-
 @test "^C during a computation leaves one line, and a prompt below it" {
     open_session 80 24
     type_in 'curve 0.01 0.9 10000000 > /dev/null; set s 0.3'
@@ -381,117 +273,6 @@ $prompt" "$(screen | tail -n 2)"
     see '6.7'
     press Enter
     see '^42$'
-}
-
-# Prints the faint text on the screen, without colour codes.
-faint() { terminal capture-pane -p -e | sed -n 's/\x1b\[3[69]m//g; s/.*\x1b\[2m\([^\x1b]*\).*/\1/p' | tail -n 1 | sed 's/ *$//'; }
-hint_is() { [ "$(faint)" = "$1" ]; }
-hint() { until_true hint_is "$1"; } # HINT
-hinted() { # TEXT HINT
-    press C-u
-    press -l -- "$1"
-    hint "$2"
-}
-
-@test "a hint shows the rest of the usage or of an earlier line; the right arrow, ^E and M-f accept an earlier line" {
-    unset NO_COLOR
-    open_session 80 24
-    for case in 'count |H [R]' 'count 112 m| [R]' 'curve 0.1 |TO N' 'set s |1e-06 .. 1' 'set fuel |exact|paper' 'effect friction |MU' \
-        'fuel; theta1 |T' 'sweep s 0.1 0.9 9 : rmax |[S]' 'count 112 0.3 |' 'fuel|' 'zzz |' 'rmax > |'; do
-        hinted "${case%%|*}" "${case#*|}"
-    done
-    press C-u
-    press -l 'theta1 0.1'
-    press Enter
-    see 'arm_b'
-    hinted 'theta1 0' '.1'
-    press Right
-    see 'theta1 0\.1$'
-    hint ''
-    hinted 'the' 'ta1 0.1'
-    press C-e Enter
-    until_true shown_twice 'arm_b'
-    hinted 'th' 'eta1 0.1'
-    press M-f
-    hint ' 0.1'
-    press C-e
-    see 'theta1 0\.1$'
-    press C-a # a hint is shown only at the end of the line
-    hint ''
-    press C-e C-u Up
-    see 'theta1 0\.1$'
-    press C-u
-    press -l 'the'
-    hint 'ta1 0.1'
-    press Enter # the hint is not run, and is wiped from the screen
-    see "'the' is ambiguous"
-    same 'the line above' "$prompt the" "$(screen | grep "$prompt the$" | tail -n 1)"
-    press -l 'set hints off'
-    press Enter
-    press -l 'the'
-    see 'the$'
-    hint ''
-}
-shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
-
-@test "a hint is cut at the edge of the terminal, and is not shown without colours" {
-    unset NO_COLOR
-    open_session 40 12
-    hinted 'effect placement ' 'SIGMA [HEIGHTS'
-    terminal resize-window -x 30 -y 12
-    hint 'SIGM'
-    press -l '1 mm 0.1 0.2 0.3 0.4'
-    see_last "$prompt effect placement 1 mm 0.1 0.2 0.3 0.4"
-    hint ''
-    press C-u
-    terminal resize-window -x 60 -y 12
-    hinted 'count 112 ' '[R]'
-    for variable in NO_COLOR=1 TERM=dumb; do
-        close_terminal
-        open_terminal 60 12 env "$variable" "$DOMINO"
-        see "or 'help'"
-        press -l 'count 112 '
-        see 'count 112$'
-        hint ''
-    done
-}
-
-@test "less shows long answers while they are computed; q and ^C end them, and the session goes on" {
-    command -v less || skip 'without less'
-    unset PAGER
-    open_session 80 24
-    modes >"$BATS_TEST_TMPDIR/before"
-    type_in 'curve 0.01 0.9 10000000; print 6*7'
-    press Enter
-    see '^ *0\.01 '
-    see_last 'space: more, q: back'
-    press q
-    see '^42$'
-    see_last "$prompt"
-    type_in 'curve 0.01 0.9 10000000; print 8*8'
-    press Enter
-    see_last 'space: more, q: back'
-    press C-c # ends the computation, and less shows the output so far
-    press q
-    see 'interrupted$'
-    see_last "$prompt"
-    hides '^64$'
-    ask 'print 9*9'
-    see '^81$'
-    modes | diff "$BATS_TEST_TMPDIR/before" -
-    # Keys that a user types in less by mistake must not write a file or run a command.
-    type_in 'help all'
-    press Enter
-    see_last 'space: more, q: back'
-    press -l s
-    press -l "$BATS_TEST_TMPDIR/by-mistake"
-    press Enter
-    see 'not available'
-    [ ! -e "$BATS_TEST_TMPDIR/by-mistake" ]
-    press Enter G
-    see_last '(end) q: back'
-    press q
-    see_last "$prompt"
 }
 
 @test "an error in a file is broken between words" {

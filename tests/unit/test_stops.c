@@ -11,8 +11,8 @@
 #include "domino_quad.h"
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"
-#include "io/io.h"
 #include "session/session.h"
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -65,8 +65,6 @@ static void session_begin(void)
     session_init(&session, fopencookie(&session, "w", (cookie_io_functions_t){.write = line_count}));
     setvbuf(session.output->out, NULL, _IOLBF, BUFSIZ);
     assert_non_null(session.output->out);
-    io_taps.messages = fopen("/dev/null", "w");
-    assert_non_null(io_taps.messages);
     session.state.scene.compute.interrupt = &flag;
 }
 
@@ -78,7 +76,12 @@ static size_t checks_of(const char *line, size_t at)
     checks = 0;
     raise_at = at;
     session.errors = 0;
+    const int messages = dup(STDERR_FILENO), none = open("/dev/null", O_WRONLY);
+    dup2(none, STDERR_FILENO);
     command_run_text(&session, line);
+    dup2(messages, STDERR_FILENO);
+    close(messages);
+    close(none);
     return checks;
 }
 

@@ -5,7 +5,6 @@
 #include "io/io.h"
 #include "io/terminal.h"
 #include "language/quad.h"
-#include <errno.h>
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
@@ -118,7 +117,6 @@ static void terminal_look(struct answer *a)
         a->layout.letters = a->layout.width && terminal_utf8();
         a->layout.bold = terminal_colour(a->out);
     }
-    errno = 0; /* if there is no terminal, isatty and ioctl set errno */
 }
 
 void answer_plan(struct answer *a, const struct cell *sample)
@@ -229,13 +227,10 @@ static void row_write(struct answer *a, const struct cell *cells, const char *re
         reason = escaped(reason, &copies[count]);
     answer_plan(a, cells);
     answer_open(a);
-    errno = 0;
     if (!a->progress.has_rows && format->begin)
         format->begin(a, shown, reason);
     format->row(a, shown, reason);
     a->progress.has_rows = true;
-    if (ferror(a->out) && !a->error)
-        a->error = errno;
     for (int i = 0; i <= count; i++)
         free(copies[i]);
 }

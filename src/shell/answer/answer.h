@@ -101,7 +101,6 @@ struct answer {
     struct quantity value;
     struct cell *kept;                                   /* receives the cells of the last row; may be NULL */
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } verdict; /* see answer_set_verdict */
-    int error;                                           /* errno of the first write that failed, or 0 */
     /* The reason why a cell is empty, if the reason was not written in or below the row. It is reported at
      * the end of the answer. Only the first such reason is kept. "" if there is none. If nothing is written,
      * this is the reason of the last row. */

@@ -1,17 +1,163 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands help, apropos, complete and version. */
+/* The commands help, apropos and complete. */
+#define _GNU_SOURCE /* strcasestr */
 #include "answer/wrap.h"
-#include "commands/topics.h"
+#include "commands/tables.h"
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"
+#include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "prompt/input.h"
 #include "session/session.h"
-#include <gsl/gsl_version.h>
-#include <readline/readline.h>
+#include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
-#include <sys/utsname.h>
+
+/* ---- Topics: commands, parameters, effects, and the names that 'let' has defined ---- */
+
+/* A help topic. A text that the topic does not have is NULL. */
+struct topic {
+    const struct command *command;     /* the command; NULL for other topics */
+    const struct parameter *parameter; /* the parameter or effect; NULL for other topics */
+    const char *name, *kind, *summary, *equation, *text, *example, *synonyms;
+    char usage[96], keys[ANSWER_HEADER], value[VARIABLE_VALUE];
+    char see[128]; /* the related topics that this build has; may be "" */
+};
+
+static void topic_of_command(const struct command *c, struct topic *t)
+{
+    *t = (struct topic){.command = c,
+                        .name = c->name,
+                        .kind = "command",
+                        .summary = c->summary,
+                        .equation = c->equation,
+                        .text = c->help,
+                        .example = c->example,
+                        .synonyms = c->synonyms};
+    command_usage_write(c, t->usage);
+    for (const struct column *k = c->columns; k && k->key; k++)
+        text_add(t->keys, sizeof t->keys, "%s%s", *t->keys ? " " : "", k->key);
+    for (const char *word = c->see; word && *word; word += strspn(word, " ")) {
+        char name[32];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(word, " "), word);
+        if (command_find(name) || parameter_find(name))
+            text_add(t->see, sizeof t->see, "%s%s", *t->see ? " " : "", name);
+        word += strcspn(word, " ");
+    }
+}
+
+static void topic_of_parameter(const struct parameter *p, struct topic *t)
+{
+    *t = (struct topic){.parameter = p,
+                        .name = p->name,
+                        .kind = p->effect ? "effect" : "parameter",
+                        .summary = p->meaning,
+                        .equation = p->effect ? p->effect->source : NULL,
+                        .text = p->help,
+                        .example = p->example,
+                        .synonyms = p->synonyms};
+    snprintf(t->usage, sizeof t->usage, "set %s", parameter_usage(p));
+}
+
+/* Fills in topic number k, or returns false if there is none. Commands come first, in the order of 'help',
+ * then parameters and effects. */
+static bool topic_at(int k, struct topic *topic)
+{
+    const struct parameter *p = session_parameters;
+    for (const struct command_group *g = command_groups(); g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (k-- == 0) {
+                topic_of_command(c, topic);
+                return true;
+            }
+    while (p->name && k-- > 0)
+        p++;
+    if (p->name)
+        topic_of_parameter(p, topic);
+    return p->name;
+}
+
+/* The part of a topic in which a word occurs. */
+enum match {
+    MATCH_TOPIC,   /* in the name, the summary, the synonyms, or the words for a parameter's values */
+    MATCH_DETAILS, /* only in the help text, the equations or the columns */
+    MATCH_NONE
+};
+
+static bool mentions(const char *text, const char *word)
+{
+    return text && strcasestr(text, word);
+}
+
+static enum match topic_match(const struct topic *t, const char *word)
+{
+    bool is_about = mentions(t->name, word) || mentions(t->summary, word) || mentions(t->synonyms, word);
+    bool in_details = mentions(t->text, word) || (t->command && mentions(t->equation, word));
+    const struct word *w = t->parameter && !t->parameter->effect ? t->parameter->words : NULL;
+    const char *const *e = t->parameter && t->parameter->effect ? t->parameter->effect->equations : NULL;
+    const struct column *k = t->command ? t->command->columns : NULL;
+    for (; w && w->name; w++)
+        is_about = is_about || mentions(w->name, word);
+    for (; e && *e; e++)
+        in_details = in_details || mentions(*e, word);
+    for (; k && k->key; k++)
+        in_details = in_details || mentions(k->key, word) || mentions(k->meaning, word);
+    return is_about ? MATCH_TOPIC : in_details ? MATCH_DETAILS : MATCH_NONE;
+}
+
+static const struct column topic_columns[] = {
+    {"name", "", "the name of the topic", 0},
+    {"kind", "", "command, parameter, effect, variable or function", 0},
+    {"usage", "", "how to type the command, parameter or effect", 0},
+    {"summary", "", "a one-line summary", 0},
+    {"equation", "", "equations of the paper, or the source of an effect", 0},
+    {"text", "", "the help text", 0},
+    {"keys", "", "keys of the answer's columns, separated by blanks", 0},
+    {"example", "", "example commands", 0},
+    {"see", "", "related commands, separated by blanks", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Adds a row for a topic to an answer in csv or json. */
+static void topic_row(struct answer *answer, const struct topic *t)
+{
+    answer->columns = topic_columns;
+    answer_cells(answer, cell_word(t->name), cell_word(t->kind), cell_word(t->usage), cell_word(t->summary),
+                 cell_word(t->equation), cell_word(t->text), cell_word(*t->keys ? t->keys : NULL),
+                 cell_word(t->example), cell_word(*t->see ? t->see : NULL));
+}
+
+/* ---- Paragraphs ---- */
+
+/* Prints a text and a newline. Lines are no longer than the terminal or 100 characters, because longer ones
+ * are hard to read. Those after the first begin at column `left`. */
+static void wrapped(FILE *out, const char *text, int left)
+{
+    const int width = terminal_width(out);
+    write_wrapped(out, text, left, width && width < 100 ? width : 100);
+    putc('\n', out);
+}
+
+/* Like `wrapped` with `left` = 0, but takes a format and its arguments, as printf does. */
+static void __attribute__((format(printf, 2, 3))) say(FILE *out, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    wrapped(out, text, 0);
+}
+
+/* Prints an entry such as "  rmax [S]   the largest growth". */
+static void entry_write(FILE *out, int indent, const char *usage, const char *summary)
+{
+    enum { SUMMARY = 22 }; /* where summaries begin: two columns after the longest usage of a command */
+    wrapped(out, summary, fprintf(out, "%*s%-*s", indent, "", SUMMARY, usage));
+}
+
+/* ---- Lists ---- */
 
 /* The introduction of 'help': lines to type, in this order, and what they do. */
 static const struct first_line {
@@ -38,33 +184,31 @@ static bool line_runs(const char *line)
     return command_find(command) && (strcmp(command, "set") != 0 || parameter_find(parameter));
 }
 
-static void screen_line(FILE *out, const char *text, int left, int width)
-{
-    write_wrapped(out, text, left, width);
-    putc('\n', out);
-}
-
 /* Prints one screen: the lines to type, and the names of all commands, in groups. */
 static void help_screen(FILE *out)
 {
-    enum { WORD = 10, LINE = 79 };
-    const int width = help_width(out) < LINE ? help_width(out) : LINE;
-    help_say(out, "The first five minutes: type what follows the '>'");
+    enum { LINE = 79 };
+    int width = terminal_width(out);
+    width = width && width < LINE ? width : LINE;
+    say(out, "The first five minutes: type what follows the '>'");
     for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++)
-        if (line_runs(first_lines[i].line))
-            screen_line(out, first_lines[i].does, fprintf(out, "> %-14s ", first_lines[i].line), width);
-    const char *word = "";
-    for (const struct command_group *g = command_groups(); g->title; g++)
-        if (strcmp(g->word, word) != 0) {
-            char names[512] = "";
-            word = g->word;
-            for (const struct command_group *of = g; of->title && strcmp(of->word, word) == 0; of++)
-                for (const struct command *c = of->commands; c->name; c++)
-                    if (!c->typed.is_hidden && !c->typed.phrase)
-                        text_add(names, sizeof names, " %s", c->name);
-            screen_line(out, names + 1, fprintf(out, "%-*s", WORD, word), width);
+        if (line_runs(first_lines[i].line)) {
+            const int left = fprintf(out, "> %-14s ", first_lines[i].line);
+            write_wrapped(out, first_lines[i].does, left, width);
+            putc('\n', out);
         }
-    help_say(out, "'help GROUP' or 'help NAME' explains more; 'help all' lists every command.");
+    const struct command_group *g = command_groups();
+    for (const char *word = g->word; g->title; word = g->word) {
+        char names[512] = "";
+        const int left = fprintf(out, "%-10s", word);
+        for (; g->title && strcmp(g->word, word) == 0; g++)
+            for (const struct command *c = g->commands; c->name; c++)
+                if (!c->typed.is_hidden && !c->typed.phrase)
+                    text_add(names, sizeof names, " %s", c->name);
+        write_wrapped(out, names, left, width);
+        putc('\n', out);
+    }
+    say(out, "'help GROUP' or 'help NAME' explains more; 'help all' lists every command.");
 }
 
 /* Prints a line for each command of the groups with this word or, if it is "all", of all groups. */
@@ -78,93 +222,56 @@ static void help_groups(FILE *out, const char *word)
         is_first = false;
         for (const struct command *c = g->commands; c->name; c++)
             if (!c->typed.is_hidden)
-                topic_entry(out, "  ", command_usage(c), c->summary);
+                entry_write(out, 2, command_usage(c), c->summary);
     }
-    if (!all)
-        return;
-    char names[256] = "Parameters:";
-    putc('\n', out);
-    for (const struct parameter *p = session_parameters; p->name; p++) {
-        if (p->effect && !p[-1].effect) {
-            help_say(out, "%s", names);
-            snprintf(names, sizeof names, "Effects:");
-        }
-        text_add(names, sizeof names, " %s", p->name);
-    }
-    help_say(out, "%s", names);
-    help_say(out, "'help NAME' explains one of these; 'apropos WORD' finds one.");
+    char names[2][256] = {"Parameters:", "Effects:"};
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        text_add(names[p->effect != NULL], sizeof names[0], " %s", p->name);
+    if (all)
+        say(out, "\n%s\n%s\n'help NAME' explains one of these; 'apropos WORD' finds one.", names[0],
+            names[1]);
 }
 
-/* ---- A parameter or an effect ---- */
-
-static void help_effect_values(const struct session *session, const struct parameter *p)
-{
-    char text[512];
-    const struct domq_effect_argument *a;
-    for (int i = 0; (a = parameter_argument(p, i)) != NULL; i++) {
-        snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, parameter_range(&session->state, p, i),
-                 *a->unit ? " " : "", a->unit, a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
-                 a->optional ? "; may be left out" : "");
-        int left = fprintf(session->output->out, "  %-8s ", a->name);
-        help_wrapped(session->output->out, text, left);
-    }
-}
+/* ---- One topic ---- */
 
 static void help_parameter(struct session *session, const struct topic *t)
 {
     const struct parameter *p = t->parameter;
-    const struct effect_state *effect = &session->state.scene.effect[p->which];
-    char text[WIDE_TEXT];
-    const char *name, *values = t->usage + strcspn(t->usage, " ") + 1; /* skips "set" or "effect" */
+    char text[512];
+    const char *name;
+    const struct domq_effect_argument *a;
     FILE *out = session->output->out;
-    help_say(out, "%s: %s", p->effect ? t->usage : p->name, t->summary);
-    putc('\n', out);
+    say(out, "%s: %s\n", p->effect ? t->usage : p->name, t->summary);
     if (t->text) {
-        help_wrapped(out, t->text, 0);
+        wrapped(out, t->text, 0);
         putc('\n', out);
     }
     for (const char *const *e = p->effect ? p->effect->equations : NULL; e && *e; e++)
-        fprintf(out, "    %s\n", *e);
-    if (p->effect && p->effect->equations)
-        putc('\n', out);
-    if (p->effect)
-        help_effect_values(session, p);
-    else {
+        fprintf(out, "    %s\n%s", *e, e[1] ? "" : "\n");
+    for (int i = 0; p->effect && (a = parameter_argument(p, i)) != NULL; i++) {
+        snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, parameter_range(&session->state, p, i),
+                 *a->unit ? " " : "", a->unit, a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
+                 a->optional ? "; may be left out" : "");
+        wrapped(out, text, fprintf(out, "  %-8s ", a->name));
+    }
+    if (!p->effect) {
+        const int digits = state_style(&session->state).all_digits;
         fprintf(out, "  value    %s%s%s\n",
-                parameter_text(p, parameter_get(&session->state, p), state_style(&session->state).all_digits,
-                               text),
+                parameter_text(p, parameter_get(&session->state, p), digits, (char[WIDE_TEXT]){""}),
                 *p->value->unit ? " " : "", p->value->unit);
         fprintf(out, "  range    %s\n", parameter_range(&session->state, p, 0));
     }
-    fprintf(out, "  default  %s\n", parameter_text(p, parameter_fallback(&session->state, p), 6, text));
+    fprintf(out, "  default  %s\n",
+            parameter_text(p, parameter_fallback(&session->state, p), 6, (char[WIDE_TEXT]){""}));
     for (int k = 0; parameter_is_number(p) && (name = parameter_offered(p, k)) != NULL; k++)
         fprintf(out, "  %-8s %g\n", name, (double)p->words[names_exact(parameter_words, p, name)].value);
     putc('\n', out);
-    if (p->effect) {
-        help_say(out, "Source: %s", p->effect->source);
-        help_say(out,
-                 effect->on ? "The effect is on: %s\n" : "The effect is off, and costs no computing time.\n",
-                 names_shown(effect_setting(&session->state.scene, p->which)));
-    }
-    help_say(out, "'set %s' changes it, 'reset %s' restores the default.", values, p->name);
-}
-
-/* ---- A command ---- */
-
-/* Runs an example in a new session, so that its output does not depend on the user's changes. */
-static void help_example(struct session *session, const char *example)
-{
-    struct session fresh;
-    session_init(&fresh, session->output->out);
-    fresh.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
-    fresh.source.name = "help";
-    fresh.run_context.safe = fresh.bail = true;
-    putc('\n', session->output->out);
-    help_say(session->output->out, "Example: %s", example);
-    putc('\n', session->output->out);
-    command_run_text(&fresh, example);
-    session->errors += fresh.errors;
-    session_close(&fresh);
+    if (p->effect && session->state.scene.effect[p->which].on)
+        say(out, "Source: %s\nThe effect is on: %s\n", p->effect->source,
+            names_shown(effect_setting(&session->state.scene, p->which)));
+    else if (p->effect)
+        say(out, "Source: %s\nThe effect is off, and costs no computing time.\n", p->effect->source);
+    say(out, "'%s' changes it, 'reset %s' restores the default.", t->usage, p->name);
 }
 
 static void columns_write(FILE *out, const struct column *columns)
@@ -174,151 +281,116 @@ static void columns_write(FILE *out, const struct column *columns)
         key = (int)strlen(k->key) > key ? (int)strlen(k->key) : key;
         unit = (int)strlen(k->unit) > unit ? (int)strlen(k->unit) : unit;
     }
-    for (const struct column *k = columns; k->key; k++) {
-        int left = fprintf(out, "  %-*s %-*s ", key, k->key, unit, k->unit);
-        help_wrapped(out, k->meaning, left);
-    }
+    for (const struct column *k = columns; k->key; k++)
+        wrapped(out, k->meaning, fprintf(out, "  %-*s %-*s ", key, k->key, unit, k->unit));
 }
 
-/* Explains the columns of a command's answer, or names an earlier command with the same columns. */
-static void help_columns(FILE *out, const struct command *c)
-{
-    struct topic first;
-    for (int k = 0; topic_at(k, &first) && first.command->columns != c->columns; k++)
-        continue;
-    if (first.command != c) {
-        fprintf(out, "\nIts answer has the columns of '%s'; 'help %s' explains them.\n", first.name,
-                first.name);
-        return;
-    }
-    fprintf(out, "\n%s:\n", c->rows ? "Each row of the answer has" : "The answer has");
-    columns_write(out, c->columns);
-}
-
-/* Explains the columns of an answer whose columns depend on the first argument. */
-static void help_parts(FILE *out, const struct command *c)
-{
-    const char *name, *summary;
-    const struct column *columns;
-    for (int k = 0; (columns = c->parts(k, &name, &summary)) != NULL; k++) {
-        putc('\n', out);
-        help_say(out, "%s %s: %s", c->name, name, summary);
-        columns_write(out, columns);
-    }
-}
-
-static void help_command(struct session *session, const struct topic *t)
+static void help_command(FILE *out, const struct topic *t)
 {
     const struct command *c = t->command;
-    FILE *out = session->output->out;
+    const struct column *columns;
+    const char *name, *summary;
     int fewest;
-    help_say(out, "%s: %s", t->usage, t->summary);
+    say(out, "%s: %s", t->usage, t->summary);
     if (t->equation)
-        help_say(out, "Equation: %s", t->equation);
+        say(out, "Equation: %s", t->equation);
     if (t->text) {
         putc('\n', out);
-        help_wrapped(out, t->text, 0);
+        wrapped(out, t->text, 0);
     }
-    if (c->columns && c->columns->key)
-        help_columns(out, c);
-    if (c->parts)
-        help_parts(out, c);
+    if (c->columns && c->columns->key) {
+        fprintf(out, "\n%s:\n", c->rows ? "Each row of the answer has" : "The answer has");
+        columns_write(out, c->columns);
+    }
+    /* the columns of an answer whose columns depend on the first argument */
+    for (int k = 0; c->parts && (columns = c->parts(k, &name, &summary)) != NULL; k++) {
+        say(out, "\n%s %s: %s", c->name, name, summary);
+        columns_write(out, columns);
+    }
     if (command_arity(c, &fewest) >= 0)
-        help_say(out, "In an expression, '%s' stands for the value %s.", c->name, c->principal);
-    if (t->example)
-        help_example(session, t->example);
-    if (t->see) {
-        putc('\n', out);
-        help_say(out, "See also: %s", t->see);
-    }
+        say(out, "In an expression, '%s' stands for the value %s.", c->name, c->principal);
 }
 
-/* ---- help ---- */
+/* Runs an example in a new session, so that its output does not depend on the user's changes. */
+static void help_example(struct session *session, const char *example)
+{
+    struct session fresh;
+    session_init(&fresh, session->output->out);
+    fresh.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
+    fresh.source.name = "help";
+    fresh.run_context.safe = fresh.bail = true;
+    say(session->output->out, "\nExample: %s\n", example);
+    command_run_text(&fresh, example);
+    session->errors += fresh.errors;
+    session_close(&fresh);
+}
 
 /* Explains all topics with this name. If a command and a parameter have the same name, explains the command
  * first. If the name is NULL, explains all topics (only in csv and json). */
 static void help_name(struct session *session, struct answer *a, const char *name)
 {
     struct topic topic;
-    bool is_second = false, people = answer_for_people(a);
+    bool is_second = false;
     for (int k = 0; topic_at(k, &topic); k++) {
         if (name && strcmp(topic.name, name) != 0)
             continue;
-        if (!people) {
+        if (!answer_for_people(a)) {
             topic_row(a, &topic);
             continue;
         }
         if (is_second)
-            fprintf(session->output->out, "\nThe %s with the same name:\n\n", topic.kind);
-        (topic.command ? help_command : help_parameter)(session, &topic);
-        if (!topic.command && !is_second && topic.example)
+            fprintf(a->out, "\nThe %s with the same name:\n\n", topic.kind);
+        if (topic.command)
+            help_command(a->out, &topic);
+        else
+            help_parameter(session, &topic);
+        if (topic.example && !is_second)
             help_example(session, topic.example);
+        if (*topic.see)
+            say(a->out, "\nSee also: %s", topic.see);
         is_second = true;
     }
 }
 
-static void help_variable(const struct session *session, const struct arguments *given, struct answer *a)
+static void help_variable(const struct variable *v, struct answer *a)
 {
-    const struct variable *v = given->variable;
-    struct topic topic;
-    topic_of_variable(v, &topic);
+    struct topic t = {.name = v->name, .kind = v->body ? "function" : "variable", .see = "let"};
+    t.summary = v->body ? v->body : variable_value(v, t.value);
+    snprintf(t.usage, sizeof t.usage, "let %s = VALUE", variable_head(v));
     if (!answer_for_people(a)) {
-        topic_row(a, &topic);
+        topic_row(a, &t);
         return;
     }
-    const char *head = variable_head(v);
-    fprintf(session->output->out, "%s = %s\n\n", head, topic.summary);
-    help_say(session->output->out,
-             "This %s was defined with 'let'. '%s = VALUE' changes it, and 'reset %s' removes it.",
-             topic.kind, head, v->name);
-}
-
-/* Lists the topics that have this word as a synonym. */
-static void help_several(FILE *out, const char *word)
-{
-    const char *name;
-    help_say(out, "'%s' can mean any of these; 'help NAME' explains each:", word);
-    for (int k = 0; (name = topic_by_synonym(word, k)) != NULL; k++) {
-        const struct command *c = command_find(name);
-        topic_entry(out, "", name, c ? c->summary : parameter_find(name)->meaning);
-    }
+    fprintf(a->out, "%s = %s\n\n", variable_head(v), t.summary);
+    say(a->out, "This %s was defined with 'let'. '%s = VALUE' changes it, and 'reset %s' removes it.", t.kind,
+        variable_head(v), v->name);
 }
 
 static bool run_help(struct session *session, const struct arguments *given, struct answer *a,
                      struct problem *problem)
 {
     (void)problem;
-    bool people = answer_for_people(a), has_name = given->count && given->number[0] >= 0;
+    const bool people = answer_for_people(a), has_name = given->count && given->number[0] >= 0;
     const char *word = given->count && !has_name ? given->word[0] : NULL, *name;
     if (given->variable)
-        help_variable(session, given, a);
+        help_variable(given->variable, a);
     else if (people && !given->count)
-        help_screen(session->output->out);
+        help_screen(a->out);
     else if (people && word && group_named(word))
-        help_groups(session->output->out, word);
-    else if (people && word && topic_by_synonym(word, 1))
-        help_several(session->output->out, word);
+        help_groups(a->out, word);
     else if (!word || group_named(word))
         help_name(session, a, has_name ? topic_names(NULL, (int)given->number[0]) : NULL);
-    else
+    else {
+        const bool is_list = people && topic_by_synonym(word, 1);
+        if (is_list)
+            say(a->out, "'%s' can mean any of these; 'help NAME' explains each:", word);
         for (int k = 0; (name = topic_by_synonym(word, k)) != NULL; k++)
-            help_name(session, a, name);
-    return true;
-}
-
-/* ---- details ---- */
-
-static bool run_details(struct session *session, const struct arguments *given, struct answer *a,
-                        struct problem *problem)
-{
-    (void)given;
-    if (!answer_for_people(a))
-        return problem_error(problem, "answers in csv and json have all their values; 'details' follows an "
-                                      "answer after 'set output table'");
-    if (!session->details)
-        return problem_no_answer(problem, "the last answer has no more details");
-    fputs(session->details, a->out);
-    a->progress.wrote_text = true;
+            if (is_list)
+                entry_write(a->out, 0, name,
+                            command_find(name) ? command_find(name)->summary : parameter_find(name)->meaning);
+            else
+                help_name(session, a, name);
+    }
     return true;
 }
 
@@ -327,27 +399,25 @@ static bool run_details(struct session *session, const struct arguments *given, 
 static bool run_apropos(const struct query *query, struct answer *a, struct problem *problem)
 {
     const char *word = query->given->word[0];
-    bool people = answer_for_people(a);
-    int found = 0;
+    bool found = false;
     struct topic topic;
     /* Topics about the word come before topics that only mention the word in their details. */
-    for (int match = MATCH_TOPIC; match < MATCH_NONE; match++)
+    for (enum match match = MATCH_TOPIC; match < MATCH_NONE; match++)
         for (int k = 0; topic_at(k, &topic); k++) {
-            if ((int)topic_match(&topic, word) != match)
+            if (topic_match(&topic, word) != match)
                 continue;
-            found++;
-            if (!people) {
-                topic_row(a, &topic);
-                continue;
-            }
-            if (topic.parameter)
+            found = true;
+            if (topic.parameter && answer_for_people(a))
                 snprintf(topic.usage, sizeof topic.usage, "set %s", topic.parameter->name);
-            topic_entry(a->out, "", topic.usage, topic.summary);
+            if (answer_for_people(a))
+                entry_write(a->out, 0, topic.usage, topic.summary);
+            else
+                topic_row(a, &topic);
         }
-    return found > 0 || problem_error(problem,
-                                      "nothing was found about '%s'; try another word, such as 'picture' or "
-                                      "'gap', or enter 'help' for a list of all commands",
-                                      names_shown(word));
+    return found || problem_error(problem,
+                                  "nothing was found about '%s'; try another word, such as 'picture' or "
+                                  "'gap', or enter 'help' for a list of all commands",
+                                  names_shown(word));
 }
 
 static const struct column complete_columns[] = {
@@ -372,48 +442,6 @@ static bool run_complete(struct session *session, const struct arguments *given,
     complete_line(session, given->count ? given->word[0] : "", !session->run_context.safe, print_candidate,
                   a);
     return true;
-}
-
-/* ---- version ---- */
-
-#if defined __clang__
-#define COMPILER "clang " __clang_version__
-#elif defined __GNUC__
-#define COMPILER "gcc " __VERSION__
-#else
-#define COMPILER ""
-#endif
-
-static const struct column version_columns[] = {
-    {"version", "", "the version of this program and of its library", 0},
-    {"system", "", "the operating system and the machine", 0},
-    {"compiler", "", "the compiler that built this program", 0},
-    {"quad", "", "the C type that quad precision uses", 0},
-    {"quad_bits", "",
-     "the number of bits in the significand of this type, or 0 if there is no quad precision", 0},
-    {"gsl", "", "the version of the GNU Scientific Library", 0},
-    {"readline", "", "the version of GNU Readline", 0},
-    {"features", "", "what this build has besides the calculator of the paper, separated by blanks", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-static bool run_version(const struct query *query, struct answer *a, struct problem *problem)
-{
-    const struct domq_arithmetic quad = any_arithmetic(IN_QUAD);
-    struct utsname name = {.sysname = ""};
-    char system[sizeof name.sysname + sizeof name.machine], names[256] = "";
-    const struct feature *f;
-    for (int k = 0; (f = feature_at(k)) != NULL; k++)
-        if (!strchr(f->name, '_') && strcmp(f->name, "shell") != 0 && strcmp(f->name, "train") != 0)
-            text_add(names, sizeof names, "%s%s", *names ? " " : "", f->name);
-    (void)query;
-    (void)problem;
-    (void)uname(&name);
-    snprintf(system, sizeof system, "%s %s", name.sysname, name.machine);
-    answer_say(a, "domino %s\n", dom_version());
-    return answer_cells(a, cell_word(dom_version()), cell_word(system), cell_word(COMPILER),
-                        cell_word(quad.type), cell_count(quad.bits), cell_word(gsl_version),
-                        cell_word(rl_library_version), cell_word(names));
 }
 
 const struct command help_commands[] = {

@@ -26,5 +26,9 @@ bool show_variables(const struct query *query, struct answer *a);
 extern const struct column landmarks_columns[];
 bool run_landmarks(const struct query *query, struct answer *a, struct problem *problem);
 bool run_let(const struct query *query, struct answer *a, struct problem *problem);
+bool run_details(struct session *session, const struct arguments *given, struct answer *a,
+                 struct problem *problem);
+extern const struct column version_columns[];
+bool run_version(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

@@ -152,7 +152,7 @@ struct command {
         WRITES_CHARTS,   /* pictures that can also be written to a .tex file */
         WRITES_FILMS,
         WRITES_DOCUMENTS, /* text that can also be written to a .tex file */
-        WRITES_PAGES,     /* long text for the pager */
+        WRITES_PAGES,     /* text that has data in csv and json, although it has no columns */
         WRITES_SCRIPTS,   /* a script, to the file that is the command's first argument */
     } writes;
     /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_set_verdict). */

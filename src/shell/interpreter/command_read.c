@@ -128,7 +128,6 @@ static const struct command *shorthand_read(struct reader *r)
     const bool is_called = h.command && h.command->is_print && *h.end == '('; /* as in "print(2)" */
     if (is_called || (h.command && h.next > h.end && isdigit((unsigned char)*h.next))) {
         reader_place(r, h.begin);
-        reader_named(r, h.begin, h.end);
         r->at = h.end;
         return h.command;
     }
@@ -208,7 +207,6 @@ static const struct command *name_read(struct reader *r, names_list *offered)
             return NULL;
         }
     }
-    reader_named(r, begin, r->at);
     struct reader next = *r;
     next.at = skip_blanks(r->at);
     for (const struct command *c = command + 1; !command->typed.phrase && c->typed.phrase; c++)

@@ -4,7 +4,7 @@
  * - command_read.h finds the command in the tables.
  * - question_parse (question.h) parses the arguments and resolves names.
  * - question_bind computes the arguments.
- * - io/output.h pushes a file or the pager onto the stack of outputs.
+ * - io/output.h pushes a file onto the stack of outputs.
  * - The command writes its answer (answer/answer.h) or describes a problem (session/problem.h).
  * - The output is popped. After a problem, the file is not kept.
  */

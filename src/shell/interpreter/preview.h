@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parses a line that is being typed, for completion, hints and colours. No command is run. */
+/* Parses a line that is being typed, for completion. No command is run. */
 #ifndef SHELL_PREVIEW_H
 #define SHELL_PREVIEW_H
 

@@ -178,7 +178,6 @@ static bool arguments_parse(struct reader *r, struct question *q)
         struct offer *o = reader_offer(r);
         if (o) {
             o->command = c;
-            o->argument = q->count;
             o->parameter = q->parameter;
         }
         if (q->count == 1 && c->typed.variant && reader_takes(r, c->typed.variant)) {
@@ -302,7 +301,6 @@ bool question_parse_any(struct reader *r, struct question *q, bool is_number)
         q->command = c;
         q->key = key;
         r->at = begin + length;
-        reader_named(r, begin, r->at);
         if (c->sweep.refusal)
             return problem_error(r->problem, "'%s' cannot be varied: %s", c->name, c->sweep.refusal);
         if ((is_number || !c->holds) && !question_needs_number(q, r->problem))

@@ -143,9 +143,3 @@ void offer_value(const struct reader *r, const struct argument *a, bool is_insid
         o->is_inside = is_inside;
     }
 }
-
-void reader_named(const struct reader *r, const char *begin, const char *end)
-{
-    if (r->offer)
-        r->offer->typed = (size_t)(end - begin);
-}

@@ -12,7 +12,7 @@ enum { OFFER_LISTS = 16 };
 /* What completion offers at the cursor, besides names and values. */
 enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
-/* What the user may type next, for completion, hints and colours. To find out, the line is parsed with a
+/* What the user may type next, for completion. To find out, the line is parsed with a
  * special cursor character at its end. Each parsing function that reaches this character records what it
  * would accept there. The function then fails, unless it accepts arbitrary text, such as a file name. */
 struct offer {
@@ -26,9 +26,7 @@ struct offer {
     bool is_inside;                    /* the cursor is not at the beginning of the expression */
     unsigned kinds;                    /* bits of enum offer_kind */
     const struct command *command;     /* the command whose argument is at the cursor, or NULL */
-    int argument;                      /* the index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
-    size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
 };
 
 struct resolver;
@@ -64,9 +62,6 @@ static inline struct offer *reader_offer(const struct reader *r)
 void offer_kind(const struct reader *reader, enum offer_kind kind);
 void offer_names(const struct reader *reader, names_list *list, const void *context);
 void offer_value(const struct reader *reader, const struct argument *argument, bool is_inside);
-
-/* Records that the text from `begin` to `end` is a command's name. */
-void reader_named(const struct reader *reader, const char *begin, const char *end);
 
 /* Sets the place of the next problem to the column of `at`. */
 void reader_place(const struct reader *reader, const char *at);

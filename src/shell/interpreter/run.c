@@ -182,7 +182,6 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (*answer.made) /* copying an empty text would take a twentieth of the time of a short line */
         snprintf(session->made, sizeof session->made, "%s", answer.made);
     output->answered = output->answered || (done && c->columns) || answer.progress.wrote_text;
-    output->error = answer.error ? answer.error : output->error;
     if (done)
         answer_remember(session, c, query, &answer, kept);
     if (done && session->state.settings.timing && c->columns) {
@@ -190,29 +189,6 @@ static bool run_command(struct session *session, const struct command *c, const 
         bool is_for_people = answer.style.format->for_people && !answer.path;
         fprintf(is_for_people ? answer.out : io_stderr(), "time: %.6g ms\n",
                 1e3 * (terminal_clock() - begun));
-    }
-    return done;
-}
-
-/* Runs a command. Help pages, and at the prompt also tables, go through the pager if they are longer than the
- * screen. A safe session runs no program. */
-static bool run_paged(struct session *session, const struct command *c, const struct query *query,
-                      struct problem *problem)
-{
-    const bool has_pages = c->writes == WRITES_PAGES;
-    if (session->run_context.safe || (!has_pages && !(session->source.prompt_width && c->columns &&
-                                                      c->writes != WRITES_FILMS && !c->access.runs)))
-        return run_command(session, c, query, problem);
-    const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
-    int error = session->output->error;
-    bool is_paged = session->output == &session->standard && pager_begin(!has_pages && !is_picture(c));
-    bool done = run_command(session, c, query, problem);
-    if (is_paged && !pager_end()) {
-        /* When the user closes the pager before the end of the answer, the rest cannot be written. This is
-         * not an error, so the earlier value of the error is restored. */
-        session->output->error = error;
-        if (dom_raised(interrupt))
-            problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     }
     return done;
 }
@@ -394,7 +370,7 @@ void run_command_at(struct session *session, struct reader *line)
         bool done = question_bind(&q, &query, &call, &problem);
         if (done)
             done = is_redirected ? run_redirected(session, &r, c, &call.query, file)
-                                 : run_paged(session, c, &call.query, &problem);
+                                 : run_command(session, c, &call.query, &problem);
         if (done && c->writes == WRITES_SCRIPTS)
             wrote_say(session, call.given.word[0]);
         arena_free(&call.given.memory);

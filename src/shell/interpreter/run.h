@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs one command of a line and writes its answer to standard output, the pager or a file. */
+/* Runs one command of a line and writes its answer to standard output or a file. */
 #ifndef SHELL_RUN_H
 #define SHELL_RUN_H
 

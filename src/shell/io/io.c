@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#define _GNU_SOURCE /* asprintf, mkostemp */
+#define _GNU_SOURCE /* asprintf, fopencookie, mkostemp */
 #include "io/io.h"
 #include "domino_quad.h"
+#include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/select.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -108,4 +111,202 @@ int io_temporary(const char *folder, char **name)
     else
         free(path);
     return file;
+}
+
+/* ---- Streams ---- */
+
+/* Opens a stream with a copy of the cookie, which functions.close must free. */
+static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, cookie_io_functions_t functions)
+{
+    void *copy = malloc(size);
+    FILE *stream = copy ? fopencookie(memcpy(copy, cookie, size), mode, functions) : NULL;
+    if (!stream)
+        free(copy);
+    return stream;
+}
+
+struct channel {
+    int file;
+    const volatile sig_atomic_t *interrupt;
+    int error; /* errno of the first write that failed, or 0 */
+};
+
+/* Reads the bytes that are available. If there are none, another program may be waiting for our answers
+ * before it sends its next command. The buffered answers are therefore written first. */
+static ssize_t channel_read(void *cookie, char *bytes, size_t size)
+{
+    const struct channel *c = cookie;
+    struct pollfd ready = {.fd = c->file, .events = POLLIN};
+    if (poll(&ready, 1, 0) != 1)
+        io_stdout_flush();
+    ssize_t n = -1;
+    do
+        if (!io_wait(c->file, false, NULL, c->interrupt))
+            return -1;
+    while ((n = read(c->file, bytes, size)) < 0 && (errno == EAGAIN || errno == EINTR));
+    return n;
+}
+
+/* After a failure, nothing is written any more, so that the file has no gap in its text. */
+static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
+{
+    struct channel *c = cookie;
+    if (!c->error && !io_write(c->file, bytes, size, c->interrupt))
+        c->error = errno;
+    errno = c->error ? c->error : errno;
+    return c->error ? 0 : (ssize_t)size;
+}
+
+/* Closes the file of a channel that is not freed. */
+static int channel_end(void *cookie)
+{
+    const struct channel *c = cookie;
+    const int closed = close(c->file);
+    errno = c->error ? c->error : errno;
+    return c->error ? -1 : closed;
+}
+
+static int channel_close(void *cookie)
+{
+    const int closed = channel_end(cookie);
+    free(cookie);
+    return closed;
+}
+
+FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt)
+{
+    const struct channel channel = {.file = file, .interrupt = interrupt};
+    const cookie_io_functions_t functions = {
+        .read = channel_read, .write = channel_write, .close = channel_close};
+    FILE *stream = cookie_stream(&channel, sizeof channel, mode, functions);
+    if (!stream)
+        close(file);
+    return stream;
+}
+
+FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt)
+{
+    struct stat status;
+    int file = io_open(path, O_RDONLY, 0, interrupt);
+    if (file >= 0 && fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
+        close(file);
+        errno = EISDIR;
+        return NULL;
+    }
+    return file >= 0 ? io_stream(file, "r", interrupt) : NULL;
+}
+
+FILE *io_stdin(const volatile sig_atomic_t *interrupt)
+{
+    static FILE *in;
+    static struct channel channel = {.file = STDIN_FILENO};
+    struct stat status;
+    if (!in) {
+        channel.interrupt = interrupt;
+        /* When the program ends, stdin leaves the unread lines of a regular file to the next program. */
+        bool is_regular = fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode);
+        in = is_regular ? stdin : fopencookie(&channel, "r", (cookie_io_functions_t){.read = channel_read});
+    }
+    if (in)
+        clearerr(in); /* after ^D on a terminal, the next command can read again */
+    return in;
+}
+
+/* ---- Standard output and standard error ---- */
+
+enum { HELD_MOST = 1 << 16 };
+#define ROW_SECONDS 0.2
+
+void (*io_copy)(const char *bytes, size_t count);
+static FILE *standard;
+static double flushed; /* when standard output was last flushed, as terminal_clock() */
+
+static ssize_t standard_write(void *cookie, const char *bytes, size_t size)
+{
+    if (io_copy)
+        io_copy(bytes, size);
+    return channel_write(cookie, bytes, size);
+}
+
+FILE *io_stdout(const volatile sig_atomic_t *interrupt)
+{
+    static struct channel channel = {.file = STDOUT_FILENO};
+    if (!standard) {
+        channel.interrupt = interrupt;
+        standard = fopencookie(&channel, "w",
+                               (cookie_io_functions_t){.write = standard_write, .close = channel_end});
+        if (standard)
+            setvbuf(standard, NULL, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, HELD_MOST);
+        terminal_standard(standard);
+    }
+    return standard ? standard : stdout;
+}
+
+static FILE *messages;
+
+FILE *io_stderr(void)
+{
+    static struct channel channel = {.file = STDERR_FILENO};
+    if (!messages) {
+        messages = fopencookie(&channel, "w", (cookie_io_functions_t){.write = channel_write});
+        if (messages)
+            setvbuf(messages, NULL, _IONBF, 0);
+    }
+    return messages ? messages : stderr;
+}
+
+void io_stderr_end(void)
+{
+    if (messages)
+        fclose(messages);
+    messages = NULL;
+}
+
+void io_stdout_flush(void)
+{
+    fflush(standard ? standard : stdout);
+    flushed = terminal_clock();
+}
+
+void io_row(FILE *out)
+{
+    if (terminal_clock() - flushed > ROW_SECONDS) {
+        fflush(out);
+        io_stdout_flush();
+    }
+}
+
+/* ---- Memory ---- */
+
+struct memory {
+    char **text;
+    size_t *size;
+};
+
+static ssize_t memory_write(void *cookie, const char *bytes, size_t count)
+{
+    const struct memory *m = cookie;
+    char *text = realloc(*m->text, *m->size + count + 1);
+    if (!text)
+        return 0;
+    memcpy(text + *m->size, bytes, count);
+    *m->text = text;
+    *m->size += count;
+    text[*m->size] = '\0';
+    return (ssize_t)count;
+}
+
+static int memory_close(void *cookie)
+{
+    free(cookie);
+    return 0;
+}
+
+FILE *io_memory(char **text, size_t *size)
+{
+    const struct memory memory = {text, size};
+    *text = NULL;
+    *size = 0;
+    return cookie_stream(&memory, sizeof memory, "w",
+                         (cookie_io_functions_t){.write = memory_write, .close = memory_close});
 }

@@ -73,13 +73,8 @@ void io_stderr_end(void);
 
 void io_stdout_flush(void);
 
-/* What happens to the text of these streams, if the members are not NULL. */
-extern struct io_taps {
-    void (*copy)(const char *bytes, size_t count); /* a log gets a copy of standard output */
-    /* A pager gets standard output in place of the terminal. Returns false if it accepts no more. */
-    bool (*page)(const char *bytes, size_t count);
-    FILE *messages; /* receives what io_stderr would write */
-} io_taps;
+/* If this is not NULL, a log gets a copy of standard output. */
+extern void (*io_copy)(const char *bytes, size_t count);
 
 /* Tells that a row or an answer in `out` is complete. If 0.2 s have passed since standard output was last
  * flushed, flushes `out` and standard output. A program that is killed after minutes has then written all but

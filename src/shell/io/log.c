@@ -11,12 +11,12 @@
 static struct log {
     struct target target;
     FILE *file;
-    bool is_plain;       /* the file gets the answers alone, not the commands, and not as comments */
-    bool in_line;        /* the last line in the file is incomplete so far */
+    bool is_plain;    /* the file gets the answers alone, not the commands, and not as comments */
+    bool in_line;     /* the last line in the file is incomplete so far */
+    bool in_sequence; /* the last character belongs to a control sequence: ESC, '[', numbers and a letter */
     const char *waiting; /* commands that have not been written yet, or NULL */
     int waiting_length;
-    bool in_sequence; /* the last character belongs to a control sequence: ESC, '[', numbers and a letter */
-} * current;          /* NULL if there is no log */
+} * current; /* NULL if there is no log */
 
 static void commands_write(bool failed)
 {
@@ -43,19 +43,6 @@ static void log_copy(const char *bytes, size_t count)
     }
 }
 
-void log_end(void)
-{
-    if (!current)
-        return;
-    io_stdout_flush();
-    commands_write(false);
-    fclose(current->file);
-    target_end(&current->target);
-    free(current);
-    current = NULL;
-    io_taps.copy = NULL;
-}
-
 const char *log_begin(const char *path, bool is_plain, const volatile sig_atomic_t *interrupt)
 {
     struct log *l = malloc(sizeof *l);
@@ -63,27 +50,27 @@ const char *log_begin(const char *path, bool is_plain, const volatile sig_atomic
         return strerror(ENOMEM);
     *l = (struct log){.is_plain = is_plain};
     const char *wrong = target_begin(&l->target, path, false, current ? &current->target : NULL);
+    if (!wrong) {
+        io_stdout_flush(); /* the answers before this command do not belong in the log */
+        if (current)
+            fflush(current->file);
+        l->in_line = io_ends_in_line(path);
+        const int file = io_open(path, O_WRONLY | O_CREAT | O_APPEND, 0666, interrupt);
+        l->file = file < 0 ? NULL : io_stream(file, "a", interrupt);
+        wrong = l->file ? NULL : strerror(errno);
+        if (wrong)
+            target_end(&l->target);
+    }
     if (wrong) {
         free(l);
         return wrong;
     }
-    io_stdout_flush(); /* the answers before this command do not belong in the log */
-    if (current)
-        fflush(current->file);
-    const bool ends_in_line = io_ends_in_line(path);
-    const int file = io_open(path, O_WRONLY | O_CREAT | O_APPEND, 0666, interrupt);
-    l->file = file < 0 ? NULL : io_stream(file, "a", interrupt);
-    if (!l->file) {
-        wrong = strerror(errno);
-        target_end(&l->target);
-        free(l);
-        return wrong;
-    }
     log_end();
-    current = l;
-    io_taps.copy = log_copy;
-    fprintf(l->file, "%s%s", ends_in_line ? "\n" : "",
+    fprintf(l->file, "%s%s", l->in_line ? "\n" : "",
             is_plain ? "" : "# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n");
+    l->in_line = false;
+    current = l;
+    io_copy = log_copy;
     return NULL;
 }
 
@@ -93,15 +80,22 @@ const char *log_flush(void)
         return NULL;
     io_stdout_flush();
     commands_write(false);
-    errno = 0;
-    if (fflush(current->file) == 0 && !ferror(current->file))
-        return NULL;
-    const char *wrong = target_error(errno);
-    log_end();
-    return wrong;
+    return fflush(current->file) == 0 && !ferror(current->file) ? NULL : log_end();
 }
 
-/* ---- Commands and messages ---- */
+const char *log_end(void)
+{
+    if (!current)
+        return NULL;
+    io_stdout_flush();
+    commands_write(false);
+    const char *wrong = fclose(current->file) == 0 ? NULL : strerror(errno);
+    target_end(&current->target);
+    free(current);
+    current = NULL;
+    io_copy = NULL;
+    return wrong;
+}
 
 void log_commands(const char *commands, size_t length, bool at_once)
 {

@@ -3,12 +3,13 @@
  * Writes answers into the files after '>' and '>>'. Each answer is written completely or not at all: the text
  * first goes to a draft, a temporary file without a name in the folder of the target.
  * - After '>', the draft is copied to a temporary file, which gets the name of the target in a single step,
- * by rename(2). Other hard links to the old file keep the old text. Only SIGKILL during the copy can leave a
- *   file ".domino.XXXXXX".
+ *   by rename(2). Other hard links to the old file keep the old text. Only SIGKILL during the copy can leave
+ * a file ".domino.XXXXXX".
  * - After '>>', the target is locked, and the draft is copied to its end.
  */
 #include "io/output.h"
 #include "domino_quad.h"
+#include "io/escape.h"
 #include "io/io.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -17,31 +18,126 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+/* ---- The files that the session is writing ---- */
+
+static struct target *targets;
+
+/* Sets the members of a target. Returns false and sets errno on failure. */
+static bool target_resolve(struct target *t, const char *path)
+{
+    struct stat link;
+    t->exists = stat(path, &t->status) == 0;
+    if (!t->exists && errno != ENOENT)
+        return false;
+    t->path = realpath(path, NULL);
+    /* The path of a pipe is a link to a name that does not exist. No other such link is followed. */
+    if (!t->path && errno == ENOENT && (t->exists || lstat(path, &link) != 0))
+        t->path = strdup(path);
+    if (!t->path)
+        return false;
+    const char *slash = strrchr(t->path, '/');
+    t->name = slash ? slash + 1 : t->path;
+    t->folder = slash ? strndup(t->path, (size_t)(t->name - t->path)) : strdup("./");
+    return t->folder && stat(t->folder, &t->below) == 0;
+}
+
+static bool is_same_file(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+static bool is_standard(const struct target *t)
+{
+    struct stat out;
+    return t->exists && fstat(STDOUT_FILENO, &out) == 0 && is_same_file(&out, &t->status);
+}
+
+/* Returns true if the session is already writing the file, perhaps under another name. */
+static bool is_written(const struct target *t, const struct target *except)
+{
+    struct stat now;
+    for (const struct target *other = targets; other; other = other->next)
+        if (other != except &&
+            ((strcmp(other->name, t->name) == 0 && is_same_file(&other->below, &t->below)) ||
+             (t->exists && stat(other->path, &now) == 0 && is_same_file(&now, &t->status))))
+            return true;
+    return false;
+}
+
+const char *target_begin(struct target *t, const char *path, bool may_be_standard,
+                         const struct target *except)
+{
+    /* a person who reads a script must be able to see which file the script writes */
+    if (escape_needed(path))
+        return "the name contains control characters, or is not UTF-8; choose another name";
+    *t = (struct target){.next = targets};
+    const char *wrong = target_resolve(t, path) ? NULL : strerror(errno);
+    const bool is_shared = t->exists && !S_ISREG(t->status.st_mode); /* a device may have several writers */
+    if (!wrong && ((!may_be_standard && is_standard(t)) || (!is_shared && is_written(t, except))))
+        wrong = "this session is already writing to it; choose another file";
+    targets = t;
+    if (wrong)
+        target_end(t);
+    return wrong;
+}
+
+void target_end(struct target *t)
+{
+    struct target **at = &targets;
+    while (*at != t)
+        at = &(*at)->next;
+    *at = t->next;
+    free(t->path);
+    free(t->folder);
+}
+
+/* ---- The output ---- */
+
 void output_flush(struct output *o)
 {
     fflush(o->out);
     io_stdout_flush();
 }
 
-/* Opens the stream that receives the text: the draft or, for a device, a FIFO and standard output, the target
- * itself. */
-static FILE *file_open(struct output *o)
+/* Opens the file that receives the text: the draft or, for a device, a FIFO and standard output, the target
+ * itself. Returns -1 on failure. */
+static int file_open(struct output *o)
 {
     const struct target *t = &o->target;
-    int file;
+    o->draft = -1;
     if (t->exists && access(t->path, W_OK) != 0)
-        return NULL;
-    o->has_draft = !target_is_standard(t) && (!t->exists || S_ISREG(t->status.st_mode));
-    if (o->has_draft) {
-        file = io_temporary(t->folder, NULL);
-        if (file < 0 && o->append && t->exists) /* the draft of an append may be in another folder */
-            file = io_temporary(NULL, NULL);
-        return file >= 0 ? fdopen(file, "w+") : NULL;
+        return -1;
+    if (is_standard(t) || (t->exists && !S_ISREG(t->status.st_mode))) {
+        io_stdout_flush();
+        return is_standard(t) ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
+                              : io_open(t->path, O_WRONLY, 0, o->interrupt);
     }
-    io_stdout_flush();
-    file = target_is_standard(t) ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
-                                 : io_open(t->path, O_WRONLY, 0, o->interrupt);
-    return file >= 0 ? io_stream(file, "w", o->interrupt) : NULL;
+    o->draft = io_temporary(t->folder, NULL);
+    if (o->draft < 0 && o->append && t->exists) /* the draft of an append may be in another folder */
+        o->draft = io_temporary(NULL, NULL);
+    return o->draft;
+}
+
+const char *output_push(struct output **top, const char *path, bool append,
+                        const volatile sig_atomic_t *interrupt)
+{
+    struct output *o = malloc(sizeof *o);
+    if (!o)
+        return strerror(ENOMEM);
+    *o = (struct output){.below = *top, .path = path, .append = append, .interrupt = interrupt};
+    const char *wrong = target_begin(&o->target, path, true, NULL);
+    if (!wrong) {
+        const int file = file_open(o);
+        o->out = file >= 0 ? io_stream(file, "w", interrupt) : NULL;
+        wrong = o->out ? NULL : strerror(errno);
+        if (wrong)
+            target_end(&o->target);
+    }
+    if (wrong)
+        free(o);
+    else
+        *top = o;
+    return wrong;
 }
 
 /* Removes what does not distinguish two heads of a csv file: the byte order mark, quotes, and the line end.
@@ -58,13 +154,15 @@ static void header_plain(char *line)
 /* A csv answer that is appended to a file need not repeat the column names. If the first line of the text is
  * the same as the last header line in the target, returns the length of this line, which is then skipped.
  * Otherwise returns 0. */
-static long repeated_header(const struct output *o)
+static off_t repeated_header(const struct output *o)
 {
-    char first[OUTPUT_HEADER + 1], line[sizeof first + 4], last[sizeof line] = "";
-    rewind(o->out);
-    if (!o->is_header || !fgets(first, sizeof first, o->out) || !o->is_header(first))
+    char first[OUTPUT_HEADER + 1] = "", line[sizeof first + 4], last[sizeof line] = "";
+    if (!o->is_header || pread(o->draft, first, sizeof first - 1, 0) <= 0)
         return 0;
-    long length = (long)strlen(first);
+    const size_t length = strcspn(first, "\n") + 1;
+    first[length - 1] = '\0';
+    if (!o->is_header(first))
+        return 0;
     FILE *in = io_open_read(o->target.path, o->interrupt);
     for (bool begins = true, ends; in && fgets(line, sizeof line, in); begins = ends) {
         ends = strchr(line, '\n') != NULL;
@@ -75,19 +173,18 @@ static long repeated_header(const struct output *o)
     if (in)
         fclose(in);
     header_plain(first);
-    return strcmp(first, last) == 0 ? length : 0;
+    return strcmp(first, last) == 0 ? (off_t)length : 0;
 }
 
 /* Copies the draft, beginning at the offset `from`, to the end of an open file. */
-static bool draft_copy(FILE *draft, long from, int to)
+static bool draft_copy(const struct output *o, off_t from, int to)
 {
     char block[4096];
-    size_t n;
-    fseek(draft, from, SEEK_SET);
-    while ((n = fread(block, 1, sizeof block, draft)) > 0)
-        if (!io_write(to, block, n, NULL))
+    ssize_t n;
+    for (; (n = pread(o->draft, block, sizeof block, from)) > 0; from += n)
+        if (!io_write(to, block, (size_t)n, NULL))
             return false;
-    return !ferror(draft);
+    return n == 0;
 }
 
 /* Gives a new file the mode and the group of the old file and, for root, its owner. */
@@ -105,17 +202,16 @@ static bool mode_copy(const struct target *t, int file)
 
 static bool draft_rename(const struct output *o)
 {
-    const struct target *t = &o->target;
     char *name = NULL;
-    const int file = io_temporary(t->folder, &name);
-    bool is_written = file >= 0 && draft_copy(o->out, 0, file) && mode_copy(t, file);
-    is_written = (file < 0 || close(file) == 0) && is_written && rename(name, t->path) == 0;
-    int reason = errno;
-    if (name && !is_written)
+    const int file = io_temporary(o->target.folder, &name);
+    bool is_good = file >= 0 && draft_copy(o, 0, file) && mode_copy(&o->target, file);
+    is_good = (file < 0 || close(file) == 0) && is_good && rename(name, o->target.path) == 0;
+    const int reason = errno;
+    if (name && !is_good)
         unlink(name);
     free(name);
     errno = reason;
-    return is_written;
+    return is_good;
 }
 
 /* Opens and locks the target for '>>'. If another program has locked it, waits for up to 10 s. The lock keeps
@@ -136,25 +232,15 @@ static int append_open(const struct output *o)
 static bool draft_append(const struct output *o, int file)
 {
     struct stat old;
-    bool is_written = fstat(file, &old) == 0 &&
-                      (!io_ends_in_line(o->target.path) || io_write(file, "\n", 1, NULL)) &&
-                      draft_copy(o->out, repeated_header(o), file);
-    int reason = errno;
-    if (!is_written)
+    const bool is_good = fstat(file, &old) == 0 &&
+                         (!io_ends_in_line(o->target.path) || io_write(file, "\n", 1, NULL)) &&
+                         draft_copy(o, repeated_header(o), file);
+    const int reason = errno;
+    if (!is_good)
         (void)!ftruncate(file, old.st_size);
-    bool is_closed = close(file) == 0;
-    errno = is_written ? errno : reason;
-    return is_written && is_closed;
-}
-
-/* Signals are delivered only while the function opens the target of '>>'. */
-static bool draft_deliver(const struct output *o)
-{
-    const int file = o->append ? append_open(o) : -1;
-    sigset_t before = io_block();
-    bool is_written = !o->append ? draft_rename(o) : file >= 0 && draft_append(o, file);
-    io_unblock(&before);
-    return is_written;
+    const bool is_closed = close(file) == 0;
+    errno = is_good ? errno : reason;
+    return is_good && is_closed;
 }
 
 const char *output_pop(struct output **top, bool keep)
@@ -162,36 +248,21 @@ const char *output_pop(struct output **top, bool keep)
     struct output *o = *top;
     *top = o->below;
     errno = 0;
-    bool is_written = !ferror(o->out) && fflush(o->out) == 0;
-    if (!is_written && dom_raised(o->interrupt))
-        errno = ECANCELED;
-    if (is_written && keep && o->has_draft)
-        is_written = draft_deliver(o);
-    int reason = o->error ? o->error : errno;
-    if (fclose(o->out) != 0) {
-        is_written = false;
-        reason = reason ? reason : errno;
+    bool is_good = fflush(o->out) == 0 && !ferror(o->out);
+    if (is_good && keep && o->draft >= 0) {
+        /* Signals are delivered only while the target of '>>' is opened. */
+        const int file = o->append ? append_open(o) : -1;
+        const sigset_t before = io_block();
+        is_good = !o->append ? draft_rename(o) : file >= 0 && draft_append(o, file);
+        io_unblock(&before);
     }
+    const int reason = errno;
+    const bool is_closed = fclose(o->out) == 0; /* if not, the stream knows the reason of its first failure */
+    const char *wrong = !is_closed              ? strerror(errno)
+                        : is_good               ? NULL
+                        : reason == EWOULDBLOCK ? "another program has locked it"
+                                                : strerror(reason);
     target_end(&o->target);
     free(o);
-    return is_written ? NULL : target_error(reason);
-}
-
-const char *output_push(struct output **top, const char *path, bool append,
-                        const volatile sig_atomic_t *interrupt)
-{
-    struct output *o = malloc(sizeof *o);
-    if (!o)
-        return strerror(ENOMEM);
-    *o = (struct output){.below = *top, .path = path, .append = append, .interrupt = interrupt};
-    const char *wrong = target_begin(&o->target, path, true, NULL);
-    if (!wrong && !(o->out = file_open(o))) {
-        wrong = strerror(errno);
-        target_end(&o->target);
-    }
-    if (wrong)
-        free(o);
-    else
-        *top = o;
     return wrong;
 }

@@ -1,19 +1,46 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Where the answers go: to standard output or, while a command with '>' runs, into its file. Such commands
- * can be nested, so the outputs form a stack with standard output at the bottom. Text for standard output can
- * also go through a pager, and a log can get a copy.
+ * can be nested, so the outputs form a stack with standard output at the bottom. A log can get a copy of the
+ * text for standard output.
  */
 #ifndef SHELL_OUTPUT_H
 #define SHELL_OUTPUT_H
 
-#include "io/target.h"
 #include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
+#include <sys/stat.h>
 
 struct format;
 
 enum { OUTPUT_HEADER = 1024 };
+
+/* A file that the session is writing. The session must not write it twice: no answer can be redirected to the
+ * log, for example. */
+struct target {
+    char *path;        /* without symbolic links, except for a pipe such as /dev/stdout */
+    char *folder;      /* ends with '/' */
+    const char *name;  /* the last part of `path` */
+    struct stat below; /* the status of the folder */
+    bool exists;
+    struct stat status; /* set if the file exists */
+    struct target *next;
+};
+
+/*
+ * Registers a file that will be written. Returns NULL, or a message on failure. Apart from system errors,
+ * registering fails in these cases:
+ * - The path contains characters that have to be escaped.
+ * - The file is standard output, and `may_be_standard` is false.
+ * - The session is already writing the file for another target. This is allowed, however, if the other
+ *   target is `except` (which may be NULL), or if the file is a device or a FIFO.
+ */
+const char *target_begin(struct target *target, const char *path, bool may_be_standard,
+                         const struct target *except);
+
+/* Removes a target, so that its file may be written again. */
+void target_end(struct target *target);
 
 struct output {
     struct output *below; /* NULL at the bottom */
@@ -26,11 +53,10 @@ struct output {
     bool (*is_header)(const char *line);
     char header[OUTPUT_HEADER]; /* the last line of column names, or "" */
     bool answered;              /* an answer was written, so the next one needs a blank line above it */
-    int error;                  /* errno of the first answer that could not be written, or 0 */
 
     /* Only for files: */
     struct target target;
-    bool has_draft; /* false if `out` is the target itself, which may be a device or a FIFO */
+    int draft; /* the temporary file that `out` writes; -1 if this is the target itself, such as a FIFO */
     const volatile sig_atomic_t *interrupt;
 };
 
@@ -46,16 +72,6 @@ const char *output_pop(struct output **top, bool keep);
 /* Writes the buffered text of this output and of standard output. */
 void output_flush(struct output *output);
 
-/* ---- The pager ---- */
-
-/* Begins to show standard output with a pager program if it becomes longer than the terminal. `has_head` is
- * true if the first line of the text is the head of a table. Returns false, and does nothing, if standard
- * input or standard output is not the terminal. */
-bool pager_begin(bool has_head);
-
-/* Waits until the user has closed the pager. Returns false if this happened before the end of the text. */
-bool pager_end(void);
-
 /* ---- The log ---- */
 
 /* Begins a log, which is appended to its file. If `is_plain` is true, the file gets the answers alone. If
@@ -63,11 +79,12 @@ bool pager_end(void);
  * NULL. */
 const char *log_begin(const char *path, bool is_plain, const volatile sig_atomic_t *interrupt);
 
-void log_end(void);
-
 /* Writes the buffered text of the log into its file. If the file cannot be written, ends the log and returns
  * the reason. Otherwise returns NULL. */
 const char *log_flush(void);
+
+/* Ends the log, if there is one. Returns NULL, or the reason why the file could not be written. */
+const char *log_end(void);
 
 /* Writes commands into the log, if there is one. A command that fails must become a comment in the log, so
  * the log holds the commands back until the next answer, the next error or the next call of log_flush. If

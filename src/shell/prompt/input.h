@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The prompt at a terminal, with history, completion and hints. */
+/* The prompt at a terminal, with history and completion. */
 #ifndef SHELL_INPUT_H
 #define SHELL_INPUT_H
 
@@ -42,14 +42,5 @@ void history_load(struct session *session);
 /* Adds a line to the history and to the history file. Blank lines, and lines that repeat the previous line,
  * are not added. If the file cannot be written, reports the error once, and then leaves the file alone. */
 void history_keep(struct session *session, const char *text);
-
-/* Binds the keys that accept a hint. Must be called after rl_initialize. */
-void overlay_begin(void);
-
-/* Shows a hint after the typed text. */
-void overlay_show(struct session *session);
-
-/* Clears the hint. Must be called before a key is handled. */
-void overlay_remove(void);
 
 #endif

@@ -64,9 +64,7 @@ static int key_read(FILE *in)
         }
         if (poll(&keys, 1, 0) > 0)
             return rl_getc(in);
-        overlay_show(prompt_session);
         key_wait(keys.fd);
-        overlay_remove();
     }
 }
 
@@ -85,9 +83,7 @@ static void readline_begin(void)
     rl_filename_quoting_function = complete_quote;
     rl_variable_bind("enable-bracketed-paste", "on");
     rl_completion_query_items = 0; /* a list of all commands fits on a screen */
-    /* rl_initialize binds the keys of the inputrc, which overlay_begin may rebind. */
-    rl_initialize();
-    overlay_begin();
+    rl_initialize(); /* line_read asks for the size of the terminal, which this function finds out */
 }
 
 /* Reads a line. If the session is interrupted, the line has what was typed before. */

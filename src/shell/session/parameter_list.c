@@ -63,11 +63,6 @@ static const char errors_help[] =
     "affects only numbers without an error, such as the values of 'print'. In csv and json the error has a "
     "column "
     "or key of its own, named KEY_error.";
-static const char hints_help[] =
-    "While you type, faint text after the cursor suggests how to continue. If an earlier line begins with "
-    "what you have typed, you see the rest of this line. If there is no such line, you see the arguments "
-    "that the command can still take. At the end of the line, the right arrow, ^E and End accept the rest of "
-    "an earlier line, and M-f accepts its next word. On a terminal without colours there are no hints.";
 static const char density_help[] =
     "If 'mass' is 0, the mass of the first domino is the density times its volume, for which 'set width' "
     "gives the width. With 'set walls', only the volume of the walls counts.";
@@ -210,9 +205,6 @@ static const struct parameter every_parameter[] = {
     {ENTRY("timing", settings.timing, "", "whether each answer ends with the time that it took", .usual = 0),
      .synonyms = "seconds speed fast",
      .words = SWITCH, .words_only = true, .setting = true},
-    {ENTRY("hints", settings.hints, "", "whether the prompt suggests how to continue a line", .usual = 1),
-     .synonyms = "suggestion grey prompt history usage",
-     .words = SWITCH, .words_only = true, .setting = true, .help = hints_help},
     DOM_DYNAMICS(DYNAMICS)
     DOM_EFFECTS(EFFECT)
     ENGINE_EFFECTS(ENGINE_EFFECT)

@@ -13,7 +13,7 @@ void state_init(struct state *state)
                                       .compute = any_compute_default(),
                                       .scale = domq_scale_default(),
                                       .seed = SEED_DEFAULT},
-                            .settings = {.style = {.digits = DIGITS_DEFAULT, .header = true}, .hints = 1}};
+                            .settings = {.style = {.digits = DIGITS_DEFAULT, .header = true}}};
     effects_reset(&state->scene);
 }
 
