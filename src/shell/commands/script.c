@@ -175,6 +175,22 @@ static bool run_log(struct session *session, const struct arguments *given, stru
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 
+/* ---- Details ---- */
+
+bool run_details(struct session *session, const struct arguments *given, struct answer *a,
+                 struct problem *problem)
+{
+    (void)given;
+    if (!answer_for_people(a))
+        return problem_error(problem, "answers in csv and json have all their values; 'details' follows an "
+                                      "answer after 'set output table'");
+    if (!session->details)
+        return problem_no_answer(problem, "the last answer has no more details");
+    fputs(session->details, a->out);
+    a->progress.wrote_text = true;
+    return true;
+}
+
 const struct command script_commands[] = {
     {.name = "source",
      .synonyms = "script load open read batch import file",

@@ -5,7 +5,6 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "session/session.h"
 #include <string.h>
 
 const struct column show_columns[] = {
@@ -186,21 +185,5 @@ bool run_diff(const struct query *query, struct answer *a, struct problem *probl
     if (changes > 0)
         answer_say(a, "%zu value%s of the row %s been changed; 'row' lists the row.", changes,
                    changes == 1 ? "" : "s", changes == 1 ? "has" : "have");
-    return true;
-}
-
-/* ---- details ---- */
-
-bool run_details(struct session *session, const struct arguments *given, struct answer *a,
-                 struct problem *problem)
-{
-    (void)given;
-    if (!answer_for_people(a))
-        return problem_error(problem, "answers in csv and json have all their values; 'details' follows an "
-                                      "answer after 'set output table'");
-    if (!session->details)
-        return problem_no_answer(problem, "the last answer has no more details");
-    fputs(session->details, a->out);
-    a->progress.wrote_text = true;
     return true;
 }
