@@ -20,17 +20,6 @@ static bool is_stray(const struct reader *r)
            names_exact(value_names, r->query->state, word) < 0;
 }
 
-/* Reads the next keyword. Returns its index, the index of a value without a keyword, or that of the end of
- * the list. */
-static int option_next(struct reader *r, const struct options_parsed *p)
-{
-    int k = 0;
-    for (const struct option *w; (w = &p->list->options[k])->name; k++)
-        if (option_fits(w, p->seen) && (*w->name ? reader_takes(r, w->name) : !is_stray(r)))
-            break;
-    return k;
-}
-
 /* Reports a word that is not in the list, or that does not fit the words before it. */
 static bool wrong_word(struct reader *r, const struct options_parsed *p)
 {
@@ -44,93 +33,78 @@ static bool wrong_word(struct reader *r, const struct options_parsed *p)
                          p->list->usage);
 }
 
-static bool value_parse(struct reader *r, struct options_parsed *p, int k, int i)
+static bool value_parse(struct reader *r, struct options_parsed *p, int k)
 {
     const struct option *w = &p->list->options[k];
-    const char *no_unit = r->no_unit;
     reader_place(r, r->at);
     if (reader_ends(r))
         return problem_error(r->problem, "the value of '%s' is missing; %s", w->name, p->list->usage);
-    if (!w->argument)
-        return (p->text[k] = read_text(r)) != NULL;
-    if (w->argument->choices)
-        return item_parse_choice(r, w->argument, &p->item[k][i]);
     /* Is this the last argument of the command? */
-    r->last = p->list->is_whole;
+    r->last = true;
     for (const struct option *other = p->list->options; other->name; other++)
         r->last = r->last && !option_fits(other, p->seen | BIT(k));
-    r->no_unit = p->list->no_unit;
-    const bool good = item_parse(r, w->argument, &p->item[k][i]);
-    r->no_unit = no_unit;
-    return good;
+    return item_parse(r, w->argument, &p->item[k]);
 }
 
-bool options_parse(struct reader *r, const struct option_list *list, struct options_parsed *p)
+const struct options_parsed *options_parse(struct reader *r, struct question *q,
+                                           const struct option_list *list)
 {
+    struct options_parsed *p = q->parsed = reader_memory(r, sizeof *p);
+    if (!p)
+        return NULL;
     p->list = list;
     while (!reader_ends(r)) {
+        int k = 0;
+        const struct option *w;
         r->last = false;
         reader_place(r, r->at);
-        const int k = option_next(r, p), column = r->problem->place;
-        const struct option *w = &list->options[k];
-        if (!w->name)
-            return !list->is_whole || wrong_word(r, p);
-        for (int i = 0; i < w->values; i++)
-            if (!value_parse(r, p, k, i))
-                return false;
+        const int column = r->problem->place;
+        for (; (w = &list->options[k])->name; k++)
+            if (option_fits(w, p->seen) && (*w->name ? reader_takes(r, w->name) : !is_stray(r)))
+                break;
+        if (w->name ? w->argument && !value_parse(r, p, k) : !wrong_word(r, p))
+            return NULL;
         p->column[k] = column;
-        p->seen |= BIT(k); /* not before its values, which completion may offer beside other words */
+        p->seen |= BIT(k); /* not before its value, which completion may offer beside other words */
     }
-    return true;
+    reader_place(r, r->at);
+    return p;
 }
 
 /* ---- Binding ---- */
 
-static bool value_check(const struct option *w, struct quantity quantity, domq_real *number,
+static bool value_check(const struct option *w, struct quantity quantity, domq_real number,
                         struct problem *problem)
 {
     const char *unit = w->unit ? w->unit : "";
-    const bool is_plain = quantity_is_number(quantity);
     if (w->time && !quantity_is_dimensionless(quantity) &&
         !quantity_alike(quantity, (struct quantity){.time = w->time}))
         return problem_error(problem, "%s, not %s",
                              w->time > 0 ? "this needs a time such as 2.5 s"
                                          : "this needs a rate such as 25/s",
                              expression_kind(quantity));
-    *number *= strcmp(unit, " cm") == 0 && !is_plain ? 100 : 1;
     return !(w->most > 0) ||
-           (*number >= (domq_real)(w->least * (1 - 1e-12)) &&
-            *number <= (domq_real)(w->most * (1 + 1e-12))) ||
-           problem_error(problem, "%s is %.6g%s; it must be in the range %g .. %g%s", w->name,
-                         (double)*number, unit, w->least, w->most, unit);
-}
-
-bool options_bind(const struct options_parsed *p, const struct text *text, const struct query *query,
-                  struct options *options, struct problem *problem)
-{
-    for (int k = 0; p->list && p->list->options[k].name; k++) {
-        const struct option *w = &p->list->options[k];
-        options->has[k] = (p->seen & BIT(k)) != 0;
-        options->column[k] = p->column[k];
-        options->text[k] = p->text[k];
-        for (int i = 0; i < w->values && options->has[k] && w->argument; i++) {
-            struct quantity quantity;
-            domq_real *value = &options->value[k][i];
-            if (w->argument->choices)
-                *value = p->item[k][i].number;
-            else if (!item_bind(&p->item[k][i], text, query, &quantity, value, problem) ||
-                     !value_check(w, quantity, value, problem))
-                return false;
-        }
-    }
-    return true;
+           (number >= (domq_real)(w->least * (1 - 1e-12)) && number <= (domq_real)(w->most * (1 + 1e-12))) ||
+           problem_error(problem, "%s is %.6g%s; it must be in the range %g .. %g%s", w->name, (double)number,
+                         unit, w->least, w->most, unit);
 }
 
 bool options_bind_argument(const struct question *q, const struct query *query, struct arguments *given,
                            struct problem *problem)
 {
+    const struct options_parsed *p = q->parsed;
     struct options *options = arguments_take(given, sizeof *options, query, problem);
-    return options && options_bind(q->parsed, q->text, query, options, problem);
+    for (int k = 0; options && p->list && p->list->options[k].name; k++) {
+        const struct option *w = &p->list->options[k];
+        struct quantity quantity;
+        options->has[k] = (p->seen & BIT(k)) != 0;
+        options->column[k] = p->column[k];
+        if (options->has[k] && w->argument &&
+            (!item_bind(&p->item[k], q->text, query, &quantity, &options->value[k], problem) ||
+             !value_check(w, quantity, options->value[k], problem)))
+            return false;
+    }
+    return options;
 }
 
 const struct options *options_of(const struct query *query)

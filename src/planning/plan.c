@@ -75,12 +75,11 @@ static void plan_free(struct plan *p)
 }
 
 /* After a failure nothing needs to be freed. */
-static bool plan_make(const struct query *query, const struct answer *a, struct problem *problem,
-                      struct plan *p)
+static bool plan_make(const struct query *query, struct problem *problem, struct plan *p)
 {
     const struct scene *of = query->scene;
     *p = (struct plan){.is_thin = !of->listed.domino && of->train.q < 4 && scene_walls(of) == 0};
-    if (!falling_row_make(query, problem, picture_marks(a), false, &p->row))
+    if (!falling_row_make(query, problem, false, &p->row))
         return false;
     struct scene_row *scene = &p->row.run.scene;
     const struct domq_verdict *v = &p->row.run.verdict;
@@ -144,8 +143,7 @@ static void push_words(const struct scene_row *scene, char *text, size_t size)
                  measured(row->push * row->domino[0].height, "m/s", 3).text);
 }
 
-/* `mark` says how the tables mark a value. */
-static void caption_write(struct plan *p, const char *mark)
+static void caption_write(struct plan *p)
 {
     char errors[ERRORS_TEXT], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
     struct stage *stage = &p->row.stage;
@@ -173,9 +171,9 @@ static void caption_write(struct plan *p, const char *mark)
     if (p->windows.count > 1 && at < (int)room)
         snprintf(
             text + at, room - (size_t)at,
-            " What matters most (%s in the tables): the place of domino %zu, the height of domino %zu and "
+            " What matters most (! in the tables): the place of domino %zu, the height of domino %zu and "
             "the thickness of domino %zu.",
-            mark, critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
+            critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
 }
 
 /* ---- The tables ---- */
@@ -409,13 +407,13 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
                is_drawn = a->path && extension_of(a->path)->kind == EXTENSION_SHEET;
     if (is_drawn && !picture_ready(a, problem))
         return false;
-    if (!plan_make(query, a, problem, &p))
+    if (!plan_make(query, problem, &p))
         return false;
     if (!has_masses)
         answer_leave_out(a, "mass");
     if (!p.has_leans)
         answer_leave_out(a, "lean");
-    caption_write(&p, is_drawn ? "bold" : "!");
+    caption_write(&p);
     bool good = true;
     if (!people && !is_drawn)
         plan_rows(&p, a);

@@ -46,7 +46,7 @@ static const struct wait {
     {"  with rounded edges and a slope", RECORD EDGES "effect slope 1 deg; placement 10000", WALL, 2, 0.67},
     {"'best' in quad with friction", "set precision quad; effect friction 0.2; best", WALL, 20, 3},
     {"'improve' of eleven dominoes for gaps off by 6.4 mm", GAPS "improve sizes", WALL, NONE, 60},
-    {"'animate' of 20 dominoes as a gif", "effect row 20; animate film.gif", WALL, 16.7, 5},
+    {"'animate' of 20 dominoes as a gif", "effect row 20; animate > film.gif", WALL, 16.7, 5},
 };
 enum { WAITS = sizeof waits / sizeof *waits };
 

@@ -67,7 +67,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
 # bats test_tags=pictures
 @test "animate and draw show the poses of the engine" {
     # The first 12 tilts agree with the model to within 0.02 rad.
-    model=$(json "$scene; animate x.gif") engine=$(json "$scene; set method engine; animate x.gif")
+    model=$(json "$scene; animate") engine=$(json "$scene; set method engine; animate")
     paste <(values theta <<<"$model") <(values theta <<<"$engine") | head -n 12 |
         awk '{ off = $2 - $1; if (off > 0.02 || off < -0.02) { print; bad = 1 } } END { exit bad || NR != 12 }'
     run -0 "$DOMINO" -n -e "$scene; effect feet 0.3; draw at 0.1 s"
@@ -84,7 +84,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     differ 'a slippery floor' "$model" "$(json "$edges; effect feet 0.2; verdict" | values seconds)"
     differ 'much bounce' "$(json "$edges; effect feet 0.5; verdict" | values seconds)" "$(json "$edges; effect feet 0.5; effect bounce 0.5; verdict" | values seconds)"
     close 'a rough floor' "$(json "$edges; rowmax" | values r_max)" "$(json "$edges; effect feet 2; rowmax" | values r_max)" 0.01
-    paste <(json "$edges; animate x.gif" | values theta) <(json "$edges; set method engine; animate x.gif" | values theta) |
+    paste <(json "$edges; animate" | values theta) <(json "$edges; set method engine; animate" | values theta) |
         head -n 12 | awk '{ off = $2 - $1; if (off > 0.02 || off < -0.02) { print; bad = 1 } } END { exit bad || NR != 12 }'
     differ 'drawn with edges' "$("$DOMINO" -n -e "$edges; set method engine; draw at 0.2 s")" "$("$DOMINO" -n -e "$scene; set method engine; draw at 0.2 s")"
 }

@@ -45,9 +45,9 @@ END
     wide=$(json 'fit friction errors.csv' | values friction_sd | head -n 1)
     sed -i 's/,0\.01$/,0.005/' errors.csv
     close uncertainty "$wide" "$(json 'fit friction errors.csv' | values friction_sd | head -n 1 | awk '{ print 2 * $1 }')" 1e-3
-    # The picture in the terminal has the given title, and its data are the same as for 'fit'.
-    "$DOMINO" -e 'plot fit title "Mine" xrange 0 1 friction errors.csv' >picture
-    for words in '^ *Mine$' 'measured = fitted' 'fitted speed in m/s'; do grep -q "$words" picture || same plot "$words" "$(cat picture)"; done
+    # The data of the picture are the same as for 'fit'.
+    "$DOMINO" -e 'plot fit friction errors.csv' >picture
+    for words in 'Measured against fitted' 'measured = fitted' 'fitted speed in m/s'; do grep -q "$words" picture || same plot "$words" "$(cat picture)"; done
     same 'its data' "$(csv 'fit friction errors.csv')" "$(csv 'plot fit friction errors.csv')"
     wrong 'plot fit' "'plot fit' needs a parameter and a file of measurements, as in 'plot fit friction FILE'"
     wrong 'plot fit mu errors.csv' "unknown thing to fit 'mu'; did you mean 'friction'\?"

@@ -23,10 +23,10 @@ record="effect row \"$root/examples/record.csv\""
 # bats test_tags=rows
 @test "animate: the frames of a gif are evenly spaced in time, and each cycle lasts sqrt(r) times as long" {
     gif=$PWD/a.gif
-    same silent '(nothing)' "$("$DOMINO" -e "animate $gif")"
+    same silent '(nothing)' "$("$DOMINO" -e "animate > $gif")"
     same gif GIF89a "$(head -c 6 "$gif")"
     same 'frames and their delay' '95 0400' "$(delays "$gif")"
-    csv 'animate a.gif' >frames
+    csv 'animate' >frames
     same rows 96 "$(wc -l <frames)"
     awk -F, -v whole="$(json duration | values seconds)" 'NR == 3 { step = $1 } NR > 2 { d = $1 - before - step; if (!(d <= 1e-9 && d >= -1e-9)) bad = 1 }
         { before = $1; n[$2]++ }
@@ -35,22 +35,21 @@ record="effect row \"$root/examples/record.csv\""
         END { w = before / whole - (1 + sqrt(1.5) + 1.5); exit bad || !(w < 1e-6 && w > -1e-6 && n[2] / n[1] > 1.1 && n[2] / n[1] < 1.35 && n[3] > n[2] && $3 > 0.6435 && $3 < 0.64351) }' frames
     awk -F, 'NR > 2 && $2 == cycle { pairs++; if (!($3 > theta)) bad = 1 } { cycle = $2; theta = $3 }
         END { exit bad || pairs < 80 }' frames
-    "$DOMINO" -e "animate $gif 1"
+    "$DOMINO" -e "animate 1 > $gif"
     same 'one cycle' '26 0400' "$(delays "$gif")"
-    same 'data instead, and no file' '(nothing)' "$(csv "animate b.gif" >/dev/null; ls "$PWD" | grep 'b\.gif')"
     # A train that stops is shown until it stops.
-    "$DOMINO" -e "set r 1.7; animate $gif"
+    "$DOMINO" -e "set r 1.7; animate > $gif"
     same 'it stops' "$(json 'set r 1.7; barrier' | sed -n 's/.*stops at theta = \([0-9.]*\).*/\1/p' | cut -c 1-8)" \
-        "$(csv 'set r 1.7; animate a.gif' | tail -n 1 | cut -d, -f 3 | cut -c 1-8)"
+        "$(csv 'set r 1.7; animate' | tail -n 1 | cut -d, -f 3 | cut -c 1-8)"
 }
 
 # bats test_tags=rows
 @test "animate: a row in real time, from before the first hit to the end, which is held for a second" {
-    same silent '(nothing)' "$("$DOMINO" -e "$record; animate a.gif rate 10" 2>&1)"
+    same silent '(nothing)' "$("$DOMINO" -e "$record; animate rate 10 > a.gif" 2>&1)"
     read -r width height frames delay rest <<<"$("$root/tests/pictures/gif" a.gif)"
     same 'one delay of a tenth of a second' '10 ' "$delay $rest"
     [ "$width" -eq 640 ] && [ "$height" -ge 170 ] && [ "$(stat -c %s a.gif)" -lt 300000 ]
-    csv "$record; animate a.gif rate 10" >data
+    csv "$record; animate rate 10" >data
     same keys 'time,domino,theta' "$(head -n 1 data)"
     same 'a frame each row, and ten more' "$frames" "$(($(wc -l <data) - 1 + 10))"
     # The times are evenly spaced up to the end, which is at the time that 'verdict' gives.
@@ -60,28 +59,27 @@ record="effect row \"$root/examples/record.csv\""
         END { d = before / end - 1; exit bad || domino != 10 || d > 1e-9 || d < -1e-9 }' data
     # With a push, times begin with the push. Half the speed takes twice as many frames.
     set_push='set r 1; effect row 12; effect push 6'
-    same 'from the push' 0 "$(csv "$set_push; animate a.gif" | sed -n '2s/,.*//p')"
-    "$DOMINO" -e "$set_push; animate a.gif speed 0.5; animate b.gif speed 0.25"
+    same 'from the push' 0 "$(csv "$set_push; animate" | sed -n '2s/,.*//p')"
+    "$DOMINO" -e "$set_push; animate speed 0.5 > a.gif; animate speed 0.25 > b.gif"
     read -r _ _ fast _ <<<"$("$root/tests/pictures/gif" a.gif)"
     read -r _ _ slow _ <<<"$("$root/tests/pictures/gif" b.gif)"
     awk -v a=$((fast - 25)) -v b=$((slow - 25)) 'BEGIN { exit !(b / a > 1.9 && b / a < 2.1) }'
     # A row that stops, and a row in which the view follows the front, make valid gifs.
-    "$DOMINO" -e 'set r 1.6; effect row 12; animate a.gif; set r 1.5; effect row 12; animate b.gif rate 5'
+    "$DOMINO" -e 'set r 1.6; effect row 12; animate > a.gif; set r 1.5; effect row 12; animate rate 5 > b.gif'
     "$root/tests/pictures/gif" a.gif
     "$root/tests/pictures/gif" b.gif
-    same 'the train, with a row on' "$(csv 'animate a.gif 2')" "$(csv 'effect row 3; animate a.gif train 2')"
+    same 'the train, with a row on' "$(csv 'animate 2')" "$(csv 'effect row 3; animate train 2')"
 }
 
 # bats test_tags=rows
-@test "animate: the file stands after '>'; the old order, and 'slow'" {
+@test "animate: the file stands after '>'; 'slow'" {
     local scene='set r 1; effect row 5; effect push 6'
-    same silent '(nothing)' "$("$DOMINO" -e "$scene; animate rate 20 > a.gif; animate b.gif rate 20; animate rate 20 > a.csv" 2>&1)"
-    cmp a.gif b.gif
+    same silent '(nothing)' "$("$DOMINO" -e "$scene; animate rate 20 > a.gif; animate rate 20 > a.csv" 2>&1)"
     same data "$(csv "$scene; animate rate 20")" "$(cat a.csv)"
     same 'four times slower' "$(csv "$scene; animate speed 0.25")" "$(csv "$scene; animate slow")"
     same 'a film, even after set output csv' GIF89a "$("$DOMINO" -e "set output csv; $scene; animate slow > c.gif" && head -c 6 c.gif)"
     same 'the train' '26 1000' "$("$DOMINO" -e 'animate slow 1 > d.gif' && delays d.gif)"
-    wrong "$scene; animate a.gif > b.gif" "the film is written to 'a.gif', so there is no other output to redirect"
+    wrong "$scene; animate a.gif" "to write the answer to a file, put '>' before its name: '> a.gif'"
 }
 
 # bats test_tags=rows,sweeps
@@ -99,7 +97,7 @@ record="effect row \"$root/examples/record.csv\""
     keep_scripts
     local scene
     for scene in '' 'set r 1.1' 'set r 1.3; set q hollow; set d 0.05' 'set r 1.7'; do
-        "$DOMINO" -e "$scene; animate a.gif"
+        "$DOMINO" -e "$scene; animate > a.gif"
         # In each frame, the block $part2 has the corners of the head. The label 0 must be between the feet.
         awk '/^\$part2/ { heads++; n = 0; next } /^END/ { n = -1 } n >= 0 && NF == 2 { x[n++] = $1 }
             /^set label .0. at/ {
@@ -114,32 +112,32 @@ record="effect row \"$root/examples/record.csv\""
 
 # bats test_tags=rows
 @test "animate: a long row is shown faster, in at most 10 s and 300 frames, unless a speed is given" {
-    "$DOMINO" -e 'effect row 20; animate a.gif'
+    "$DOMINO" -e 'effect row 20; animate > a.gif'
     read -r _ _ frames delay rest <<<"$("$root/tests/pictures/gif" a.gif)"
     same 'one delay' '4 ' "$delay $rest"
     [ "$frames" -gt 200 ] && [ "$frames" -le 250 ] # 10 s
     # The frames still cover the time from the first hit to the end.
-    csv 'effect row 20; animate a.gif' >data
+    csv 'effect row 20; animate' >data
     close 'the end' "$(json 'effect row 20; verdict' | values seconds)" "$(tail -n 1 data | cut -d, -f 1)"
     awk -F, 'NR == 4 { step = $1 - before } NR > 4 && NR < 200 { d = $1 - before - step; if (d > 1e-9 || d < -1e-9) exit 1 } { before = $1 }' data
-    same 'in real time' "$(csv 'effect row 20; animate a.gif speed 1' | wc -l)" \
-        "$(awk -v end="$(json 'effect row 20; verdict' | values seconds)" -v begin="$(csv 'effect row 20; animate a.gif' | sed -n '2s/,.*//p')" \
+    same 'in real time' "$(csv 'effect row 20; animate speed 1' | wc -l)" \
+        "$(awk -v end="$(json 'effect row 20; verdict' | values seconds)" -v begin="$(csv 'effect row 20; animate' | sed -n '2s/,.*//p')" \
             'BEGIN { n = (end - begin) * 25; print (n == int(n) ? n : int(n) + 1) + 2 }')"
     # With 'tower' the last domino of the row that the last count found topples the tower, which falls like a
     # domino of its height.
-    "$DOMINO" -e 'count 1 m; animate b.gif tower rate 5' >/dev/null
+    "$DOMINO" -e 'count 1 m; animate tower rate 5 > b.gif' >/dev/null
     "$root/tests/pictures/gif" b.gif >said
-    csv 'count 1 m; animate a.gif tower rate 5' | sed 1,2d >tower
+    csv 'count 1 m; animate tower rate 5' | sed 1,2d >tower
     same tower "$(csv 'effect row 9; change 9 height 1 m; change 9 thickness 14.5833333333333333333333333333333333 cm
-        change 9 width 50 cm; change 9 gap 40 cm; animate a.gif rate 5')" "$(cat tower)"
+        change 9 width 50 cm; change 9 gap 40 cm; animate rate 5')" "$(cat tower)"
     same 'the tower falls last, and lies' '9 1.57' "$(tail -n 1 tower | cut -d, -f 2,3 | tr , ' ' | cut -c 1-6)"
     same 'hollow dominoes' "$(csv 'set q hollow; effect row 9; change 9 height 1 m; change 9 thickness 14.5833333333333333333333333333333333 cm
-        change 9 width 50 cm; change 9 gap 40 cm; change 9 mass +23.0188 %; animate a.gif rate 5' | cut -c 1-4)" \
-        "$(csv 'set q hollow; count 1 m; animate a.gif tower rate 5' | sed 1,2d | cut -c 1-4)"
-    wrong 'animate a.gif tower' "'tower' works only if the last answer was a count"
-    wrong 'count 5 m; animate a.gif tower 4' "'4' is one argument too many"
-    same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif')" \
-        "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif speed 1')"
+        change 9 width 50 cm; change 9 gap 40 cm; change 9 mass +23.0188 %; animate rate 5' | cut -c 1-4)" \
+        "$(csv 'set q hollow; count 1 m; animate tower rate 5' | sed 1,2d | cut -c 1-4)"
+    wrong 'animate tower > a.gif' "'tower' works only if the last answer was a count"
+    wrong 'count 5 m; animate tower 4 > a.gif' "'4' is one argument too many"
+    same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate')" \
+        "$(csv 'set r 1; effect row 12; effect push 6; animate speed 1')"
 }
 
 # The film of a terminal is a stream of screens, each after "ESC [ H". Prints for each screen: the number of its lines,
@@ -154,7 +152,7 @@ screens_of() { # COLUMNS ROWS COMMANDS
             n = split($0, line, "\n"); unit = high = hit = column = "-"
             for (i = 1; i <= n; i++) {
                 if (match(line[i], /(domino|cycle) [0-9]+ (falls|of)/)) { split(substr(line[i], RSTART), w, " "); hit = w[1] == "cycle" ? 0 : w[2] }
-                if (high == "-" && match(line[i], /^ *[0-9.]+ -/)) high = line[i] + 0
+                if (high == "-" && match(line[i], /^ *[0-9.]+ (\+|┤)/)) high = line[i] + 0
                 if (line[i] ~ /^domino/) {
                     gsub(/domino/, "      ", line[i]); padded = " " line[i] " "
                     column = index(padded, " " hit " ")

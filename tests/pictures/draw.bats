@@ -79,29 +79,29 @@ record="effect row \"$root/examples/record.csv\""
     one_line "'a.png' is the name of a picture, which 'animate' cannot write; use .gif" 'animate > a.png'
     one_line "'a.gif' is the name of a film, which 'draw' cannot write; use .svg" 'draw > a.gif'
     one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
-    one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
+    one_line "cannot write 'none/a.gif'" 'animate > none/a.gif'
     one_line "an animation can be shown only on a terminal; enter 'animate > film.gif' for a file" animate
-    one_line "'a.gif' can hold only one film; '>' replaces it" 'animate >> a.gif'
+    one_line "'a.gif' can hold only one picture; '>' replaces it" 'animate >> a.gif'
     for what in 0 2.5 10 1e7; do
-        one_line 'at this r, N is an integer in 1 .. 9, because one picture has no room for more cycles' "animate a.gif $what"
+        one_line 'at this r, N is an integer in 1 .. 9, because one picture has no room for more cycles' "animate $what > a.gif"
     done
-    one_line 'N is an integer in 1 .. 30, ' 'set r 1; animate a.gif 31'
-    one_line 'N is an integer in 1 .. 1, ' 'set s 0.1; set r 7; animate a.gif 2'
+    one_line 'N is an integer in 1 .. 30, ' 'set r 1; animate 31 > a.gif'
+    one_line 'N is an integer in 1 .. 1, ' 'set s 0.1; set r 7; animate 2 > a.gif'
     one_line 'use .svg, .png' 'plot growth > a.gif'
     for what in 'draw > a.svg' 'animate > a.gif'; do
         one_line 'the fuel P is not positive' "set s 0.001; $what"
         one_line 'r s = 3.6 > 1' "set r 9; $what"
     done
     r=$(json 'set precision quad; rmax' | values r_max)
-    one_line 'the margin is 0 within rounding' "set r $r; animate a.gif"
+    one_line 'the margin is 0 within rounding' "set r $r; animate > a.gif"
     same 'nothing is left' '(nothing)' "$(ls)"
     # An existing file is not changed.
     echo old >a.gif
-    run -1 "$DOMINO" --keep-going -e 'set s 0.001; animate a.gif'
+    run -1 "$DOMINO" --keep-going -e 'set s 0.001; animate > a.gif'
     same 'an old file' old "$(cat a.gif)"
     mkdir full
     chmod 555 full
-    [ -w full ] || one_line "cannot write 'full/a.gif'" 'animate full/a.gif'
+    [ -w full ] || one_line "cannot write 'full/a.gif'" 'animate > full/a.gif'
 }
 
 @test "without gnuplot, a one-line error says what to install, and the data are still available" {
@@ -147,19 +147,17 @@ END
 }
 
 # bats test_tags=rows
-@test "draw: texts in the svg do not overlap, and a repeated height is written once" {
+@test "draw: texts in the svg do not overlap" {
     for row in "$record" 'set r 1.5; effect row 12' 'set q 4; set r 1.7; effect row 8' 'set r 1; effect row 60; effect push 3'; do
         "$DOMINO" -e "$row; draw > a.svg"
         "$root/tests/pictures/labels" a.svg >texts || same "$row" 'texts apart' "$(cat texts)"
-        [ "$(grep -c ' 4.8 cm$' texts)" -lt 2 ]
         same "$row: the tape begins at domino 1" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '^-[0-9]')"
     done
-    # In a low picture of a row, the axis of heights has a single unit, which stands in the place of the 0.
+    # In a low picture of a row, the axis of heights has few numbers.
     "$DOMINO" -e 'set r 1; effect row 12; effect push 5; draw at 0.2 > a.svg'
     "$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- >texts
-    same 'the unit' cm "$(grep -x '[cm]*m' texts)"
-    same 'heights' '2 4' "$(grep -x '[24]' texts | sort -u | paste -sd ' ' -)"
-    same 'no others' '(nothing)' "$(grep '^-\|^0\.0' texts)"
+    grep -qx 'tape measure from the back of domino 1 \[cm\]' texts
+    same heights '0 5' "$(grep -x '[0-9.]*' texts | head -n 2 | paste -sd ' ' -)"
 }
 
 # bats test_tags=rows,sweeps
@@ -198,13 +196,13 @@ END
     done <<END
 $record|draw|10 dominoes, 24 cm to 5.5 m tall, on 8.85 m of floor.
 $record|draw|All 10 fall: the last one lies flat 7.65 s after the first hit.
-$record|draw|Weakest: domino 8 (
+$record|draw|Weakest: domino 8, which needs 40 % of the energy that it has.
 $record|draw at domino 8|3.348 s after the first hit: domino 8 falls; 2 dominoes still stand.
 $record|draw at -0.1|0.100 s before the first hit: domino 1 falls; 9 dominoes still stand.
 $record|draw at end|all dominoes have fallen.
 set r 1.6; effect row 12|draw|stops the row: it has 96 % of the energy that it needs.
 set r 1.6; effect row 12|draw at end|the fall ends at domino 2; 10 dominoes stand.
-set s 0.9; set r 1.2; effect row 4|draw|The fall ends at domino 1 (
+set s 0.9; set r 1.2; effect row 4|draw|The fall ends at domino 1: 
 effect row 1; effect push 5|draw at end|the domino has fallen.
 END
     share=$(json 'set r 1.6; effect row 12; fall' | tail -n 1)
@@ -239,7 +237,7 @@ END
     grep -q '^domino  1 .* 10$' <<<"$output"
     # The picture is to scale: domino 10 is 5.5 / 2.9 times as tall as domino 8, and a line is as
     # high as 2 columns are wide.
-    awk '/0000/ { tall++ } /\*\*\*/ { eighth++ } END { exit !(tall / eighth > 1.6 && tall / eighth < 2.2) }' <<<"$output"
+    awk '/0000/ { tall++ } /\*\*/ { eighth++ } END { exit !(tall / eighth > 1.6 && tall / eighth < 2.2) }' <<<"$output"
     differ 'it falls' "$output" "$("$DOMINO" -e "$record; draw at 4")"
 }
 
@@ -249,18 +247,17 @@ END
     terminal >seen
     grep -q $'\u28ff' seen || same braille 'a full cell' "$(cat seen)"
     grep -q $'\e\[' seen
-    grep -q 'Weakest: domino 8 (red)' seen
+    grep -q 'Weakest: domino 8, which' seen
     lines=$(wc -l <seen)
     [ "$lines" -le 29 ] && [ "$lines" -ge 15 ]
     sed 's/\x1b\[[0-9;]*m//g' seen | python3 -c 'import sys; widths = [len(l.rstrip("\n")) for l in sys.stdin]; sys.exit(not 85 < max(widths) < 100)'
     terminal NO_COLOR=1 >grey
-    grep -q 'Weakest: domino 8 (filled)' grey
     same 'no colour' 0 "$(grep -c $'\e\[[0-9]' grey)"
-    terminal LC_ALL=C | grep -q 'Weakest: domino 8 (\*)'
+    terminal LC_ALL=C | grep -q '\*\*\*'
 }
 
 # bats test_tags=rows
-@test "draw: each domino has a number and a height where there is room" {
+@test "draw: each domino has a number where there is room" {
     local row numbers
     while IFS='|' read -r row numbers; do
         "$DOMINO" -e "$row; draw > a.svg"
@@ -310,11 +307,11 @@ END
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
     one_line "the value of 'domino' is missing; usage: draw, draw at 2.5 s, draw at domino 8" "$record; draw at domino"
     one_line "the file extension of 'a.mov' is unknown; use .gif" "$record; animate > a.mov"
-    one_line 'speed is 0; it must be in the range 0.001 .. 1000' "$record; animate a.gif speed 0"
-    one_line 'rate is 1000 frames per second; it must be in the range 1 .. 50 frames per second' "$record; animate a.gif rate 1000"
-    one_line "at most 3000 are drawn; enter 'speed" "$record; animate a.gif speed 0.01"
-    one_line "'speed' and 'rate' are for rows; first enter 'set row N'" 'animate a.gif speed 2'
-    one_line "'quickly' is neither a value nor a word that fits here; usage: animate, animate slow" "$record; animate a.gif quickly"
+    one_line 'speed is 0; it must be in the range 0.001 .. 1000' "$record; animate speed 0 > a.gif"
+    one_line 'rate is 1000 frames per second; it must be in the range 1 .. 50 frames per second' "$record; animate rate 1000 > a.gif"
+    one_line "at most 3000 are drawn; enter 'speed" "$record; animate speed 0.01 > a.gif"
+    one_line "'speed' and 'rate' are for rows; first enter 'set row N'" 'animate speed 2 > a.gif'
+    one_line "'quickly' is neither a value nor a word that fits here; usage: animate, animate slow" "$record; animate quickly > a.gif"
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 
@@ -322,12 +319,12 @@ END
     local expected gif
     energy() { "$DOMINO" -e 'plot energy > e.svg' && grep -v Produced e.svg; }
     expected=$(energy)
-    "$DOMINO" -e "animate $PWD/a.gif 1"
+    "$DOMINO" -e "animate 1 > $PWD/a.gif"
     gif=$(cksum <"$PWD/a.gif")
     for GNUTERM in x11 dumb png 'svg enhanced' 'no such terminal' ''; do
         export GNUTERM
         same "GNUTERM=$GNUTERM" "$expected" "$(energy)"
-        "$DOMINO" -e "animate $PWD/a.gif 1"
+        "$DOMINO" -e "animate 1 > $PWD/a.gif"
         same "GNUTERM=$GNUTERM" "$gif" "$(cksum <"$PWD/a.gif")"
     done
 }
@@ -338,16 +335,16 @@ END
     for lean in 0.018 0.031 0.05 0.11 0.37 -0.2; do
         printf 'height (mm),thickness (mm),gap (mm),lean (mm)\n31.856,6.294,0,0\n39.594,9.852,12.261,%s\n' "$lean" >leans.csv
         run -0 "$DOMINO" -n -e 'effect row leans.csv; draw at end'
-        [[ $output == *'Domino 2 (X) stops the row'* ]] || same "lean $lean" 'domino 2 stops the row' "$output"
+        [[ $output == *'Domino 2 stops the row'* ]] || same "lean $lean" 'domino 2 stops the row' "$output"
     done
 }
 
 # bats test_tags=rows
-@test "draw tower: the row of the last count, a tower of the counted height at its end, and the small end enlarged" {
+@test "draw tower: the row of the last count, a tower of the counted height at its end" {
     cd "$BATS_TEST_TMPDIR"
     answer=$("$DOMINO" -e 'count 112 m; draw tower' | sed -n '/^20 dominoes, 4/,$p')
     for words in '^20 dominoes, 4.8 cm to 106 m tall; a tower of 112 m' '^All 20 fall, and so does the tower: it lies flat 51.8 s' \
-        'Above the row, enlarged [0-9.]* times: dominoes 1 to 9\.' '^domino .* 19 *20 *tower$'; do
+        '^domino .* 19 *20 *tower$'; do
         grep -q "$words" <<<"$answer" || same 'draw tower' "$words" "$answer"
     done
     # The spire is narrower than the foot.
@@ -355,7 +352,7 @@ END
     # The data are for the growth of the count, not for the growth of the session.
     same data "$(csv 'set r 1.6; effect row 17; draw')" "$(csv 'count 112 m 1.6; draw tower' | sed '1,2d;$d')"
     "$DOMINO" -e 'count 112 m; draw tower > a.svg; draw tower > a.png; set r 1.2; count 60 m; draw tower > b.svg'
-    grep -q '>tower<' a.svg && grep -q 'enlarged [0-9.]* times: dominoes 1 to' b.svg
+    grep -q '>tower<' a.svg && grep -q '>tower<' b.svg
     # Drawing does not change the session.
     same scene "$(json 'show')" "$(json 'count 112 m 1.6; draw tower' >/dev/null; json show)"
     all_fail <<END

@@ -18,7 +18,7 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
         same "$what: standard output" '(nothing)' "$(cat said)"
         xmllint --noout a.svg
         same "$what: png" 89504e470d0a1a0a "$(head -c 8 a.png | od -An -tx1 | tr -d ' \n')"
-        same "$what: its size" 000003c0000002d0 "$(od -An -tx1 -j 16 -N 8 a.png | tr -d ' ')"
+        same "$what: its size" 00000500000003c0 "$(od -An -tx1 -j 16 -N 8 a.png | tr -d ' ')"
         same "$what: pdf" '%PDF-' "$(head -c 5 a.pdf)"
         same "$what: lines that are too wide" '(nothing)' "$(awk 'length > 79' a.txt)"
         [ "$(wc -l <a.txt)" -le 23 ] && [ "$(wc -l <a.txt)" -ge 15 ]
@@ -27,7 +27,7 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
         if [[ $what != cost* ]]; then
             same "$what: in a pipe, without gnuplot" "$(cat a.txt)" "$(PATH=/nowhere "$DOMINO" -e "$row; plot $what")"
         fi
-        [ "$(wc -c <a.svg)" -lt 60000 ] && [ "$(wc -c <a.png)" -lt 90000 ]
+        [ "$(wc -c <a.svg)" -lt 60000 ] && [ "$(wc -c <a.png)" -lt 150000 ]
     done
 }
 
@@ -78,14 +78,14 @@ END
 growth paper|A train below its curve keeps falling|growth r
 energy with q hollow s 0.54 r 1.84|Energy over a cycle: s = 0.54, r = 1.84, d = 0.1458, q = 3|energy, in units of m g h/2 of the head
 energy|Energy over a cycle: s = 0.4, r = 1.5, d = 0.1458, q = 4|energy, in units of m g h/2 of the head
-cost fuel|r = 1.5, d = 0.1458, q = 4|relative error
+cost fuel|What accuracy costs: fuel at s = 0.4, r = 1.5, d = 0.1458, q = 4|relative error
 sweep s 0.3 0.6 9 q 3 4 8 : rmax|rmax against s and q|q, mass exponent: 4 for solid dominoes, 3 for hollow ones
 sweep s 0.3 0.6 9 d 0.1 0.3 7 : print barrier.margin|barrier.margin against s and d|barrier.margin
 sweep s 0.1 0.4 8 d 0.2 0.4 7 : print barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic|0*launch.kinetic against s and d|barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic
 END
     "$DOMINO" -e 'plot growth paper > a.svg'
     "$root/tests/pictures/labels" a.svg |
-        awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 540) }'
+        awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 480) }'
 }
 
 # bats test_tags=rows,chance,sweeps
@@ -238,6 +238,9 @@ END
 @test "what cannot be plotted: an error in one line that says what to do, and no file" {
     wrong 'plot energy rmax' "'plot energy' takes no arguments"
     wrong 'plot growth pair' "unknown word after 'plot growth' 'pair'; use one of: paper"
+    wrong 'draw > d.tex' "'d.tex' is the name of a document, which 'draw' cannot write; use .svg, .png, .pdf, .gp or .txt"
+    wrong 'plot growth > d.md' "the file extension of 'd.md' is unknown; use .svg"
+    wrong 'plot growth paper paper' 'one argument too many'
     wrong 'plot cost' "needs the NAME of an answer: fuel, launch"
     wrong 'plot sweep' "needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'"
     wrong 'plot sweep s 0.1 0.3 3' "':' and a command are missing"
@@ -298,82 +301,6 @@ END
     sed 's/again/growth/g' again.gp | diff growth.gp -
 }
 
-# bats test_tags=rows,chance,sweeps
-@test "plot: title, labels, width, height and font of a file; no text is cut off at any width from 6 to 30 cm" {
-    cd "$BATS_TEST_TMPDIR"
-    # Plots of rows, trains and sweeps at each width. 'width' comes after an argument, but before a grid.
-    while IFS='|' read -r scene before after; do
-        for width in 6 8 12 30; do
-            "$DOMINO" -e "$scene; plot $before width $width cm $after > a.svg" >/dev/null
-            grep -q "width=\"$((45 * width))\"" a.svg
-            "$root/tests/pictures/labels" a.svg >texts || same "$before $width" 'texts apart' "$(cat texts)"
-        done
-    done <<END
-reset|growth|
-reset|growth paper|
-reset|marginal|
-reset|energy|
-reset|omega|
-reset|inertia|
-reset|chain|
-reset|cost rmax|
-effect row 9|fall|
-effect row 9|speed|
-effect row 9|gaps|
-effect row 5|placement 40|
-reset|sweep|s 0.1 0.8 12 r 1 1.9 9 : fuel.fuel
-reset|sweep|s 0.1 0.5 9 q 3, 4 : rmax
-reset|sweep legend off xrange 0.2 0.4|s 0.1 0.5 9 : duration.duration, thetac, fuel.fuel
-END
-    "$DOMINO" -e 'plot growth paper legend right width 12 cm > a.svg'
-    "$root/tests/pictures/labels" a.svg >texts || same 'legend right' 'texts apart' "$(cat texts)"
-    "$DOMINO" -e 'plot growth title "My title" xlabel "the gap" ylabel "factor" height 7 cm width 12 cm font 9 > b.svg'
-    "$root/tests/pictures/labels" b.svg >texts
-    for text in 'My title' 'the gap' factor; do grep -q " $text\$" texts || same "$text" there "$(cat texts)"; done
-    grep -q 'width="540" height="315"' b.svg && grep -q 'font-size="13.9' b.svg
-    # The order of the words does not matter, and the words do not change the data.
-    same order "$("$DOMINO" -e 'plot growth width 9 cm paper > c.svg' && cat c.svg)" "$("$DOMINO" -e 'plot growth paper width 9 cm > c.svg' && cat c.svg)"
-    same data "$(csv 'plot growth')" "$(csv 'plot growth title "x" width 8 cm')"
-    "$DOMINO" -e 'plot growth title "My title"' | grep -q 'My title'
-    for width in '8 cm' 8 '80 mm'; do "$DOMINO" -e "plot growth width $width > d.gp" && grep -q '^set terminal pdfcairo size 8cm' d.gp; done
-    all_fail <<END
-plot growth width 2 cm > a.svg|width is 2 cm; it must be in the range 6 .. 30 cm
-plot growth font 40 > a.svg|font is 40 points; it must be in the range 5 .. 30 points
-plot growth width|the value of 'width' is missing
-plot growth title "x|never closed
-plot growth paper paper|one argument too many
-plot fall 3|takes no arguments
-END
-}
-
-# bats test_tags=rows,sweeps
-@test "plot: ranges, scales and the legend of a chart, in characters and in gnuplot's script" {
-    cd "$BATS_TEST_TMPDIR"
-    "$DOMINO" -e 'plot growth xrange 0.2 0.5 yrange 1 2 > a.gp; plot growth xscale log yscale log > b.gp; effect row 9
-        plot speed xscale log > c.gp; plot fall yscale linear > d.gp; plot growth legend off family "DejaVu Serif" > e.gp
-        plot growth legend right > f.gp; plot energy xrange 0.1 0.2 > g.gp; plot growth xrange 0.2 0.5 > h.txt'
-    grep -q '^set xrange \[0.2:0.5\]' a.gp && grep -q '^set yrange \[1:2\]' a.gp
-    same logarithms 'set logscale x set logscale y' "$(grep -h '^set logscale' b.gp | paste -sd ' ' -)"
-    grep -q '^set logscale x' c.gp && ! grep -q '^set xrange \[0:' c.gp && ! grep -q '^set logscale' d.gp
-    grep -q '^unset key' e.gp && grep -q "font 'DejaVu Serif," e.gp && grep -q '^set key outside right' f.gp
-    # Points beyond an axis are not shown, and do not stretch the other axis.
-    ! grep -q '"launch"\|"hit"' g.gp
-    same 'the highest number' 0.015 "$(sed -n "s/^set ytics.*'\([0-9.]*\)' [0-9.]*)/\1/p" g.gp)"
-    tail -n 4 h.txt | grep -q '^ *0.2 .* 0.5$'
-    # After a number, 's' is a parameter, not seconds.
-    "$DOMINO" -e 'plot sweep font 9 yrange 1 2 s 0.1 0.5 9 : rmax' | grep -q 'rmax against s'
-    all_fail <<END
-plot growth xrange 0.6 0.2|xrange is 0.6 .. 0.2; its second number must be larger
-plot growth xrange 0.6|the value of 'xrange' is missing
-plot growth xscale log xrange 0 1|xrange must begin above 0
-plot growth xrange 5 6|no point of the chart is within the ranges of its axes
-plot growth yscale up|use one of: linear, log
-plot sweep yscale log s 0.1 0.9 20 d 0.05 0.3 20 : rmax|the axes of a map have the scales of its grid
-plot growth legend right width 8 cm > a.svg|has no room for a legend on the right
-plot growth family "a,b" > a.svg|the name of a font family may contain only letters, digits
-END
-}
-
 # bats test_tags=sweeps
 @test "plot sweep: several answers are curves of one picture, with units if their units differ" {
     picture=$("$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair, 1/s')
@@ -392,19 +319,4 @@ END
             y == "" ? c != "NaN" : (y - c > 1e-8 || c - y > 1e-8) { exit 1 }'
     done
     wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.2 3 : rmax, pair' 'up to 6 answers against one parameter, or one answer against two'
-}
-
-# bats test_tags=sweeps
-@test "plot > FILE.tex: a picture for TeX, in which special characters of texts are escaped" {
-    cd "$BATS_TEST_TMPDIR"
-    "$DOMINO" -e 'plot energy title "50 % of $x_1^2$ & #{a} <b>" width 9 cm > a.tex; sweep s 0.1 0.3 5 : rmax > b.tex'
-    grep -q '^\\begin{tikzpicture}' a.tex && grep -q '^\\begin{tikzpicture}' b.tex
-    grep -qF '50 \% of \$x\_1\^{}2\$ \& \#\{a\} \textless{}b\textgreater{}' a.tex
-    grep -qF 'r\_max' b.tex
-    if command -v pdflatex >/dev/null && kpsewhich tikz.sty >/dev/null; then
-        printf '\\documentclass{article}\\usepackage{gnuplot-lua-tikz}\\begin{document}\\input{a}\\input{b}\\end{document}' >c.tex
-        pdflatex -interaction=nonstopmode -halt-on-error c.tex >log || same pdflatex 'a document' "$(cat log)"
-    fi
-    wrong 'draw > d.tex' "'d.tex' is the name of a picture, which 'draw' cannot write; use .svg, .png, .pdf, .gp or .txt"
-    wrong 'plot growth > d.md' "the file extension of 'd.md' is unknown; use .svg"
 }

@@ -74,7 +74,7 @@ q = |hollow solid
 print 4 cm to f|ft
 2*(rmax with fri|friction
 sweep s 0.1 0.3 3 q hollow, s|solid
-animate a.gif speed 2; set ou|output
+animate speed 2; set ou|output
 draw |at tower train forces
 draw f|forces
 draw 0.3 f|forces
@@ -83,25 +83,22 @@ draw at |domino end
 draw forces |train
 draw train |forces
 animate |speed rate slow train tower
-animate a.gif |speed rate slow train tower
-animate a.gif speed 2 r|rate
+animate speed 2 r|rate
 plot f|fit fall
-plot fall |width height font family title xlabel ylabel xrange yrange xscale yscale legend
-plot placement |width height font family title xlabel ylabel xrange yrange xscale yscale legend
-plot growth |width height font family title xlabel ylabel xrange yrange xscale yscale legend paper
-plot growth yscale |linear log
-plot growth legend |below right off
-plot growth paper |width height font family title xlabel ylabel xrange yrange xscale yscale legend
+plot fall |(nothing)
+plot placement |(nothing)
+plot growth |paper
+plot growth paper |(nothing)
 plot sweep fr|friction
 plot sweep s 0.1 0.3 3 : rm|rmax
-plot energy |width height font family title xlabel ylabel xrange yrange xscale yscale legend
+plot energy |(nothing)
 plot energy r|(nothing)
 plot co|cost
 plot fit fr|friction
 plot co r|rmax
-plot cost rmax |width height font family title xlabel ylabel xrange yrange xscale yscale legend
+plot cost rmax |(nothing)
 cost |fuel launch barrier duration rmax pair
-plot cost |width height font family title xlabel ylabel xrange yrange xscale yscale legend fuel launch barrier duration rmax pair
+plot cost |fuel launch barrier duration rmax pair
 set precision |float double quad
 set s |(nothing)
 set s b|best

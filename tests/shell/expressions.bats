@@ -400,7 +400,7 @@ END
     same completion '(nothing)' "$("$DOMINO" -e 'complete print sav')"
     same help '(nothing)' "$("$DOMINO" -e 'help save' | grep 'In an expression' || true)"
     for line in 'set s save(1)' 'sweep s 0.1 0.2 2 : save x' 'save x' 'source x' 'show > x' 'effect row x.csv' \
-        'animate x.gif'; do
+        'animate > x.gif'; do
         run -1 --separate-stderr "$DOMINO" --keep-going --safe -e "$line"
         same "$line: nothing is written" '(nothing)' "$(ls)"
     done

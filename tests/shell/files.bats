@@ -217,7 +217,7 @@ END
         wrong "rmax > $name" "the file extension of '$name' is unknown; use .csv, .json or .txt"
         wrong "draw > $name" "the file extension of '$name' is unknown; use .svg, .png, .pdf, .gp or .txt"
     done
-    wrong 'plot growth > a.b' "the file extension of 'a.b' is unknown; use .svg, .png, .pdf, .tex, .gp or .txt [(]for the data: .csv or .json[)]"
+    wrong 'plot growth > a.b' "the file extension of 'a.b' is unknown; use .svg, .png, .pdf, .gp or .txt [(]for the data: .csv or .json[)]"
     for what in 'set s 0.3' reset; do
         wrong "$what > a.csv" "'a.csv' is the name of a data file, which '${what%% *}' cannot write; use .txt"
     done
@@ -318,7 +318,7 @@ log new|rmax > new|new
 log new|save ../work/new|../work/new
 log twice answers; fuel > /dev/null|rmax > soft|soft
 log twice answers|rmax >> hard|hard
-log soft answers|animate hard.gif|hard.gif
+log soft answers|animate > hard.gif|hard.gif
 END
     "$DOMINO" -e 'log new; fuel; log new; log off' >/dev/null # opening the same log again is allowed
     same 'log anew' 2 "$(grep -c '^# A log' new)"

@@ -50,7 +50,7 @@ END
 7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
 1|mu = 0.2|^unknown parameter 'mu'; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
 7|print gravity|'gravity' has no value; did you mean 'g'\?$
-41|echo x > /dev/null; animate a.gif speed 2 rad|animate: the value is a plain number
+35|echo x > /dev/null; animate speed 2 rad|animate: the value is a plain number
 12|set output jsno|^set: .*'jsno'; did you mean 'json'\?
 10|set fuel ecaxt|^set: .*'ecaxt'; did you mean 'exact'\?
 7|set q hollwo|^set: .*'hollwo'.*did you mean 'hollow'

@@ -77,7 +77,6 @@ screens() {
         [ "${term% *}" = linux ] || same "${term% *}" "$expected" "$(plain <"$BATS_TEST_TMPDIR/screen")"
     done
     grep -q '#' "$BATS_TEST_TMPDIR/screen" # a console has no braille
-    COLORTERM=truecolor on_terminal 80 24 "$scene" | grep -q '38;2;213;94;0m'
     same 'no colour on a dumb terminal' '(nothing)' "$(TERM=dumb on_terminal 80 24 "$scene" | grep -o $'\x1b' | head -1)"
     differ 'a map in colour' "$(on_terminal 80 24 "${scenes[5]}" | grep -c '▀')" 0
 }
@@ -90,7 +89,7 @@ screens() {
     done
     chmod +x "$BATS_TEST_TMPDIR"/bin/*
     programs=$BATS_TEST_TMPDIR/bin:$PATH
-    for scene in 'effect row 6; draw' 'draw train' 'plot growth' "plot omega title \"\`touch ran\`\""; do
+    for scene in 'effect row 6; draw' 'draw train' 'plot growth'; do
         for kind in xterm-kitty xterm foot tmux-256color; do
             TERM=$kind KITTY_WINDOW_ID=1 on_terminal 80 24 "$scene" >"$BATS_TEST_TMPDIR/screen"
             grep -qP '[\x{2801}-\x{28ff}]' "$BATS_TEST_TMPDIR/screen"

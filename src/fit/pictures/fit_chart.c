@@ -69,8 +69,7 @@ static bool fit_draw(const struct query *query, struct answer *a, struct chart *
 static bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct plot plot = {.run = fit_draw, .title = "", .columns = a->columns};
-    const struct chart_look usual = {.title = NULL};
-    return plot_write(&plot, &usual, query, a, problem);
+    return plot_write(&plot, query, a, problem);
 }
 
 /* Parses the arguments of 'fit' after 'plot fit' and stores them as a question in q->parsed. */

@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'animate', which makes a film of the falling row or of the train. */
-#include "answer/extension.h"
 #include "interpreter/feature.h"
-#include "language/names.h"
 #include "language/quad.h"
 #include "pictures/drawing/falling_row.h"
 #include "pictures/drawing/film.h"
-#include "pictures/drawing/tower.h"
 #include "train/falling.h"
 #include "train/walk.h"
-#include <ctype.h>
 #include <stdlib.h>
 
 /* ---- The row ---- */
@@ -69,7 +65,7 @@ static bool row_frame(const struct domq_moment *m, void *context)
 static domq_real film_speed(const struct row_film *f, double seconds)
 {
     const struct options *options = f->film.options;
-    const domq_real typed = options->has[FILM_SPEED] ? options->value[FILM_SPEED][0] : 1,
+    const domq_real typed = options->has[FILM_SPEED] ? options->value[FILM_SPEED] : 1,
                     speed = typed / (options->has[FILM_SLOW] ? SLOWER : 1);
     const bool is_file = f->film.is_data || f->film.out->path;
     if (options->has[FILM_SPEED] || options->has[FILM_SLOW] || !is_file || !(seconds > LONGEST))
@@ -113,10 +109,8 @@ static bool animate_row(const struct film *film)
     const struct options *options = film->options;
     char verdict[SENTENCE];
     struct stage *stage = &f.row.stage;
-    f.film.delay = (int)quad(round)(100 / (options->has[FILM_RATE] ? options->value[FILM_RATE][0] : 25));
-    const struct marks marks =
-        film->is_data || film->out->path ? script_marks : text_marks(display_of(film->out->out));
-    if (!falling_row_make(film->query, film->problem, marks, options->has[FILM_TOWER], &f.row))
+    f.film.delay = (int)quad(round)(100 / (options->has[FILM_RATE] ? options->value[FILM_RATE] : 25));
+    if (!falling_row_make(film->query, film->problem, options->has[FILM_TOWER], &f.row))
         return false;
     if (film->is_data) {
         struct column *column = answer_columns(film->out, film->out->columns);
@@ -124,7 +118,6 @@ static bool animate_row(const struct film *film)
         column[1] = (struct column){"domino", "", "the last domino that was hit", 0};
     }
     falling_row_reach(&f.row, true);
-    stage->row = NULL; /* frames have no labels with the sizes of the dominoes */
     /* Every frame reserves as many lines as this caption takes up. The longest caption has the verdict as its
      * second line. */
     falling_row_verdict(&f.row, verdict);
@@ -142,40 +135,21 @@ static const struct argument number_value = {.name = "the value", .kind = ARGUME
                              any_value = {.name = "N", .kind = ARGUMENT_ANY};
 
 #define ALL_BUT(k) (~BIT(k))
-static const struct option_list film_options = {
+const struct option_list film_options = {
     .options =
         (const struct option[]){
-            [FILM_SPEED] = {"speed", &number_value, 1, ALL_BUT(FILM_SPEED), .least = 0.001, .most = 1000},
-            [FILM_RATE] = {"rate", &any_value, 1, ALL_BUT(FILM_RATE), .least = 1, .most = 50,
+            [FILM_SPEED] = {"speed", &number_value, ALL_BUT(FILM_SPEED), .least = 0.001, .most = 1000},
+            [FILM_RATE] = {"rate", &any_value, ALL_BUT(FILM_RATE), .least = 1, .most = 50,
                            .unit = " frames per second", .time = -1},
             [FILM_SLOW] = {"slow", .beside = ALL_BUT(FILM_SLOW)},
             [FILM_TRAIN] = {"train", .beside = ALL_BUT(FILM_TRAIN) & ALL_BUT(FILM_TOWER)},
             [FILM_TOWER] = {"tower", .beside = BIT(FILM_SPEED) | BIT(FILM_RATE) | BIT(FILM_SLOW)},
-            [FILM_CYCLES] = {"", &any_value, 1, .beside = ALL_BUT(FILM_CYCLES) & ALL_BUT(FILM_TOWER)},
+            [FILM_CYCLES] = {"", &any_value, .beside = ALL_BUT(FILM_CYCLES) & ALL_BUT(FILM_TOWER)},
             {.name = NULL},
         },
     .usage = "usage: animate, animate slow, animate speed 0.5 rate 20, animate train 4, animate tower; '> "
              "row.gif' writes a file",
-    .is_whole = true,
 };
-
-/* Returns true if the next word is the name of a file, such as "row.gif". */
-static bool is_file(const struct reader *r)
-{
-    char word[256];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t>;"), r->at);
-    const enum extension_kind kind = extension_of(word)->kind;
-    return *word == '"' || kind == EXTENSION_FILM ||
-           (kind == EXTENSION_OTHER && isalpha((unsigned char)*word));
-}
-
-bool film_parse(struct reader *r, struct question *q)
-{
-    struct options_parsed *p = q->parsed = reader_memory(r, sizeof *p);
-    if (p && is_file(r) && !(q->file = read_file(r)))
-        return false;
-    return p && options_parse(r, &film_options, p);
-}
 
 const struct column animate_columns[] = {
     {"time", "s", "time of the frame, counted from the hit on the first head", 0},
@@ -194,8 +168,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     if ((options->has[FILM_SPEED] || options->has[FILM_RATE]) && !row && !options->has[FILM_TOWER])
         return problem_error(
             problem, "'speed' and 'rate' are for rows; first enter 'set row N', for example 'set row 10'");
-    if (!film.is_data && a->path && a->appended)
-        return problem_error(problem, "'%s' can hold only one film; '>' replaces it", names_shown(a->path));
+    if (!film.is_data && !picture_ready(a, problem))
+        return false;
     if (row || options->has[FILM_TRAIN] || options->has[FILM_TOWER])
         /* TRAIN_NOTE would be wrong for a row, and superfluous if the user asked for the train. */
         a->note = NULL;
@@ -204,7 +178,7 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
         struct tower tower;
         film.query = &tower.query;
         const bool good = tower_make(query, &tower, problem) && animate_row(&film);
-        tower_free(&tower);
+        free(tower.change);
         return good;
     }
     return row ? animate_row(&film) : animate_train(&film);

@@ -62,7 +62,7 @@ static int cycles_within(double r, double grown_most, int most)
 static bool cycles_count(struct train_film *f)
 {
     const struct options *options = f->film.options;
-    domq_real cycles = options->value[FILM_CYCLES][0];
+    domq_real cycles = options->value[FILM_CYCLES];
     int most = cycles_within(f->r, GROWN_MOST, CYCLES_MOST);
     bool good = cycles >= 1 && cycles <= most && cycles == quad(floor)(cycles);
     f->cycles = good ? (int)cycles : cycles_within(f->r, 4, 5);
@@ -164,7 +164,7 @@ static enum dom_status train_frame(struct train_film *f, size_t frame, bool *goe
         stage.ruler = f->ruler;
         stage_place(&stage, f, p);
         /* A file shows all cycles at the same scale, but a terminal has too few characters. */
-        if (f->film.player)
+        if (f->film.screen)
             film_follow(&stage, &stage.domino[1], &stage.domino[0],
                         (time - p.begun) / p.slower / f->duration);
         *goes_on = film_frame(&f->film, &stage);

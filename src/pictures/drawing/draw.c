@@ -4,10 +4,10 @@
 #include "language/text.h"
 #include "pictures/drawing/falling_row.h"
 #include "pictures/drawing/film.h"
-#include "pictures/drawing/tower.h"
 #include "train/falling.h"
 #include "train/walk.h"
 #include <float.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const struct column draw_columns[] = {
@@ -39,28 +39,29 @@ static const struct option_list draw_options = {
     .options =
         (const struct option[]){
             [DRAW_AT] = {"at", .beside = BIT(DRAW_DOMINO) | BIT(DRAW_END) | BIT(DRAW_TIME)},
-            [DRAW_DOMINO] = {"domino", &any_value, 1, .beside = BIT(DRAW_AT), .after = BIT(DRAW_AT)},
+            [DRAW_DOMINO] = {"domino", &any_value, .beside = BIT(DRAW_AT), .after = BIT(DRAW_AT)},
             [DRAW_END] = {"end", .beside = BIT(DRAW_AT), .after = BIT(DRAW_AT)},
             [DRAW_TOWER] = {.name = "tower"},
             [DRAW_TRAIN] = {"train", .beside = BIT(DRAW_FORCES) | BIT(DRAW_TILT)},
             [DRAW_FORCES] = {"forces", .beside = BIT(DRAW_TRAIN) | BIT(DRAW_TILT)},
-            [DRAW_TILT] = {"", &tilt_value, 1, .beside = BIT(DRAW_TRAIN) | BIT(DRAW_FORCES)},
-            [DRAW_TIME] = {"", &any_value, 1, BIT(DRAW_AT), BIT(DRAW_AT), .time = 1},
+            [DRAW_TILT] = {"", &tilt_value, .beside = BIT(DRAW_TRAIN) | BIT(DRAW_FORCES)},
+            [DRAW_TIME] = {"", &any_value, BIT(DRAW_AT), BIT(DRAW_AT), .time = 1},
             {.name = NULL},
         },
     .usage =
         "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces, draw tower",
-    .is_whole = true,
 };
 
 static bool draw_parse(struct reader *r, struct question *q)
 {
-    struct options_parsed *p = q->parsed = reader_memory(r, sizeof *p);
-    if (!p || !options_parse(r, &draw_options, p))
-        return false;
-    reader_place(r, r->at);
-    return p->seen != BIT(DRAW_AT) ||
-           problem_error(r->problem, "'at' needs a time, 'domino N' or 'end'; %s", draw_options.usage);
+    const struct options_parsed *p = options_parse(r, q, &draw_options);
+    return p && (p->seen != BIT(DRAW_AT) ||
+                 problem_error(r->problem, "'at' needs a time, 'domino N' or 'end'; %s", draw_options.usage));
+}
+
+static bool film_parse(struct reader *r, struct question *q)
+{
+    return options_parse(r, q, &film_options) != NULL;
 }
 
 /* ---- Data ---- */
@@ -125,8 +126,8 @@ static bool moment_time(struct problem *problem, const struct options *options, 
     const bool is_end = options->has[DRAW_END];
     problem->place = options->column[options->has[DRAW_DOMINO] ? DRAW_DOMINO : is_end ? DRAW_END : DRAW_TIME];
     if (options->has[DRAW_DOMINO])
-        return domino_time(problem, options->value[DRAW_DOMINO][0], row, time);
-    *time = is_end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME][0];
+        return domino_time(problem, options->value[DRAW_DOMINO], row, time);
+    *time = is_end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
     const char *start = falling_row_start(row);
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(
@@ -169,16 +170,13 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
     struct falling_row row;
     domq_real time = 0;
     a->note = NULL; /* no TRAIN_NOTE, because the picture shows the row */
-    if (!falling_row_make(query, problem, picture_marks(a), options->has[DRAW_TOWER] && answer_for_people(a),
-                          &row))
+    if (!falling_row_make(query, problem, options->has[DRAW_TOWER] && answer_for_people(a), &row))
         return false;
     bool good = options->has[DRAW_AT] ? moment_time(problem, options, &row, &time) : moment_show(NULL, &row);
     enum dom_status status = DOM_OK;
     if (good && options->has[DRAW_AT])
         status = falling_row_watch(&row, &time, 1, moment_show, &row);
     problem->place = 0;
-    if (good && row.has_tower && !tower_zoom(&row))
-        status = DOM_NO_MEMORY;
     if (status != DOM_OK) {
         good = row_status(query, problem, status);
     } else if (good && answer_for_people(a)) {
@@ -199,26 +197,31 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 enum { FORCES_MOST = 6 };
 
 /* Lists the forces if no arrows show them. */
-static void train_caption(const struct query *query, struct stage *stage, domq_real theta, struct marks mark)
+static void train_caption(const struct query *query, struct stage *stage, domq_real theta,
+                          const struct answer *a)
 {
     const struct domq_train *t = &query->scene->train;
     const struct walk *walk = walk_now(query);
     struct walk_units units = walk_units(query, walk ? walk->cycle : 1);
+    const bool is_filed = picture_is_filed(a);
     snprintf(stage->caption, CAPTION, "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, ",
-             mark.theta, (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s, (double)t->r,
-             (double)t->d, (double)(1000 * units.height));
+             is_filed ? "\u03b8" : "theta", (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s,
+             (double)t->r, (double)t->d, (double)(1000 * units.height));
     if (t->rho != 0)
         text_add(stage->caption, CAPTION, "edges %.4g h", (double)t->rho);
     text_add(stage->caption, CAPTION, "%s\n0: head; 1, 2, ...: its followers%s",
-             t->rho != 0 ? "" : "to scale", mark.contacts);
+             t->rho != 0 ? "" : "to scale",
+             is_filed                     ? "; dots: contacts"
+             : display_of(a->out).braille ? ""
+                                          : "; #: the next; @: contact");
     if (stage->domino[0].height > stage->top)
         text_add(stage->caption, CAPTION, "; the next domino is %.4g h tall", stage->domino[0].height);
     if (!stage->forces)
         return;
     text_add(stage->caption, CAPTION, "\n%s",
-             mark.forces ? mark.forces : "contact forces, divided by the pushed domino's weight:");
-    for (size_t k = 1; !mark.forces && k <= FORCES_MOST && k < stage->count && stage->domino[k].touched;
-         k++) {
+             is_filed ? "arrows: the push at each contact, divided by the weight of the pushed domino"
+                      : "contact forces, divided by the pushed domino's weight:");
+    for (size_t k = 1; !is_filed && k <= FORCES_MOST && k < stage->count && stage->domino[k].touched; k++) {
         const struct drawn *d = &stage->domino[k];
         text_add(stage->caption, CAPTION, drawn_locked(d) ? "%s %d: no force is enough" : "%s %d: %.3g",
                  k > 1 ? "," : "", d->number, d->of_own);
@@ -234,7 +237,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
     const struct walk *walk = options->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct any_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
-    domq_real theta = walk ? walk->theta : options->value[DRAW_TILT][0];
+    domq_real theta = walk ? walk->theta : options->value[DRAW_TILT];
     if (options->has[DRAW_TRAIN])
         a->note = NULL; /* a user who asked for the train needs no note that the picture shows the train */
     if (!walk && !train_comes_to(query, problem, theta))
@@ -250,7 +253,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
         good = problem_status(problem, query->scene, status);
     } else if (people) {
         stage.forces = options->has[DRAW_FORCES];
-        train_caption(query, &stage, theta, picture_marks(a));
+        train_caption(query, &stage, theta, a);
         good = stage_show(&stage, a, query->scene->compute.interrupt, problem);
     } else {
         good = stage_rows(&stage, forces, a);
@@ -275,7 +278,7 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
     if (options->has[DRAW_TOWER]) {
         struct tower tower;
         const bool good = tower_make(query, &tower, problem) && draw_row(&tower.query, a, problem, options);
-        tower_free(&tower);
+        free(tower.change);
         return good;
     }
     return row && !train ? draw_row(query, a, problem, options) : draw_train(query, a, problem, options);
@@ -297,9 +300,9 @@ const struct command draw_commands[] = {
              "with 'draw train', the endless train is drawn. 'draw 0.3' shows the train when its head has "
              "this tilt. Without a tilt, the train is shown at the tilt that 'step' has reached, or at the "
              "launch. 'draw 0.3 forces' and 'draw forces' add the contact forces. 'draw tower' after 'count "
-             "112 m' shows the row of that answer with a tower of 112 m at its end. Dominoes that are too "
-             "small to see are drawn a second time, enlarged. In the terminal the picture is made of "
-             "characters. 'draw > row.svg' makes a file. The name of the file can also end in .png or .pdf "
+             "112 m' shows the row of that answer with a tower of 112 m at its end. In the terminal the "
+             "picture is made of characters. 'draw > row.svg' makes a file. The name of the file can also "
+             "end in .png or .pdf "
              "(with gnuplot), in .gp (a script for gnuplot), or in .txt. csv and json have the corners of "
              "all dominoes (in m for a row). For a train they also have the contacts and forces.",
      .equation = "(12; b8) (27; A2)",
@@ -319,8 +322,8 @@ const struct command draw_commands[] = {
                    .bind = options_bind_argument}},
      .summary = "a film of the falling row or of the train, at the terminal or in a file",
      .help = "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The "
-             "space bar stops and continues it, the arrow keys show the frame before or after, and 'q' ends "
-             "it. 'animate slow' is four times slower than the fall, and 'animate speed 0.5' twice. 'animate "
+             "space bar stops and continues it, the right arrow shows the next frame, and 'q' ends it. "
+             "'animate slow' is four times slower than the fall, and 'animate speed 0.5' twice. 'animate "
              "> row.gif' makes a file with gnuplot, which 'ffmpeg -i row.gif row.mp4' turns into a video. A "
              "film in a file is faster than the fall if the fall takes more than 9 s. 'rate 20' makes a film "
              "of 20 frames per second. 'animate tower' after 'count 112 m' shows how the row of that answer "

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/drawing/falling_row.h"
+#include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "session/row_change.h"
 #include "train/falling.h"
+#include "train/train.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,7 +53,6 @@ void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
             d->number = NUMBER_TOWER;
         drawn_corners(d);
     }
-    row->stage.row = moment || row->has_tower ? NULL : row->run.scene.domino;
 }
 
 void falling_row_reach(struct falling_row *row, bool lying)
@@ -78,11 +80,11 @@ static double tallest(const struct falling_row *row, size_t count)
     return most;
 }
 
-bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks, bool has_tower,
+bool falling_row_make(const struct query *query, struct problem *problem, bool has_tower,
                       struct falling_row *row)
 {
     const domq_real ever = (domq_real)HUGE_VAL;
-    *row = (struct falling_row){.marks = marks, .end = (double)NAN, .has_tower = has_tower};
+    *row = (struct falling_row){.end = (double)NAN, .has_tower = has_tower};
     if (!row_run(query, problem, true, &row->run))
         return false;
     size_t count = row->run.scene.row.count;
@@ -132,6 +134,58 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
     return any_row_watch(&scene->row, &scene->compute, times, count, visit, context, &verdict);
 }
 
+/* ---- The tower ---- */
+
+/* Turns the last domino of the row into the tower: a domino of this height, with the proportions of the
+ * others. The gap before it is s times its height, as for every domino. */
+static bool tower_stand(struct tower *tower, size_t dominoes, domq_real height)
+{
+    struct scene *scene = &tower->state.scene;
+    const struct domq_train *train = &scene->train;
+    struct listed_row listed = {.domino = NULL};
+    if (!row_changes_open(&listed, dominoes + 1))
+        return false;
+    scene->listed = listed;
+    tower->change = listed.change;
+    struct domq_domino *change = &tower->change[dominoes].to;
+    change->height = height;
+    change->thickness = train->d * height;
+    change->width = train->width * height;
+    change->gap = train->s * height;
+    /* A change of the three sizes gives the mass of a solid domino, for which q = 4. */
+    if (!(scene_walls(scene) > 0))
+        change->mass =
+            quad(pow)(height / scene->scale.h / quad(pow)(train->r, (domq_real)dominoes), train->q - 4);
+    return true;
+}
+
+bool tower_make(const struct query *query, struct tower *tower, struct problem *problem)
+{
+    /* Indices of the first columns in the answer of 'count'. */
+    enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES };
+    const struct last_answer *ans = query->ans;
+    *tower = (struct tower){.change = NULL};
+    if (!ans->command || ans->command->run != run_count)
+        return problem_error(problem,
+                             "'tower' works only if the last answer was a count; first enter 'count 112 m'");
+    if (ans->with)
+        return problem_error(problem, "the last count was made 'with' settings that the session does not "
+                                      "have; first set them, and count again");
+    const domq_real dominoes = ans->cells[COUNT_DOMINOES].number,
+                    most = domq_effect(DOM_EFFECT_row)->argument[0].highest;
+    if (!isfinite(dominoes) || dominoes < 1 || dominoes >= most)
+        return problem_no_answer(problem, "there is no row to draw: the last 'count' %s",
+                                 dominoes == 0         ? "needs no dominoes"
+                                 : !isfinite(dominoes) ? "does not reach its height"
+                                                       : "needs more dominoes than a row can have");
+    const struct assigned assigned[] = {
+        {.parameter = parameter_find("r"), .value = ans->cells[COUNT_GROWTH].number},
+        {.parameter = parameter_find("row"), .value = dominoes + 1}};
+    return query_with(query, assigned, 2, &tower->state, &tower->query, problem) &&
+           (tower_stand(tower, (size_t)dominoes, ans->cells[COUNT_HEIGHT].number) ||
+            problem_status(problem, query->scene, DOM_NO_MEMORY));
+}
+
 /* ---- Sentences ---- */
 
 const char *falling_row_start(const struct falling_row *row)
@@ -175,11 +229,11 @@ void falling_row_verdict(const struct falling_row *row, char text[SENTENCE])
     else if (v->end == DOM_ROW_FALLS)
         snprintf(text, SENTENCE, "%.40s.", all_fall_words(row->dominoes).text);
     else if (share < 1)
-        snprintf(text, SENTENCE, "%.40s (%s) stops the row: it %.150s.", domino_words(row, end).text,
-                 row->marks.ends, energy_words((domq_real)share).text);
+        snprintf(text, SENTENCE, "%.40s stops the row: it %.150s.", domino_words(row, end).text,
+                 energy_words((domq_real)share).text);
     else
-        snprintf(text, SENTENCE, "The fall ends at %.40s (%s): %s.", domino_words(row, end).text,
-                 row->marks.ends, dom_row_end_text(v->end));
+        snprintf(text, SENTENCE, "The fall ends at %.40s: %s.", domino_words(row, end).text,
+                 dom_row_end_text(v->end));
     *text = (char)toupper((unsigned char)*text);
 }
 
@@ -188,9 +242,9 @@ void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
     const struct domq_verdict *v = &row->run.verdict;
     text[0] = '\0';
     if (v->weakest > 0 && row->stage.domino[v->weakest - 1].part == WEAKEST)
-        snprintf(text, SENTENCE, "Weakest%s: %.40s (%s), which %.150s.",
+        snprintf(text, SENTENCE, "Weakest%s: %.40s, which %.150s.",
                  v->end == DOM_ROW_FALLS ? "" : " of the dominoes that fall",
-                 domino_words(row, v->weakest).text, row->marks.weakest, energy_words(v->spare + 1).text);
+                 domino_words(row, v->weakest).text, energy_words(v->spare + 1).text);
 }
 
 /* Writes what happens at a moment before the end. */

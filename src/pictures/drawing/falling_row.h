@@ -11,16 +11,15 @@
 struct falling_row {
     struct row_run run;
     struct stage stage;
-    double *slid;       /* how far each foot has slid at the moment that is shown */
-    double end;         /* the time when the motion ends, or NaN if it cannot be computed */
-    bool has_tower;     /* the last domino of the run is drawn as a tower */
-    size_t dominoes;    /* the number of dominoes, not counting the tower */
-    struct marks marks; /* words for captions, which explain the marks in the drawing */
+    double *slid;    /* how far each foot has slid at the moment that is shown */
+    double end;      /* the time when the motion ends, or NaN if it cannot be computed */
+    bool has_tower;  /* the last domino of the run is drawn as a tower */
+    size_t dominoes; /* the number of dominoes, not counting the tower */
 };
 
-/* Runs the row and draws it as it stands before the fall. With `has_tower`, the last domino is a tower (see
- * tower.h). After a failure nothing needs to be freed. */
-bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks, bool has_tower,
+/* Runs the row and draws it as it stands before the fall. With `has_tower`, the last domino is the tower of
+ * tower_make. After a failure nothing needs to be freed. */
+bool falling_row_make(const struct query *query, struct problem *problem, bool has_tower,
                       struct falling_row *row);
 void falling_row_free(struct falling_row *row);
 
@@ -46,6 +45,18 @@ void falling_row_reach(struct falling_row *row, bool lying);
 
 /* Returns the height of the smallest domino. */
 double falling_row_smallest(const struct falling_row *row);
+
+/* ---- 'draw tower' and 'animate tower' ---- */
+
+/* A query about the row that the last 'count' found. One more domino, as tall as the tower, ends this row. */
+struct tower {
+    struct query query;
+    struct state state; /* shares memory with the state of the original query */
+    struct changed_domino *change;
+};
+
+/* On failure, sets *problem and returns false. Even then, the caller must free tower->change. */
+bool tower_make(const struct query *query, struct tower *tower, struct problem *problem);
 
 /* ---- Sentences ---- */
 

@@ -18,11 +18,19 @@ struct film {
     struct answer *out;
     bool is_data; /* the frames are written as data, rather than drawn */
     const struct options *options;
-    struct player *player;  /* shows the frames at the terminal; NULL for a file */
-    struct picture picture; /* for a file: its script has a plot command for each frame */
+    size_t frames, frame; /* the total number of frames, and the number written so far */
+    int delay;            /* time between two frames, in hundredths of a second */
+
+    /* At the terminal: */
+    FILE *screen; /* NULL for a file */
+    double next;  /* when the next frame is due, in s */
+    char *text;   /* the current frame */
+    size_t size;
+    bool is_stopped, failed;
+
+    /* For a file: */
+    struct picture picture; /* its script has a plot command for each frame */
     struct sheet sheet;     /* the size of all frames, and the part of the stage that the next frame shows */
-    size_t frames, frame;   /* the total number of frames, and the number written so far */
-    int delay;              /* time between two frames, in hundredths of a second */
 };
 
 /* Makes the film. All frames have the same size, so the caption of `stage` must have as many lines as the
@@ -34,13 +42,14 @@ bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struc
  * `from`, which is near its middle. If `part` is 1, the same holds for the domino `to`. */
 void film_follow(struct stage *stage, const struct drawn *from, const struct drawn *to, double part);
 
-/* Draws a frame. Returns false if the user has ended the film. */
+/* Draws a frame. At the terminal, returns when it is time for the next one. Returns false if the user has
+ * ended the film, or if memory ran out. */
 bool film_frame(struct film *film, const struct stage *stage);
 
 bool animate_train(const struct film *film);
 
-/* The command 'animate', for the table in draw.c. The file of the film may come first, without a '>'. */
-bool film_parse(struct reader *reader, struct question *question);
+/* The command 'animate', for the table in draw.c. */
+extern const struct option_list film_options;
 extern const struct column animate_columns[];
 bool run_animate(const struct query *query, struct answer *a, struct problem *problem);
 

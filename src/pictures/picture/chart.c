@@ -9,7 +9,7 @@
 
 struct chart chart_make(void)
 {
-    const struct chart_axis axis = {.low = (double)NAN, .high = (double)NAN};
+    const struct chart_axis axis = {.low = (double)NAN, .high = (double)NAN, .unit = 1};
     return (struct chart){.x = axis, .y = axis};
 }
 
@@ -69,61 +69,6 @@ void chart_level(struct chart *c, double y, const char *title)
     struct chart_curve *level = chart_curve(c, CHART_LINE, INK_GREY, 2, "%s", title);
     chart_point(c, level, -HUGE_VAL, y);
     chart_point(c, level, HUGE_VAL, y);
-}
-
-void chart_convert(struct chart *c, double x, double y)
-{
-    for (int k = 0; k < c->curves; k++)
-        for (size_t i = 0; i < c->curve[k].count; i++) {
-            struct chart_point *p = &c->curve[k].point[i];
-            *p = (struct chart_point){p->x / x, p->y / y, p->low / y, p->high / y};
-        }
-    for (int k = 0; k < c->events; k++)
-        c->event[k].x /= x;
-    c->x.low /= x;
-    c->x.high /= x;
-    c->y.low /= y;
-    c->y.high /= y;
-}
-
-/* ---- What the user chooses ---- */
-
-/* Applies the user's scale to an axis and checks the range. Returns NULL, or a message. */
-static const char *axis_dress(struct chart *c, int k)
-{
-    const struct chart_look *look = &c->look;
-    struct chart_axis *axis = k == 0 ? &c->x : &c->y;
-    if (look->scale[k] != CHART_SCALE_USUAL && c->map.value &&
-        axis->logarithmic != (look->scale[k] == CHART_LOG))
-        return "the axes of a map have the scales of its grid; instead of xscale or yscale, write 'log' in "
-               "the grid, as in 'plot sweep s 0.01 0.9 20 log d 0.01 0.3 20 log : rmax'";
-    if (look->scale[k] != CHART_SCALE_USUAL)
-        axis->logarithmic = look->scale[k] == CHART_LOG;
-    if (axis->logarithmic && axis->low <= 0)
-        axis->low = (double)NAN; /* lets chart_prepare choose where the axis begins */
-    if (axis->logarithmic && look->has_range[k] && !(look->low[k] > 0))
-        return k == 0 ? "xrange must begin above 0, because the x axis is logarithmic; 'xscale linear' "
-                        "changes that"
-                      : "yrange must begin above 0, because the y axis is logarithmic; 'yscale linear' "
-                        "changes that";
-    return NULL;
-}
-
-const char *chart_dress(struct chart *c)
-{
-    const struct chart_look *look = &c->look;
-    const char *wrong = axis_dress(c, 0);
-    if (look->title) {
-        snprintf(c->title, sizeof c->title, "%s", look->title);
-        c->note[0] = '\0';
-    }
-    if (look->x)
-        snprintf(c->x.label, sizeof c->x.label, "%s", look->x);
-    if (look->y && c->map.value)
-        snprintf(c->map.label, sizeof c->map.label, "%s", look->y);
-    else if (look->y)
-        snprintf(c->y.label, sizeof c->y.label, "%s", look->y);
-    return wrong ? wrong : axis_dress(c, 1);
 }
 
 /* ---- Axes ---- */
@@ -192,57 +137,17 @@ static void curve_fit(const struct chart *c, struct chart_curve *curve)
     }
 }
 
-/* Applies the range that the user has chosen, if any, to axis k. If the chart has a map and no part of the
- * map is in the range, returns false. */
-static bool range_choose(struct chart *c, int k)
-{
-    const struct chart_look *look = &c->look;
-    struct chart_axis *axis = k == 0 ? &c->x : &c->y;
-    bool overlaps = !(look->low[k] >= axis->high) && !(look->high[k] <= axis->low);
-    if (!look->has_range[k])
-        return true;
-    axis->low = look->low[k];
-    axis->high = look->high[k];
-    return overlaps || !c->map.value;
-}
-
-/* Returns true if a value can be shown on axis k (0 for x, 1 for y). If the user has chosen a range for the
- * axis, the value must be in the range, or infinite. */
-static bool is_within(const struct chart *c, int k, double value)
-{
-    const struct chart_look *look = &c->look;
-    return !look->has_range[k] || isinf(value) || (value >= look->low[k] && value <= look->high[k]);
-}
-
-/* Removes the events beyond the ends of the x axis. */
-static void events_fit(struct chart *c)
-{
-    int kept = 0;
-    for (int k = 0; k < c->events; k++) {
-        double place = axis_place(&c->x, c->event[k].x);
-        if (place > -1e-9 && place < 1 + 1e-9)
-            c->event[kept++] = c->event[k];
-    }
-    c->events = kept;
-}
-
-bool chart_prepare(struct chart *c)
+void chart_prepare(struct chart *c)
 {
     double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL, aside = 0;
     int kept = 0;
-    bool shown = c->map.value;
     if (c->map.value) {
         cells_fit(&c->x, c->map.across);
         cells_fit(&c->y, c->map.down);
     }
-    for (int k = 0; k < 2; k++)
-        shown = range_choose(c, k) && shown;
     for (int k = 0; k < c->curves; k++) {
         for (size_t i = 0; i < c->curve[k].count; i++) {
             const struct chart_point *p = &c->curve[k].point[i];
-            if (!is_within(c, 0, p->x))
-                continue;
-            shown = shown || (isfinite(p->y + p->x) && is_within(c, 1, p->y)) || isfinite(p->low + p->high);
             axis_include(&c->x, p->x, &x0, &x1);
             axis_include(&c->y, p->y, &y0, &y1);
             axis_include(&c->y, p->low, &y0, &y1);
@@ -257,8 +162,13 @@ bool chart_prepare(struct chart *c)
     axis_fit(&c->y, y0, y1, 0.06);
     for (int k = 0; k < c->curves; k++)
         curve_fit(c, &c->curve[k]);
-    events_fit(c);
-    return shown;
+    kept = 0;
+    for (int k = 0; k < c->events; k++) {
+        const double place = axis_place(&c->x, c->event[k].x);
+        if (place > -1e-9 && place < 1 + 1e-9)
+            c->event[kept++] = c->event[k];
+    }
+    c->events = kept;
 }
 
 double axis_place(const struct chart_axis *a, double value)
@@ -275,7 +185,7 @@ double axis_number(const struct chart_axis *a, double place)
 
 /* ---- Ticks ---- */
 
-static void tick_add(struct ticks *t, double tick)
+static void tick_add(struct ticks *t, double tick, double unit)
 {
     if (t->count == TICKS)
         return;
@@ -284,7 +194,7 @@ static void tick_add(struct ticks *t, double tick)
     if (fabs(strtod(text, NULL) - tick) > 1e-9 * fabs(tick))
         wide = snprintf(text, TICK_TEXT, "%.9g", tick); /* six digits are too few if the range is narrow */
     t->widest = wide > t->widest ? wide : t->widest;
-    t->at[t->count++] = tick;
+    t->at[t->count++] = tick * unit;
 }
 
 struct ticks axis_ticks(const struct chart_axis *a, int most)
@@ -292,24 +202,24 @@ struct ticks axis_ticks(const struct chart_axis *a, int most)
     /* The ticks within a decade, for an axis that has room for few, some or many ticks. */
     static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}};
     struct ticks t = {.count = 0};
-    double decades = a->logarithmic ? log10(a->high / a->low) : 0;
+    const double low = a->low / a->unit, high = a->high / a->unit,
+                 decades = a->logarithmic ? log10(high / low) : 0;
     most = most < TICKS ? most : TICKS;
     if (decades < 0.8) { /* a short section of a logarithmic axis is nearly linear */
-        double step = ruler_step((a->high - a->low) / most * (1 - 1e-9));
+        double step = ruler_step((high - low) / most * (1 - 1e-9));
         step = a->whole ? fmax(step, 1) : step;
-        for (double k = ceil(a->low / step - 1e-9); k * step <= a->high + 1e-9 * step; k++)
-            tick_add(&t, k == 0 ? 0 : k * step);
+        for (double k = ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++)
+            tick_add(&t, k == 0 ? 0 : k * step, a->unit);
         return t;
     }
-    int low = (int)floor(log10(a->low)), high = (int)ceil(log10(a->high));
     int fine = 2, step = 1 + (int)(decades / most);
     while (fine > 0 && (fine + 1) * decades > fmax(most, 4))
         fine--;
-    for (int ten = low; ten <= high; ten += step)
+    for (int ten = (int)floor(log10(low)); ten <= (int)ceil(log10(high)); ten += step)
         for (int k = 0; k <= fine; k++) {
             double value = parts[fine][k] * pow(10, ten);
-            if (value >= a->low * (1 - 1e-9) && value <= a->high * (1 + 1e-9))
-                tick_add(&t, value);
+            if (value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9))
+                tick_add(&t, value, a->unit);
         }
     return t;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts with two axes. They show curves, points, ranges or a map. A command fills a chart with data, and
- * chart_show (show.c) then draws the chart to the destination of the answer. */
+ * chart_show (picture.c) then draws the chart to the destination of the answer. */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
 
@@ -34,6 +34,7 @@ struct chart_axis {
     bool logarithmic;
     bool whole;       /* only whole numbers get ticks */
     double low, high; /* the ends of the axis; if an end is NaN, chart_prepare chooses it from the data */
+    double unit;      /* the size of the unit of its ticks, for example 0.01 for cm if the data are in m */
 };
 
 /* The values of a map, one for each cell. The cells are listed row by row, beginning with the lowest row. At
@@ -45,33 +46,6 @@ struct chart_map {
     char label[96]; /* label of the values */
 };
 
-struct chart_event {
-    double x;
-    char name[32];
-};
-
-enum chart_scale { CHART_SCALE_USUAL, CHART_LINEAR, CHART_LOG };
-enum chart_legend { CHART_LEGEND_BELOW, CHART_LEGEND_RIGHT, CHART_LEGEND_OFF };
-
-/* The user's choices for a chart. NULL or 0 means no choice. Element 0 of an array is for the x axis, and
- * element 1 for the y axis. */
-struct chart_look {
-    const char *title, *x, *y; /* strings that replace the title and the labels of the axes */
-    enum chart_scale scale[2];
-    bool has_range[2];
-    double low[2], high[2]; /* the ends of the axes, in the units of the axis labels */
-    enum chart_legend legend;
-    /* Only for files: */
-    double width, height; /* in cm */
-    double font;          /* in points */
-    const char *family;   /* the name of a font */
-};
-
-/* The default sizes of a picture in a file, and of its font. */
-#define CHART_WIDTH  16.0 /* cm */
-#define CHART_HEIGHT 12.0
-#define CHART_FONT   11.0 /* points */
-
 enum { CHART_CURVES = 10, CHART_EVENTS = 8 };
 
 /* A chart has either curves or a map. */
@@ -81,11 +55,12 @@ struct chart {
     struct chart_axis x, y;
     struct chart_curve curve[CHART_CURVES];
     int curves;
-    struct chart_event event[CHART_EVENTS]; /* vertical lines with names at their upper ends */
+    struct chart_event {
+        double x;
+        char name[32];
+    } event[CHART_EVENTS]; /* vertical lines with names at their upper ends */
     int events;
     struct chart_map map;
-    struct chart_look look;
-    bool tex;    /* TeX processes the labels, so characters that are commands in TeX have to be escaped */
     bool failed; /* there was no memory for the data */
 };
 
@@ -106,26 +81,15 @@ void chart_level(struct chart *chart, double y, const char *title);
 /* Adds a vertical line at x, with a name at its upper end. */
 void chart_event(struct chart *chart, double x, const char *name);
 
-/* Converts the data and the ends of the axes to the displayed units. `x` and `y` are the sizes of these
- * units, for example 0.01 for a cm if the data are in m. */
-void chart_convert(struct chart *chart, double x, double y);
-
 /*
  * Makes a chart ready to be drawn:
  * - If an end of an axis is NaN, it is chosen so that the data fit.
  * - Points at infinity, or at 0 on a logarithmic axis, are moved to an end of the axis.
  * - Curves without points, and events outside the x axis, are removed.
- * Returns false if nothing is left to show.
  */
-bool chart_prepare(struct chart *chart);
+void chart_prepare(struct chart *chart);
 
 /* ---- For the functions that draw charts ---- */
-
-/* Applies the user's title, labels and scales. Returns NULL, or a message if this is not possible. */
-const char *chart_dress(struct chart *chart);
-
-/* Writes the gnuplot terminal setting for a chart. `name` is the name of the terminal. */
-void chart_terminal(const struct chart *chart, const char *name, char terminal[TERMINAL_TEXT]);
 
 /* axis_place returns the position of a value on its axis: 0 is the lower end, and 1 is the upper end.
  * axis_number returns the value at a position. */
@@ -163,5 +127,8 @@ bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_
 
 /* Writes a gnuplot script that draws a chart. */
 void chart_script(const struct chart *chart, FILE *script);
+
+/* Writes an axis of this name, "x" or "y", into a script, with up to about `most` ticks. */
+void axis_script(FILE *script, const struct chart_axis *axis, const char *name, int most);
 
 #endif

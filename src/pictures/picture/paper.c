@@ -10,7 +10,6 @@
 
 /* ---- The document ---- */
 
-/* In a closed document, each line ends with a NUL byte, and an empty line ends the document. */
 bool paper_open(struct paper *p)
 {
     *p = (struct paper){.text = NULL};
@@ -20,12 +19,8 @@ bool paper_open(struct paper *p)
 
 bool paper_close(struct paper *p)
 {
-    putc('\n', p->out);
     const bool is_good = fclose(p->out) == 0;
     p->out = NULL;
-    for (size_t k = 0; k < p->size && is_good; k++)
-        if (p->text[k] == '\n')
-            p->text[k] = '\0';
     return is_good;
 }
 
@@ -36,114 +31,91 @@ void paper_free(struct paper *p)
     free(p->text);
 }
 
-static const char *line_after(const char *line)
-{
-    return line + strlen(line) + 1;
-}
-
-/* ---- Tables ---- */
-
-enum { COLUMNS = 10, CELL = 48 };
-
-struct table {
-    const char *head, *end; /* the first row, and the line after the last row */
-    int columns;
-    int width[COLUMNS]; /* the number of characters of the longest cell */
-    bool has_blanks;    /* some cells are for handwriting */
-};
-
-struct cell_text {
-    char text[CELL];
-    bool is_bold, is_blank;
-};
-
-/* Reads the next cell of a row. Returns the end of the cell: a '|', or the end of the row. */
-static const char *cell_read(const char *at, struct cell_text *cell)
-{
-    size_t length = strcspn(++at, "|");
-    const char *end = at + length;
-    *cell = (struct cell_text){.is_bold = length > 0 && end[-1] == '!', .is_blank = length == 0};
-    snprintf(cell->text, CELL, "%.*s", (int)length - cell->is_bold, cell->is_blank ? "" : at);
-    return end;
-}
-
-static struct table table_read(const char *line)
-{
-    static const int blank = 6; /* the width of a cell for handwriting */
-    struct table t = {.head = line};
-    struct cell_text cell;
-    for (; *line == '|'; line = line_after(line))
-        for (int k = 0; *line == '|' && k < COLUMNS; k++) {
-            line = cell_read(line, &cell);
-            const int width = cell.is_blank ? blank : utf8_columns(cell.text);
-            t.width[k] = width > t.width[k] ? width : t.width[k];
-            t.columns = k + 1 > t.columns ? k + 1 : t.columns;
-            t.has_blanks = t.has_blanks || cell.is_blank;
-        }
-    t.end = line;
-    return t;
-}
-
 /* ---- As text ---- */
 
-enum { TEXT_COLUMNS = 79 };
+enum { TEXT_COLUMNS = 79, CELLS = 10, CELL_SIZE = 64 };
 
-static const char *table_write(const char *line, FILE *out)
+/* What a line of a document is. The layout can begin each line with one of these characters. */
+enum { HEADING = '#', TABLE_HEAD = '|', OTHER = ' ' };
+
+/* Reads the next cell of a row. Returns the end of the cell: a '|', or the end of the row. */
+static const char *cell_read(const char *at, char cell[CELL_SIZE])
 {
-    const struct table t = table_read(line);
-    struct cell_text cell;
-    for (; line != t.end; line = line_after(line)) {
-        for (int k = 0; *line; k++) {
-            line = cell_read(line, &cell);
-            fprintf(out, "%*s%s", t.width[k] + (k > 0), cell.is_blank ? "______" : cell.text,
-                    cell.is_bold ? "!" : " ");
+    const int length = (int)strcspn(at + 1, "|\n");
+    /* A cell that matters has a '!' behind it. */
+    snprintf(cell, CELL_SIZE, "%.*s%s", length ? length : 6, length ? at + 1 : "______",
+             at[length] == '!' ? "" : " ");
+    return at + 1 + length;
+}
+
+/* Writes a table whose columns are as wide as their longest cells. Returns the line after its last row. */
+static const char *table_write(const char *line, bool has_marks, FILE *out)
+{
+    int width[CELLS] = {0};
+    char cell[CELL_SIZE];
+    for (const char *at = line; *at == '|'; at++)
+        for (int k = 0; *at == '|' && k < CELLS; k++) {
+            at = cell_read(at, cell);
+            const int wide = utf8_columns(cell);
+            width[k] = wide > width[k] ? wide : width[k];
+        }
+    for (char mark = TABLE_HEAD; *line == '|'; line++, mark = OTHER) {
+        if (has_marks)
+            putc(mark, out);
+        for (int k = 0; *line == '|' && k < CELLS; k++) {
+            line = cell_read(line, cell);
+            fprintf(out, "%*s%s", width[k] - utf8_columns(cell) + (k > 0), "", cell);
         }
         putc('\n', out);
     }
-    return t.end;
+    return line;
+}
+
+/* Writes a document as lines of text. With marks, the lines are those of a page. */
+static void layout_write(const struct paper *p, bool has_marks, FILE *out)
+{
+    for (const char *line = p->text; line && *line;) {
+        if (*line == '|') {
+            line = table_write(line, has_marks, out);
+            continue;
+        }
+        const bool is_heading = *line == '#', is_page = *line == '\f';
+        const char *text = is_heading ? line + 2 : line;
+        fputs(is_heading && !has_marks ? "\n" : "", out);
+        for (size_t n; *text != '\n'; text += n + (text[n] == ' ')) {
+            n = line_break(text, TEXT_COLUMNS);
+            if (has_marks && !is_page)
+                putc(is_heading ? HEADING : OTHER, out);
+            fprintf(out, "%.*s\n", is_page && terminal_shows(out) ? 0 : (int)n, text);
+        }
+        line = text + 1;
+    }
 }
 
 void paper_write(const struct paper *p, FILE *out)
 {
-    for (const char *line = p->text; *line;) {
-        if (*line == '|') {
-            line = table_write(line, out);
-            continue;
-        }
-        if (*line == '\f') {
-            putc(terminal_shows(out) ? '\n' : '\f', out);
-        } else {
-            const bool is_heading = *line == '#';
-            fputs(is_heading ? "\n" : "", out);
-            write_wrapped(out, is_heading ? line + 2 : line, 0, TEXT_COLUMNS);
-            putc('\n', out);
-        }
-        line = line_after(line);
-    }
+    layout_write(p, false, out);
 }
 
 /* ---- By gnuplot ---- */
 
-/* Lengths in dots. A page is SHEET_WIDTH dots wide. */
+/* Lengths in dots. A page is PICTURE_WIDTH dots wide. */
 enum {
-    PAGE = SHEET_WIDTH * 297 / 210, /* the height of an A4 page */
-    SIDE = 26,                      /* the margin that a printer needs */
-    TITLE = 26,                     /* the height of the title above the caption */
-    LINE = 16,
-    ROW = 15,      /* the height of a row of a table */
-    ROW_HIGH = 23, /* the height of a row with room for handwriting */
-    SPACE = 8,     /* the space above a heading, and around a table */
-    SIZE = 11,     /* font size */
-    LETTERS = 100, /* the maximum number of characters on a line of text */
-    ACROSS = SHEET_WIDTH - 2 * SIDE,
+    PAGE = PICTURE_WIDTH * 297 / 210, /* the height of an A4 page */
+    SIDE = 26,                        /* the margin that a printer needs */
+    TITLE = 26,                       /* the height of the title above the caption */
+    LINE = 15,                        /* the height of a line, and of a line with room for handwriting */
+    LINE_HIGH = 23,
+    SPACE = 10, /* the space above a heading and above a table */
     HEIGHT_LEAST = 190,
     DRAWING_LEAST = 110, /* a drawing is not made lower than this, not counting the text around it */
     DRAWING_MOST = 400
 };
+#define LETTERS "monospace,12"
 
 /* Writes a document on pages, from the top to the bottom. */
 struct pen {
-    FILE *script; /* NULL if the pen only measures */
+    FILE *script;
     const char *title;
     const struct stage *stage; /* for the first page */
     struct sheet sheet;
@@ -152,26 +124,29 @@ struct pen {
     int page;      /* number of the page, from 1 */
 };
 
-static void text_put(const struct pen *p, double x, const char *align, int size, bool bold, const char *text,
-                     size_t length)
+static double line_height(const char *line)
 {
-    if (!p->script)
-        return;
-    fputs("set label ", p->script);
-    gnuplot_text_part(p->script, text, length);
-    fprintf(p->script, " at screen %.6g,%.6g %s font 'sans%s,%d' noenhanced front\n", x / SHEET_WIDTH,
-            1 - p->y / p->sheet.height, align, bold ? ":Bold" : "", size);
+    const char *blank = strstr(line, "__"), *end = strchr(line, '\n');
+    return (*line == OTHER ? 0 : SPACE) + (blank && blank < end ? LINE_HIGH : LINE);
 }
 
-/* Draws a box around a cell whose right end is at x. */
-static void box_put(const struct pen *p, double x, double wide)
+/* Returns the height of the part that begins at *line, and moves *line to its end. */
+static double part_height(const char **line)
 {
-    if (p->script)
-        fprintf(p->script,
-                "set object rectangle from screen %.6g,%.6g to screen %.6g,%.6g fs empty border lc rgb "
-                "'#808080'\n",
-                (x - wide) / SHEET_WIDTH, 1 - (p->y - ROW_HIGH / 2.0) / p->sheet.height, x / SHEET_WIDTH,
-                1 - (p->y + ROW_HIGH / 2.0) / p->sheet.height);
+    double height = 0;
+    do {
+        height += line_height(*line);
+        *line = strchr(*line, '\n') + 1;
+    } while (**line && **line != '\f' && **line != HEADING);
+    return height;
+}
+
+static void line_put(const struct pen *p, const char *text, size_t length, const char *font)
+{
+    fputs("set label ", p->script);
+    gnuplot_text_part(p->script, text, length);
+    fprintf(p->script, " at screen %.6g,%.6g left font '%s' front\n", (double)SIDE / PICTURE_WIDTH,
+            1 - p->y / p->sheet.height, font);
 }
 
 /* Draws the page, and prepares gnuplot for the next one. */
@@ -192,96 +167,30 @@ static void page_begin(struct pen *p)
     char head[160];
     page_end(p);
     snprintf(head, sizeof head, "%.120s%spage %d", p->title ? p->title : "", p->title ? ", " : "", p->page);
-    text_put(p, SIDE, "left", SIZE, false, head, strlen(head));
+    line_put(p, head, strlen(head), LETTERS);
     p->y += LINE + SPACE;
-}
-
-/* Returns true if something of this height does not fit on the page. */
-static bool is_full(const struct pen *p, double height)
-{
-    return p->y + height > p->bottom;
-}
-
-static void row_draw(struct pen *p, const struct table *t, const char *line, bool is_head, double letter)
-{
-    struct cell_text cell;
-    double right = SIDE;
-    for (int k = 0; *line; k++) {
-        const double wide = letter * (t->width[k] + (k > 0 || t->has_blanks ? 2 : 0));
-        right += wide;
-        line = cell_read(line, &cell);
-        text_put(p, right - (t->has_blanks ? letter : 0), "right", SIZE, is_head || cell.is_bold, cell.text,
-                 strlen(cell.text));
-        if (t->has_blanks)
-            box_put(p, right, wide);
-    }
-    p->y += t->has_blanks ? ROW_HIGH : ROW;
-}
-
-static const char *table_draw(struct pen *p, const char *line)
-{
-    const struct table t = table_read(line);
-    double letters = 0;
-    for (int k = 0; k < t.columns; k++)
-        letters += t.width[k] + 2;
-    const double letter = t.has_blanks ? ACROSS / letters : fmin(0.87 * SIZE, ACROSS / letters);
-    p->y += SPACE;
-    for (; line != t.end; line = line_after(line)) {
-        if (is_full(p, ROW_HIGH) && p->script) {
-            page_begin(p);
-            if (line != t.head)
-                row_draw(p, &t, t.head, true, letter);
-        }
-        row_draw(p, &t, line, line == t.head, letter);
-    }
-    p->y += SPACE;
-    return t.end;
-}
-
-static const char *text_draw(struct pen *p, const char *line)
-{
-    const bool is_heading = *line == '#';
-    p->y += is_heading ? SPACE : 0;
-    for (const char *text = is_heading ? line + 2 : line; *text;) {
-        const size_t n = line_break(text, LETTERS);
-        if (is_full(p, LINE) && p->script)
-            page_begin(p);
-        text_put(p, SIDE, "left", is_heading ? SIZE + 2 : SIZE, is_heading, text, n);
-        p->y += is_heading ? LINE + 3 : LINE;
-        text += n + (text[n] == ' ');
-    }
-    return line_after(line);
-}
-
-static const char *block_draw(struct pen *p, const char *line)
-{
-    return *line == '|' ? table_draw(p, line) : text_draw(p, line);
-}
-
-/* Returns the height of the part of the document that begins here. It ends before the next heading. */
-static double part_height(const char *line, const char **end)
-{
-    struct pen pen = {.script = NULL};
-    do
-        line = block_draw(&pen, line);
-    while (*line && *line != '#' && *line != '\f');
-    *end = line;
-    return pen.y;
 }
 
 static void document_draw(struct pen *p, const char *line)
 {
-    const char *end;
-    while (*line)
+    const char *head = NULL; /* the head of the current table, which each page repeats */
+    for (; *line; line = strchr(line, '\n') + 1) {
         if (*line == '\f') {
             page_begin(p);
-            line = line_after(line);
-        } else {
-            /* A long part may begin on the lower half of a page. */
-            if (*line == '#' && is_full(p, fmin(part_height(line, &end), PAGE / 2.0)))
-                page_begin(p);
-            line = block_draw(p, line);
+            continue;
         }
+        head = *line == TABLE_HEAD ? line : *line == HEADING ? NULL : head;
+        const char *end = line;
+        /* A long part may begin on the lower half of a page. */
+        const double height = *line == HEADING ? fmin(part_height(&end), PAGE / 2.0) : line_height(line);
+        const bool is_full = p->y + height > p->bottom;
+        if (is_full)
+            page_begin(p);
+        for (const char *next = is_full && head ? head : line; next; next = next == line ? NULL : line) {
+            p->y += line_height(next);
+            line_put(p, next + 1, strcspn(next + 1, "\n"), *next == OTHER ? LETTERS : "monospace:Bold,12");
+        }
+    }
     page_end(p);
 }
 
@@ -303,8 +212,8 @@ static struct pen pen_first(const char *title, const struct stage *stage, const 
     struct pen p = pen_with(title, stage, DRAWING_MOST);
     const double drawing = p.sheet.height - p.sheet.above - p.sheet.below;
     double excess = p.y - (PAGE - SIDE), shrink = 0;
-    for (; *line && *line != '\f';) {
-        excess += part_height(line, &line);
+    while (*line && *line != '\f') {
+        excess += part_height(&line);
         shrink = excess > 0 && drawing - excess >= DRAWING_LEAST ? excess : shrink;
     }
     if (is_cut && shrink > 0)
@@ -319,20 +228,30 @@ static struct pen pen_first(const char *title, const struct stage *stage, const 
 bool paper_draw(const struct paper *paper, const char *title, const struct stage *stage,
                 const struct answer *a, const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    const struct extension *extension = extension_of(a->path);
-    const bool is_cut = strcmp(extension->terminal, "pdfcairo") == 0;
-    struct pen p = pen_first(title, stage, paper->text, is_cut);
-    struct picture picture;
-    char terminal[TERMINAL_TEXT];
-    sheet_terminal(&p.sheet, extension->terminal, true, terminal);
-    if (!picture_begin(&picture, a, terminal, interrupt, problem))
-        return false;
-    p.script = picture.script;
-    if (title) {
-        struct pen top = p;
-        top.y = SIDE;
-        text_put(&top, SIDE, "left", 18, true, title, strlen(title));
+    enum { A4_WIDE = 21 /* cm */ };
+    const bool is_cut = strcmp(extension_of(a->path)->terminal, "pdfcairo") == 0;
+    char *text = NULL;
+    size_t size;
+    FILE *lines = io_memory(&text, &size);
+    if (lines)
+        layout_write(paper, true, lines);
+    if (!lines || fclose(lines) != 0 || !text) {
+        free(text);
+        return problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY));
     }
-    document_draw(&p, paper->text);
-    return picture_end(&picture, true, problem);
+    struct pen p = pen_first(title, stage, text, is_cut);
+    struct picture picture;
+    bool good = picture_begin(&picture, a, p.sheet.height, A4_WIDE, 0, interrupt, problem);
+    if (good) {
+        p.script = picture.script;
+        if (title) {
+            struct pen top = p;
+            top.y = SIDE;
+            line_put(&top, title, strlen(title), "sans:Bold,18");
+        }
+        document_draw(&p, text);
+        good = picture_end(&picture, true, problem);
+    }
+    free(text);
+    return good;
 }

@@ -8,8 +8,8 @@
 
 /* A document in a simple markup. The caller writes it to `out`, in lines:
  * - "# HEADING" begins a part, which stays on one page if it fits.
- * - "|CELL|CELL" is a row of a table, whose first row is its head. A cell that ends with '!' is bold on
- * paper. An empty cell has room for handwriting; a cell with a blank does not.
+ * - "|CELL|CELL" is a row of a table, whose first row is its head. An empty cell has room for handwriting; a
+ *   cell with a blank does not.
  * - "\f" begins a new page.
  * - Any other line is text, which is broken into lines that fit. */
 struct paper {
@@ -27,9 +27,9 @@ void paper_free(struct paper *paper);
 /* Writes a document as plain text. */
 void paper_write(const struct paper *paper, FILE *out);
 
-/* Draws a title (or NULL), a stage and a document into the file of the answer. A .pdf file has A4 pages, like
- * the .pdf file that a .gp script draws. Other pictures have one long page. On failure, sets *problem and
- * returns false. */
+/* Draws a title (or NULL), a stage and the text of a document into the file of the answer. A .pdf file has A4
+ * pages, like the .pdf file that a .gp script draws. Other pictures have one long page. On failure, sets
+ * *problem and returns false. */
 bool paper_draw(const struct paper *paper, const char *title, const struct stage *stage,
                 const struct answer *a, const volatile sig_atomic_t *interrupt, struct problem *problem);
 

@@ -19,22 +19,10 @@
 
 /* ---- The program gnuplot ---- */
 
-/* Searches the directories in PATH. */
-static bool is_installed(void)
-{
-    const char *folder = getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin";
-    char path[4096];
-    for (size_t n; folder; folder = folder[n] ? folder + n + 1 : NULL) {
-        n = strcspn(folder, ":");
-        snprintf(path, sizeof path, "%.*s/gnuplot", n ? (int)n : 1, n ? folder : ".");
-        if (access(path, X_OK) == 0)
-            return true;
-    }
-    return false;
-}
+enum { NOT_FOUND = 127 }; /* the exit status of a child that finds no gnuplot */
 
-/* Waits for gnuplot and kills it after an interrupt. Returns true if it was successful. */
-static bool gnuplot_wait(pid_t child, const volatile sig_atomic_t *interrupt)
+/* Waits for gnuplot and kills it after an interrupt. Returns its exit status, or -1 if it was killed. */
+static int gnuplot_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 {
     const struct timespec moment = {.tv_nsec = 5000000};
     int status = 0;
@@ -44,7 +32,7 @@ static bool gnuplot_wait(pid_t child, const volatile sig_atomic_t *interrupt)
             kill(-child, SIGKILL); /* ^C does not reach the program's process group */
         nanosleep(&moment, NULL);
     }
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 /* Makes the child process run gnuplot. */
@@ -60,23 +48,28 @@ static void gnuplot_become(pid_t parent, const int file[3])
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
     if (getppid() != parent)
-        _exit(127);
+        _exit(1);
     for (int i = 0; i < 3; i++)
         dup2(file[i], i);
     execvp(argv[0], argv);
-    dprintf(STDERR_FILENO, "%s\n", strerror(errno));
-    _exit(127);
+    const int error = errno;
+    dprintf(STDERR_FILENO, "%s\n", strerror(error));
+    _exit(error == ENOENT ? NOT_FOUND : 1);
 }
 
-/* Reports the first line of text that gnuplot wrote to standard error. */
-static bool gnuplot_failed(FILE *errors, struct problem *problem)
+/* Reports why gnuplot drew nothing: it is not there, or the first line that it wrote to standard error. */
+static void gnuplot_failed(int status, FILE *errors, struct problem *problem)
 {
     char line[256] = "";
     rewind(errors);
     while (fgets(line, sizeof line, errors) && strspn(line, " \t\n^") == strlen(line))
         ;
     line[strcspn(line, "\n")] = '\0';
-    return problem_error(problem, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
+    if (status == NOT_FOUND)
+        problem_error(problem, "pictures need gnuplot, which is not installed; run 'apt install "
+                               "gnuplot-nox', or enter 'set output csv' for the data");
+    else
+        problem_error(problem, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
 }
 
 /* Opens a temporary file, which is deleted when it is closed. */
@@ -105,22 +98,15 @@ static bool gnuplot_run(FILE *in, FILE *out, const volatile sig_atomic_t *interr
     pid_t child = fork();
     if (child == 0)
         gnuplot_become(parent, file);
-    bool done = child > 0 && gnuplot_wait(child, interrupt);
+    const int status = child > 0 ? gnuplot_wait(child, interrupt) : -1;
     if (child < 0)
         problem_error(problem, "cannot run gnuplot: %s", strerror(errno));
-    else if (!done && dom_raised(interrupt))
+    else if (status != 0 && dom_raised(interrupt))
         problem_error(problem, "%s", dom_status_text(DOM_INTERRUPTED));
-    else if (!done)
-        gnuplot_failed(errors, problem);
+    else if (status != 0)
+        gnuplot_failed(status, errors, problem);
     fclose(errors);
-    return done;
-}
-
-bool gnuplot_ready(struct problem *problem)
-{
-    return is_installed() ||
-           problem_error(problem, "pictures need gnuplot, which is not installed; run 'apt install "
-                                  "gnuplot-nox', or enter 'set output csv' for the data");
+    return status == 0;
 }
 
 /* ---- Scripts ---- */
@@ -174,18 +160,47 @@ static bool is_script(const struct answer *a)
     return extension_of(a->path)->is_script;
 }
 
-bool picture_begin(struct picture *p, const struct answer *a, const char *terminal,
+bool picture_is_filed(const struct answer *a)
+{
+    return a->path && extension_of(a->path)->terminal;
+}
+
+bool picture_ready(const struct answer *a, struct problem *problem)
+{
+    return !(a->path && a->appended && extension_of(a->path)->kind >= EXTENSION_FILM) ||
+           problem_error(problem, "'%s' can hold only one picture; '>' replaces it", names_shown(a->path));
+}
+
+/* Writes the terminal setting. The font sizes differ because each terminal has its own unit. */
+static void terminal_script(const struct answer *a, double height, double wide, int delay, FILE *script)
+{
+    const char *name = extension_of(a->path)->terminal;
+    fputs("set encoding utf8\nset terminal ", script);
+    if (delay > 0)
+        fprintf(script, "gif animate delay %d loop 0 size %d,%.0f font 'sans,14' fontscale 0.72 optimize",
+                delay, PICTURE_WIDTH, height);
+    else if (strcmp(name, "pdfcairo") == 0)
+        fprintf(script, "pdfcairo size %.3fcm,%.3fcm font 'sans,14' fontscale %.3g", wide,
+                wide * height / PICTURE_WIDTH, 0.51 * wide / 16);
+    else if (strcmp(name, "pngcairo") == 0)
+        fprintf(script, "pngcairo size %d,%.0f font 'sans,14' fontscale 1.44 linewidth 2 pointscale 2",
+                2 * PICTURE_WIDTH, 2 * height);
+    else
+        fprintf(script, "svg size %d,%.0f dynamic font 'sans,14' background rgb 'white'", PICTURE_WIDTH,
+                height);
+    fputs(" noenhanced\n", script);
+}
+
+bool picture_begin(struct picture *p, const struct answer *a, double height, double wide, int delay,
                    const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    if (!is_script(a) && !gnuplot_ready(problem))
-        return false;
     *p = (struct picture){
         .script = is_script(a) ? a->out : temporary_open(problem), .answer = a, .interrupt = interrupt};
     if (!p->script)
         return false;
     if (is_script(a))
         script_head(a);
-    fprintf(p->script, "set encoding utf8\nset terminal %s\n", terminal);
+    terminal_script(a, height, wide, delay, p->script);
     return true;
 }
 

@@ -13,18 +13,21 @@ struct picture {
     const volatile sig_atomic_t *interrupt;
 };
 
+/* The size of a picture in dots, unless it has another height; and the width of a text in it, in
+ * characters. */
+enum { PICTURE_WIDTH = 640, PICTURE_HEIGHT = 480, CAPTION_COLUMNS = 76 };
+
+/* Returns true if the answer goes to a picture file, such as .png. */
+bool picture_is_filed(const struct answer *a);
+
 /* Returns true if a picture can be drawn to the destination of the answer. */
 bool picture_ready(const struct answer *a, struct problem *problem);
 
-/* Returns true if gnuplot is installed. */
-bool gnuplot_ready(struct problem *problem);
-
-enum { TERMINAL_TEXT = 256 };
-
-/* Begins a picture in the file of an answer, with a gnuplot terminal setting. If the file is a .gp script,
- * the picture is only this script, which draws a .pdf file of the same name. */
-bool picture_begin(struct picture *picture, const struct answer *answer, const char *terminal,
-                   const volatile sig_atomic_t *interrupt, struct problem *problem);
+/* Begins a picture of this height in the file of an answer; a .pdf file is `wide` cm wide. If the file is a
+ * .gp script, the picture is only this script, which draws a .pdf file of the same name. For a film, `delay`
+ * is the time between two frames in hundredths of a second, otherwise 0. */
+bool picture_begin(struct picture *picture, const struct answer *answer, double height, double wide,
+                   int delay, const volatile sig_atomic_t *interrupt, struct problem *problem);
 
 /* Writes the first `length` bytes of a text as a gnuplot string. Every text in a script must go through this
  * function: gnuplot runs commands between backticks, but not in single quotes. Each '\n' begins a new line of

@@ -34,52 +34,25 @@ void drawn_corners(struct drawn *k)
 /* The right half of a silhouette, from the ground up. The axis of the silhouette is at x = 0. x is a fraction
  * of the width of the silhouette, and y is a fraction of its height. */
 enum { SILHOUETTE = 8 };
-typedef struct point silhouette[SILHOUETTE];
-
-/* Returns the silhouette of a tower or a person, or NULL for a domino. */
-static const struct point *silhouette_of(const struct drawn *k)
-{
-    static const silhouette tower = {{0.5, 0},     {0.5, 0.38},  {0.4, 0.39}, {0.4, 0.66},
-                                     {0.26, 0.68}, {0.26, 0.87}, {0.06, 0.9}, {0, 1}},
-                            person = {{0.3, 0},     {0.34, 0.45}, {0.5, 0.47},  {0.46, 0.8},
-                                      {0.14, 0.84}, {0.26, 0.88}, {0.24, 0.97}, {0, 1}};
-    return k->number == NUMBER_TOWER ? tower : k->number == NUMBER_PERSON ? person : NULL;
-}
 _Static_assert(2 * SILHOUETTE - 1 <= OUTLINE, "OUTLINE is too small for a silhouette");
-
-static int silhouette_outline(const struct drawn *k, const struct point *half, struct point outline[OUTLINE])
-{
-    const struct point up = direction(k->theta), middle = along(k->corner[0], -k->thickness / 2, up.y, -up.x);
-    int n = 0;
-    for (int i = 1 - SILHOUETTE; i < SILHOUETTE; i++) {
-        const struct point *of = &half[SILHOUETTE - 1 - abs(i)];
-        const struct point axis = along(middle, of->y * k->height, up.x, up.y);
-        outline[n++] = along(axis, (i < 0 ? of->x : -of->x) * k->thickness, up.y, -up.x);
-    }
-    return n;
-}
-
-bool drawn_covers(const struct drawn *k, double up, double back)
-{
-    const struct point *half = silhouette_of(k);
-    int i = 1;
-    if (!half)
-        return true;
-    while (i < SILHOUETTE - 1 && up > half[i].y)
-        i++;
-    double part = (up - half[i - 1].y) / (half[i].y - half[i - 1].y);
-    return fabs(back - 0.5) <= half[i - 1].x + part * (half[i].x - half[i - 1].x);
-}
 
 int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
 {
-    const struct point *half = silhouette_of(k);
-    if (half)
-        return silhouette_outline(k, half, outline);
-    struct point up = direction(k->theta);
+    static const struct point tower[SILHOUETTE] = {{0.5, 0},     {0.5, 0.38},  {0.4, 0.39}, {0.4, 0.66},
+                                                   {0.26, 0.68}, {0.26, 0.87}, {0.06, 0.9}, {0, 1}},
+                              person[SILHOUETTE] = {{0.3, 0},     {0.34, 0.45}, {0.5, 0.47},  {0.46, 0.8},
+                                                    {0.14, 0.84}, {0.26, 0.88}, {0.24, 0.97}, {0, 1}};
+    const struct point *half = k->number == NUMBER_PERSON ? person : tower, up = direction(k->theta);
+    int n = 0;
+    for (int i = 1 - SILHOUETTE; k->number <= NUMBER_TOWER && i < SILHOUETTE; i++) {
+        const struct point *of = &half[SILHOUETTE - 1 - abs(i)];
+        const struct point axis = along(k->corner[0], of->y * k->height, up.x, up.y);
+        outline[n++] = along(axis, (0.5 + (i < 0 ? -of->x : of->x)) * k->thickness, -up.y, up.x);
+    }
+    if (n > 0)
+        return n;
     /* At each corner, the outline turns from one of these directions to the next. */
     const struct point side[] = {{-up.x, -up.y}, {up.y, -up.x}, {up.x, up.y}, {-up.y, up.x}};
-    int n = 0;
     for (int i = 0; i < CORNERS; i++) {
         if (!(k->radius > 0) || i == CORNERS - 1) {
             outline[n++] = k->corner[i];

@@ -61,19 +61,9 @@ struct stage {
     /* The unit of all lengths. For a train, it is "h". For a row, the pointer is NULL: lengths are in m, and
      * the ruler shows them in mm, cm or m. */
     const char *unit;
-    const char *ruler; /* what the ruler measures */
-    /* the dominoes whose sizes are written where there is room; may be NULL */
-    const struct domq_domino *row;
+    const char *ruler;     /* what the ruler measures */
     bool forces;           /* the picture shows the forces that are known */
     char caption[CAPTION]; /* caption of one or more lines */
-};
-
-/* The words with which a caption explains how a picture marks dominoes. */
-struct marks {
-    const char *theta, *weakest, *ends;
-    const char *contacts; /* explains the marks at contacts in a picture of a train */
-    /* explains the arrows for forces, or NULL if the caption lists the forces instead */
-    const char *forces;
 };
 
 /* Returns the point at a given distance from a point in the direction (x, y). */
@@ -87,11 +77,6 @@ void drawn_corners(struct drawn *domino);
 
 /* Writes the points of the outline of a domino. Returns the number of points. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
-
-/* Returns true if a given point in the rectangle of a domino is covered. A domino covers its whole rectangle,
- * but a silhouette that is drawn in its place does not. The point is at the distance `up` from the base, as a
- * fraction of the height, and at the distance `back` from the front, as a fraction of the thickness. */
-bool drawn_covers(const struct drawn *domino, double up, double back);
 
 /* Stores the label of a domino: its number, "next", "tower", "person" or "". Returns the label's length. */
 enum { DRAWN_NAME = 16 };
@@ -132,12 +117,7 @@ struct axis_unit stage_unit(const struct stage *stage, double across);
 bool stage_show(const struct stage *stage, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 
-/* Returns the words that explain a picture's marks. Text and gnuplot pictures have different marks. */
-struct marks picture_marks(const struct answer *a);
-
 /* ---- In characters ---- */
-
-struct marks text_marks(struct display display);
 
 /* Draws a stage with its caption in at most `width` columns and `height` rows. Returns false if memory runs
  * out. */
@@ -145,19 +125,14 @@ bool stage_text(const struct stage *stage, struct display display, int width, in
 
 /* ---- By gnuplot ---- */
 
-enum { SHEET_WIDTH = 640, CAPTION_COLUMNS = 76 };
-
-/* The part of the stage that a picture shows, and the picture's size in dots. */
+/* The part of the stage that a picture shows, and the height of the picture in dots. */
 struct sheet {
-    double width, height, below, above; /* `below` and `above` are margins outside the axes */
-    double head, indent;                /* the space above the caption, and the space to its left */
-    /* The visible part of the stage. `low` is negative, so that the labels of the dominoes fit below the
-     * ground. */
-    double left, right, low, high;
+    double height, below, above; /* `below` and `above` are margins outside the axes */
+    double head, indent;         /* the space above the caption, and the space to its left */
+    /* The visible part of the stage. Labels of the dominoes are below the ground. */
+    double left, right, high;
     double dot; /* the size of a dot, in the unit of the stage */
 };
-
-extern const struct marks script_marks;
 
 /* Returns the sheet for a stage, with a height between `least` and `most` dots. */
 struct sheet sheet_of(const struct stage *stage, double least, double most);
@@ -165,10 +140,6 @@ struct sheet sheet_of(const struct stage *stage, double least, double most);
 /* Moves the sheet to another part of the stage, with position `at` near its middle. The visible height
  * becomes `tall`, which includes the strip for labels below the ground. */
 void sheet_follow(struct sheet *sheet, double at, double tall);
-
-/* Writes the gnuplot terminal setting for a sheet. `name` is the name of the terminal. A sheet that
- * `is_paper` is as wide as A4 paper. */
-void sheet_terminal(const struct sheet *sheet, const char *name, bool is_paper, char terminal[TERMINAL_TEXT]);
 
 /* Draws a dot in each colour into a frame. A gif has only the colours of its first frame, so this frame
  * must contain all colours. The last dot is white and covers the others. `shift` changes this white slightly.

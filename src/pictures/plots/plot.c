@@ -1,8 +1,171 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'plot', and the table of all plots. */
+/* The command 'plot', which makes the chart of a plot from its rows. */
 #include "interpreter/feature.h"
 #include "pictures/plots/plots.h"
+#include <stdlib.h>
 #include <string.h>
+
+/* ---- The rows as numbers ---- */
+
+static void keys_keep(struct plot_rows *rows, const struct answer *a)
+{
+    for (int i = 0; a->columns[i].key; i++) {
+        const struct column *c = &a->columns[i];
+        const bool angle = column_is_angle(c);
+        snprintf(rows->key[i], sizeof rows->key[i], "%s", c->key);
+        snprintf(rows->unit[i], sizeof rows->unit[i], "%s%s", angle ? style_angle_unit(&a->style) : "",
+                 c->unit + (angle ? strlen("rad") : 0));
+    }
+}
+
+static bool rows_grow(struct plot_rows *rows, size_t room)
+{
+    struct plot_row *more = realloc(rows->row, room * sizeof *more);
+    rows->failed = rows->failed || !more;
+    if (!more)
+        return false;
+    rows->row = more;
+    rows->room = room;
+    return true;
+}
+
+void plot_rows_by_point(struct plot_rows *rows, size_t points)
+{
+    rows->is_by_point = true;
+    rows->count = rows_grow(rows, points) ? points : 0;
+    for (size_t k = 0; k < rows->count; k++)
+        for (int i = 0; i < ANSWER_COLUMNS; i++)
+            rows->row[k].number[i] = (double)NAN;
+}
+
+/* A callback that receives the rows of a plot, instead of the output format. The points of a sweep are
+ * computed in several threads. They write to different elements of rows->row, and only point 0 writes the
+ * keys. */
+static void row_keep(struct answer *a, const struct cell *cells, const char *reason)
+{
+    (void)reason;
+    struct plot_rows *rows = a->sink.context;
+    const size_t at = rows->is_by_point ? a->sink.point : rows->count;
+    char text[CELL_TEXT];
+    if (rows->is_by_point ? at >= rows->count : at == rows->room && !rows_grow(rows, 2 * at + 64))
+        return;
+    if (at == 0)
+        keys_keep(rows, a);
+    struct plot_row *row = &rows->row[at];
+    *row = (struct plot_row){.word = ""};
+    for (int i = 0; a->columns[i].key; i++) {
+        const bool number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
+        const domq_real value =
+            column_is_angle(&a->columns[i]) ? style_angle(&a->style, cells[i].number) : cells[i].number;
+        row->number[i] = number ? (double)value : (double)NAN;
+    }
+    if (cells[0].kind != CELL_NONE)
+        snprintf(row->word, sizeof row->word, "%s", cell_plain(&a->style, cells[0], text));
+    rows->count += !rows->is_by_point;
+}
+
+int plot_column(const struct plot_rows *rows, const char *key)
+{
+    for (int i = 0; key && i < ANSWER_COLUMNS && *rows->key[i]; i++)
+        if (strcmp(rows->key[i], key) == 0)
+            return i;
+    return -1;
+}
+
+/* Runs a plot and collects its rows. */
+static bool rows_read(const struct plot *plot, const struct query *query, const struct answer *a,
+                      struct chart *chart, struct problem *problem, struct plot_rows *rows)
+{
+    struct answer answer = *a;
+    answer.sink.take = row_keep;
+    answer.sink.context = rows;
+    return plot->run(query, &answer, chart, problem) &&
+           (!rows->failed || problem_status(problem, query->scene, DOM_NO_MEMORY));
+}
+
+/* ---- Axes and curves ---- */
+
+/* Chooses a unit that suits the largest number of an axis. Returns this unit as a multiple of the column's
+ * own unit. Writes the label of the axis, unless the plot has already written it. */
+static double axis_label(struct chart_axis *to, const struct plot_axis *axis, const struct answer *a,
+                         double largest)
+{
+    const struct column *c = a->columns;
+    while (axis->key && c->key && strcmp(c->key, axis->key) != 0)
+        c++;
+    const char *unit = axis->key && c->key ? c->unit : "", *over = "";
+    double size = 1;
+    if (axis->percent || strcmp(unit, "m") == 0) {
+        struct axis_unit chosen = axis->percent ? (struct axis_unit){"%", 0.01} : measure_axis(largest);
+        unit = chosen.name;
+        size = chosen.size;
+    } else if (*unit && column_is_angle(c)) { /* the numbers are already in the session's unit of angles */
+        over = unit + strlen("rad");
+        unit = style_angle_unit(&a->style);
+    }
+    if (!*to->label)
+        snprintf(to->label, sizeof to->label, "%s%s%s%s", axis->label, *unit ? " in " : "", unit, over);
+    return size;
+}
+
+/* Adds the points of the rows to the curves that the table of the plot defines. */
+static void curves_fill(const struct plot *plot, const struct plot_rows *rows, struct chart *chart)
+{
+    for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
+        const struct plot_curve *from = &plot->curve[k];
+        bool ranges = from->kind == CHART_RANGES || from->kind == CHART_BOTH;
+        int x = plot_column(rows, plot->x.key), y = plot_column(rows, from->key);
+        int low = ranges ? plot_column(rows, "low") : -1, high = ranges ? plot_column(rows, "high") : -1;
+        for (size_t i = 0; i < rows->count && (y >= 0 || ranges); i++) {
+            const double *n = rows->row[i].number;
+            if (from->series == 0 || n[0] == from->series - 1)
+                chart_range(chart, &chart->curve[k], n[x], y < 0 ? (double)NAN : n[y],
+                            low < 0 ? (double)NAN : n[low], high < 0 ? (double)NAN : n[high]);
+        }
+    }
+}
+
+static void chart_finish(const struct plot *plot, const struct answer *a, struct chart *chart)
+{
+    double x = 0, y = 0;
+    for (int k = 0; k < chart->curves; k++)
+        for (size_t i = 0; i < chart->curve[k].count; i++) {
+            const struct chart_point *p = &chart->curve[k].point[i];
+            x = fmax(x, isfinite(p->x) ? p->x : 0);
+            y = fmax(fmax(y, p->y), p->high);
+        }
+    chart->x.unit = axis_label(&chart->x, &plot->x, a, x);
+    chart->y.unit = axis_label(&chart->y, &plot->y, a, y);
+}
+
+bool plot_write(const struct plot *plot, const struct query *query, struct answer *a, struct problem *problem)
+{
+    if (!answer_for_people(a))
+        return plot->run(query, a, NULL, problem);
+    if (!picture_ready(a, problem))
+        return false;
+    struct plot_rows rows = {.count = 0};
+    struct chart chart = chart_make();
+    snprintf(chart.title, sizeof chart.title, "%s", plot->title);
+    for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
+        const struct plot_curve *c = &plot->curve[k];
+        chart_curve(&chart, c->kind, c->ink, c->dash, "%s", c->title);
+    }
+    bool done = rows_read(plot, query, a, &chart, problem, &rows);
+    if (done && plot->draw) {
+        done = plot->draw(query, &rows, &chart, problem);
+    } else if (done && plot->x.key) {
+        curves_fill(plot, &rows, &chart);
+        chart_finish(plot, a, &chart);
+    }
+    free(rows.row);
+    if (done)
+        return chart_show(&chart, a, query->scene->compute.interrupt, problem);
+    chart_free(&chart);
+    return false;
+}
+
+/* ---- The command ---- */
 
 /* Returns plot number k of all features, counted from 0, or NULL if there are no more. */
 static const struct plot *plot_at(int k)
@@ -33,88 +196,33 @@ static const struct column *plot_columns(int k, const char **name, const char **
     return plot->columns;
 }
 
-/* The parsed text after the name of a plot. */
-struct plot_parsed {
-    struct options_parsed look;
-    bool has_argument;
-    void *argument; /* the result of plot->argument->parse, or NULL */
-};
-
-/* A struct plot_parsed after binding. The question of a fit is not bound yet; plot_fit binds it. */
-struct plot_given {
-    struct chart_look look;
-    bool has_argument;
-    void *argument;
-};
-
-static bool argument_parse(struct reader *r, const struct plot *plot, struct question *q)
-{
-    if (!plot->argument)
-        return problem_error(r->problem, "'plot %s' takes no arguments", plot->name);
-    if (plot->argument->parse)
-        return plot->argument->parse(r, q);
-    switch (plot->argument->kind) {
-    case ARGUMENT_CHOICE:
-        return item_parse_choice(r, plot->argument, &q->item[1]);
-    default:
-        r->last = false; /* keywords for the look of the chart may follow */
-        return item_parse(r, plot->argument, &q->item[1]);
-    }
-}
-
-/* Parses the text after the name of a plot. Keywords may stand before or after the plot's argument. There is
- * one exception: if the argument is a grid or a fit, it extends to the end of the command, so keywords must
- * stand before it. */
+/* The argument of the plot is parsed and bound as that of a command. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = plot_at((int)q->item[0].number);
-    struct plot_parsed *p = reader_memory(r, sizeof *p);
-    if (!p || !options_parse(r, &look_options, &p->look))
+    const struct argument *argument = plot->argument;
+    if (!argument)
+        return problem_error(r->problem, "'plot %s' takes no arguments", plot->name);
+    if (!(argument->parse                     ? argument->parse(r, q)
+          : argument->kind == ARGUMENT_CHOICE ? item_parse_choice(r, argument, &q->item[1])
+                                              : item_parse(r, argument, &q->item[1])))
         return false;
-    reader_place(r, r->at);
-    p->has_argument = !reader_ends(r);
-    if (p->has_argument && !argument_parse(r, plot, q))
-        return false;
-    p->argument = q->parsed;
-    q->parsed = p;
-    return options_parse(r, &look_options, &p->look) &&
-           (reader_ends(r) || problem_error(r->problem, "'%.20s' is one argument too many", r->at));
+    return reader_ends(r) || problem_error(r->problem, "'%.20s' is one argument too many", r->at);
 }
 
 static bool more_bind(const struct question *q, const struct query *query, struct arguments *given,
                       struct problem *problem)
 {
-    const struct plot_parsed *p = q->parsed;
-    const struct argument *kind = plot_at((int)q->item[0].number)->argument;
-    const bool is_bound = p->argument && kind->bind;
-    struct question inner = *q;
-    inner.parsed = p->argument;
-    if (is_bound && !kind->bind(&inner, query, given, problem))
-        return false;
-    void *argument = is_bound ? given->bound : p->argument;
-    struct plot_given *g = arguments_take(given, sizeof *g, query, problem);
-    if (!g)
-        return false;
-    g->has_argument = p->has_argument;
-    g->argument = argument;
-    struct options look = {.has = {false}};
-    return options_bind(&p->look, q->text, query, &look, problem) && look_make(&look, &g->look, problem);
+    const struct plot *plot = plot_at((int)q->item[0].number);
+    return !plot->argument->bind || plot->argument->bind(q, query, given, problem);
 }
 
 static bool run_plot(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct plot *plot = plot_at((int)query->given->number[0]);
-    const struct plot_given *more = query->given->count > 1 ? query->given->bound : NULL;
-    const struct chart_look usual = {.title = NULL};
-    /* The plot sees only its own argument. */
-    struct arguments given = *query->given;
-    struct query plot_query = *query;
-    given.count = more && more->has_argument ? 2 : 1;
-    given.bound = more ? more->argument : NULL;
-    plot_query.given = &given;
     a->columns = plot->columns;
     a->style.errors = 0; /* a picture shows no errors */
-    return plot_write(plot, more ? &more->look : &usual, &plot_query, a, problem);
+    return plot_write(plot, query, a, problem);
 }
 
 /* Each plot has its own columns. */
@@ -129,23 +237,14 @@ const struct command plot_commands[] = {
      .summary = "a chart of the row, of limits, of a cycle, or of any sweep",
      .help =
          "The picture appears in the terminal. 'plot fall > fall.svg' makes a file with gnuplot: "
-         ".svg, .png, .pdf, or .tex for \\input in a document with \\usepackage{gnuplot-lua-tikz}. The "
-         "extensions .csv and .json give the data, and .gp gives gnuplot's script with the data, for you to "
-         "change.\n\n"
-         "'plot growth title \"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look. 'title', 'xlabel' "
-         "and 'ylabel' take a text. 'xrange' and 'yrange' take the two ends of an axis, in the unit that its "
-         "label names. 'xscale' and 'yscale' take 'log' or 'linear', and 'legend' takes 'below', 'right' or "
-         "'off'.\n\n"
-         "For a file, 'width' and 'height' take 6 to 30 cm (the unit may be left out), 'font' takes "
-         "points, and 'family' takes "
-         "the name of a font.\n\n"
-         "These words can come in any order. They must come before an argument "
-         "that goes to the end of the line, such as a grid.",
+         ".svg, .png or .pdf. The extensions .csv and .json give the data. The extension .gp gives gnuplot's "
+         "script with the data, for you to change: its title, the ranges and scales of its axes, its size "
+         "and its fonts.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve fit draw",
      .sweep.refusal = "it draws",
-     .writes = WRITES_CHARTS,
+     .writes = WRITES_PICTURES,
      .rows = true,
      .columns = no_columns,
      .parts = plot_columns,

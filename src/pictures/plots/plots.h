@@ -8,7 +8,7 @@
 #ifndef SHELL_PLOTS_H
 #define SHELL_PLOTS_H
 
-#include "pictures/options.h"
+#include "interpreter/question.h"
 #include "pictures/picture/chart.h"
 
 /* Computes the rows of a plot and writes them to the answer `a`. For csv and json, nothing else is needed,
@@ -80,13 +80,9 @@ struct plot {
         key, unit, meaning, width                                                                            \
     }
 
-/* Writes the rows of a plot as csv or json, or draws them with the look that the user chose. */
-bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
-                struct answer *a, struct problem *problem);
-
-/* The words for the look of a chart, such as 'title' and 'width'. */
-extern const struct option_list look_options;
-bool look_make(const struct options *options, struct chart_look *look, struct problem *problem);
+/* Writes the rows of a plot as csv or json, or draws them. */
+bool plot_write(const struct plot *plot, const struct query *query, struct answer *a,
+                struct problem *problem);
 
 /* Draws the answer of the command 'sweep', for output to a picture file. */
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);

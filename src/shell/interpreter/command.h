@@ -149,7 +149,6 @@ struct command {
     enum {
         WRITES_DATA,
         WRITES_PICTURES, /* in csv and json: the data of a picture */
-        WRITES_CHARTS,   /* pictures that can also be written to a .tex file */
         WRITES_FILMS,
         WRITES_DOCUMENTS, /* text that can also be written to a .tex file */
         WRITES_PAGES,     /* text that has data in csv and json, although it has no columns */

@@ -167,7 +167,6 @@ struct question {
     const struct assignment *with; /* the assignments after 'with', or NULL */
     bool details;                  /* the command ends with the word 'details' */
     const struct text *text;
-    const char *file; /* the file for the answer, if it was typed without '>'; otherwise NULL */
     const char *name; /* the text from question_name, for messages and headings */
 };
 

@@ -46,7 +46,7 @@ static void train_note(const struct session *session, struct answer *answer)
 /* Returns true if the answer of the command is always a picture. */
 static bool is_picture(const struct command *c)
 {
-    return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS || c->writes == WRITES_FILMS;
+    return c->writes == WRITES_PICTURES || c->writes == WRITES_FILMS;
 }
 
 /* Returns true if the terminal is large enough for a picture. Otherwise reports a problem. */
@@ -198,11 +198,10 @@ static bool run_command(struct session *session, const struct command *c, const 
 /* Lists the extensions of the files that a command can write, for messages. */
 static const char *endings_of(const struct command *c)
 {
-    return c->writes == WRITES_DOCUMENTS ? ".tex or .txt (for the data: .csv or .json)"
-           : c->writes == WRITES_CHARTS  ? ".svg, .png, .pdf, .tex, .gp or .txt (for the data: .csv or .json)"
+    return c->writes == WRITES_DOCUMENTS  ? ".tex or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_FILMS    ? ".gif (for the data: .csv or .json)"
-           : feature_picture(c) ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf, .tex or .gp)"
+           : feature_picture(c)           ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf or .gp)"
            : c->columns || c->access.runs ? ".csv, .json or .txt"
                                           : ".txt";
 }
@@ -210,7 +209,7 @@ static const char *endings_of(const struct command *c)
 static bool extension_fits(const struct command *c, const char *path, struct problem *problem)
 {
     const struct extension *extension = extension_of(path);
-    const bool charts = c->writes == WRITES_CHARTS || feature_picture(c), draws = charts || is_picture(c);
+    const bool draws = is_picture(c) || feature_picture(c);
     bool fits = true;
     if (extension->kind == EXTENSION_OTHER)
         return problem_error(problem, "the file extension of '%s' is unknown; use %s", names_shown(path),
@@ -221,9 +220,7 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
     else if (extension->kind == EXTENSION_DATA)
         fits = c->columns || c->access.runs || c->writes == WRITES_PAGES;
     else if (extension->kind == EXTENSION_SHEET)
-        fits = c->writes == WRITES_DOCUMENTS
-                   ? extension->is_document
-                   : extension->terminal && draws && (charts || strcmp(extension->text, ".tex") != 0);
+        fits = c->writes == WRITES_DOCUMENTS ? extension->is_document : extension->terminal && draws;
     return fits || problem_error(problem, "'%s' is the name of a %s, which '%s' cannot write; use %s%s",
                                  names_shown(path),
                                  extension->kind == EXTENSION_DATA   ? "data file"
@@ -297,26 +294,10 @@ static void redirect_hint(const struct command *c, const char *begin, struct pro
                  "; to write the answer to a file, put '>' before its name: '> %s'", names_shown(path));
 }
 
-static bool file_run(struct session *session, const struct command *c, const struct query *query,
-                     const char *path, bool appends, struct problem *problem)
-{
-    if (session->run_context.safe)
-        return problem_error(problem, "a safe session cannot read or write files");
-    return extension_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
-}
-
-/* `named` is the file that the command itself has named without a '>', or NULL. */
 static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
-                           const struct query *query, const char *named)
+                           const struct query *query)
 {
     struct problem *problem = r->problem;
-    if (named && *r->at == '>')
-        return problem_error(problem,
-                             "the film is written to '%s', so there is no other output to redirect; "
-                             "leave out one of the names",
-                             names_shown(named));
-    if (named)
-        return file_run(session, c, query, named, false, problem);
     bool appends = r->at[1] == '>';
     r->at = skip_blanks(r->at + (appends ? 2 : 1));
     reader_place(r, r->at);
@@ -329,7 +310,9 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
     if (!command_ends(r->at))
         return problem_error(problem,
                              "only one word can follow '>'; put a file name with blanks in double quotes");
-    return file_run(session, c, query, path, appends, problem);
+    if (session->run_context.safe)
+        return problem_error(problem, "a safe session cannot read or write files");
+    return extension_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
 }
 
 /* ---- Commands ---- */
@@ -361,15 +344,13 @@ void run_command_at(struct session *session, struct reader *line)
         const struct format *format = session_format(session);
         /* All changes that a sourced file makes are a single step for 'undo'. */
         bool is_step = c->access.changes && session->source.depth == 0;
-        /* csv and json have the data of a film, and write no file without a '>'. */
-        const char *file = format->for_people ? q.file : NULL;
-        bool is_redirected = *r.at == '>' || file;
+        bool is_redirected = *r.at == '>';
         struct state *before = is_step ? undo_begin(&session->state) : NULL;
         session->command = c->name;
         struct call call;
         bool done = question_bind(&q, &query, &call, &problem);
         if (done)
-            done = is_redirected ? run_redirected(session, &r, c, &call.query, file)
+            done = is_redirected ? run_redirected(session, &r, c, &call.query)
                                  : run_command(session, c, &call.query, &problem);
         if (done && c->writes == WRITES_SCRIPTS)
             wrote_say(session, call.given.word[0]);

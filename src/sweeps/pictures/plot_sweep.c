@@ -231,6 +231,5 @@ const struct plot sweep_plots[] = {
 
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct chart_look usual = {.title = NULL};
-    return plot_write(sweep_plots, &usual, query, a, problem);
+    return plot_write(sweep_plots, query, a, problem);
 }

@@ -64,7 +64,7 @@ static void watch_draw(struct watch *w, FILE *out)
     chart.x.low = w->from;
     chart.x.high = w->to;
     snprintf(chart.x.label, sizeof chart.x.label, "%s", w->varied->range->parameter->name);
-    (void)chart_prepare(&chart); /* an empty chart is shown if there are no points */
+    chart_prepare(&chart); /* an empty chart is shown if there are no points */
     fputs("\033[H\033[J", out);
     char answer[160];
     if (isfinite(y))
