@@ -200,7 +200,8 @@ KERNEL void flow_at(const struct geometry *geometry, real theta, real *ln_G, rea
 KERNEL bool flow_rough(const struct geometry *geometry, real hi)
 {
     struct flow_context c = {.geometry = geometry};
-    return num_linear_rough(flow_rate, &c, hi, &geometry->flow->solution) == NUM_OK;
+    geometry->flow->solution.panels = 0;
+    return num_linear_solve(flow_rate, &c, 0, hi, (real)INFINITY, &geometry->flow->solution) == NUM_OK;
 }
 
 /* If the motion stops soon after lo, a long piece would have panels that are too wide to locate the stop. So

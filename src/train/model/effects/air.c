@@ -15,9 +15,6 @@
  * are not self-similar in air.
  */
 #include "effects/effects.h"
-
-#include "dynamics/dynamics.h"
-#include "effects/choose.h"
 #include "effects/inertia.h"
 
 static dom_real air_of_domino(const struct row_request *row, size_t k)

@@ -9,8 +9,6 @@
  *     J(0) omega(0) = (J(0) - I(0)) omega_1.
  */
 #include "effects/effects.h"
-
-#include "effects/choose.h"
 #include "geometry/chain.h"
 
 KERNEL dom_real edges_of_domino(const struct row_request *row, size_t k)

@@ -8,9 +8,6 @@
  */
 #include "effects/effects.h"
 
-#include "dynamics/dynamics.h"
-#include "effects/choose.h"
-
 static enum dom_status friction_apply(struct geometry *geometry, real value)
 {
     geometry->mu = value;

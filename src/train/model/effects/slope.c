@@ -11,8 +11,6 @@
  * than on a level floor. Upright dominoes are stable only if |alpha| < atan d.
  */
 #include "effects/effects.h"
-
-#include "effects/choose.h"
 #include "geometry/chain.h"
 
 /* Switches the effect on, with alpha = value in radians. */

@@ -8,8 +8,6 @@
  * only the force of the floor changes. In a row, the factor may differ from domino to domino.
  */
 #include "effects/effects.h"
-
-#include "effects/choose.h"
 #include "effects/inertia.h"
 
 KERNEL dom_real walls_of_domino(const struct row_request *row, size_t k)

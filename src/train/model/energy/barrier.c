@@ -33,12 +33,12 @@ static real slope_of_H(real p, void *context)
     return c->status == DOM_OK ? slope : REAL_NAN;
 }
 
-/* Returns a number that has the same sign as slope_of_H(p) and takes less time to compute. */
-static real rises(real p, struct slope_context *c)
+static void barrier_keep(struct barrier *b, real p, real height)
 {
-    real slope = 0;
-    c->status = dynamics_slope(c->geometry, tilt_half(p), true, &slope);
-    return slope;
+    if (height > b->height) {
+        b->height = height;
+        b->half = p;
+    }
 }
 
 /* If H at p is higher than the barrier in *b, stores p and its height in *b. */
@@ -46,10 +46,8 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
 {
     real height = 0;
     enum dom_status status = dynamics_required(c->geometry, c->from, p, &height);
-    if (status == DOM_OK && height > b->height) {
-        b->height = height;
-        b->half = p;
-    }
+    if (status == DOM_OK)
+        barrier_keep(b, p, height);
     return status;
 }
 
@@ -122,26 +120,32 @@ struct sample {
     real p, slope;
 };
 
+/* Samples the sign of the slope at p. If H has a top between the last sample and this one, finds it. */
 static void barrier_sample(struct slope_context *c, real p, real tol, struct sample *last, struct barrier *b)
 {
+    struct sample next = {.p = p};
+    if (c->status == DOM_OK)
+        c->status = dynamics_slope(c->geometry, tilt_half(p), true, &next.slope);
     if (c->status != DOM_OK)
         return;
-    struct sample next = {p, rises(p, c)};
-    bool found = c->status == DOM_OK && last->slope > 0 && next.slope <= 0;
-    struct top top = {
-        .lo = last->p, .hi = p, .rises = true, .falls = true, .backwards = fmax(-half_of_tilt(c->from), 0)};
-    if (found && !c->geometry->conservative) {
-        enum num_status solver =
-            num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &top.p);
+    if (last->slope > 0 && next.slope <= 0 && !c->geometry->conservative) {
+        real at = p;
+        const enum num_status solver =
+            num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &at);
         c->status = model_status(c->status, solver);
-    } else if (found) {
-        found = !(last->p <= c->known && c->known <= p);
-        top.p = last->p + last->slope / (last->slope - next.slope) * (p - last->p);
-        if (found)
-            c->status = barrier_climb(c, &top, tol);
+        if (c->status == DOM_OK)
+            c->status = barrier_try(c, at, b);
+    } else if (last->slope > 0 && next.slope <= 0 && !(last->p <= c->known && c->known <= p)) {
+        struct top top = {.lo = last->p,
+                          .hi = p,
+                          .rises = true,
+                          .falls = true,
+                          .p = last->p + last->slope / (last->slope - next.slope) * (p - last->p),
+                          .backwards = fmax(-half_of_tilt(c->from), 0)};
+        c->status = barrier_climb(c, &top, tol);
+        if (c->status == DOM_OK)
+            barrier_keep(b, top.p, top.height);
     }
-    if (found && c->status == DOM_OK)
-        c->status = barrier_try(c, top.p, b);
     *last = next;
 }
 
@@ -203,7 +207,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     /* After domino 1 has detached, the head moves alone, so H increases up to theta_u. */
     if (falls && geometry->detaches && tilt_half((lo + hi) / 2).v > geometry->leave.v)
         return c->known >= lo ? DOM_OK : barrier_try(c, hi, b);
-    struct sample last = {lo, rises(lo, c)};
+    struct sample last = {.p = lo};
+    barrier_sample(c, lo, tol, &last, b);
     for (real p = geometry_finest(geometry) / 32;
          begins && p < (real)sample_place[0] * (hi - lo) && (p > lo || lo > REAL_MIN); p *= 4)
         barrier_sample(c, lo + p, tol, &last, b);
@@ -214,14 +219,6 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
         /* H increases up to the end of the piece, so the maximum may be there */
         c->status = barrier_try(c, hi, b);
     return c->status;
-}
-
-/* Finds the only top of H. `hi` is tan(theta / 2) of a tilt above this top. */
-static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
-{
-    struct top top = {.hi = hi, .p = hi / 2};
-    enum dom_status status = barrier_climb(c, &top, tol);
-    return status == DOM_OK ? barrier_try(c, top.p, b) : status;
 }
 
 /*
@@ -236,10 +233,13 @@ static enum dom_status barrier_pieces(const struct geometry *geometry, struct ti
     enum dom_status status = DOM_OK;
     bool upright = from.x == 0, begins = upright || (geometry->lean != 0 && b->edge[0] == geometry->lean);
     real end = b->edge[b->edges - 1], lo = upright ? b->edge[0] : half_of_tilt(from);
-    if (upright && barrier_single(geometry))
-        status =
-            known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), geometry_half_u(geometry)), tol, b);
-    else
+    if (upright && barrier_single(geometry)) {
+        struct top top = {.hi = fmin(tan(end / 2), geometry_half_u(geometry))};
+        top.p = top.hi / 2;
+        status = barrier_climb(&c, &top, tol);
+        if (status == DOM_OK)
+            barrier_keep(b, top.p, top.height);
+    } else
         for (int i = 1; status == DOM_OK && i < b->edges; i++) {
             real hi = tan(b->edge[i] / 2);
             status = barrier_scan(&c, lo, hi, begins && i == 1, tol, b);
@@ -295,16 +295,11 @@ KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barr
     return status;
 }
 
-/* Returns tan(theta / 2) of the last tilt at which H may increase. */
-static real half_of_highest(const struct geometry *geometry)
-{
-    return falls_above_u(geometry) ? geometry_half_u(geometry) : half_of_tilt(geometry->c);
-}
-
 KERNEL bool barrier_follow(const struct geometry *geometry, real tol, struct barrier *b)
 {
     struct slope_context c = {.geometry = geometry, .from = standing, .known = -1};
-    const real last = half_of_highest(geometry);
+    /* the last tilt at which H may increase */
+    const real last = falls_above_u(geometry) ? geometry_half_u(geometry) : half_of_tilt(geometry->c);
     struct top top = {.hi = last, .p = b->half > 0 ? fmin(b->half, last) : last / 2};
     if (barrier_climb(&c, &top, tol) != DOM_OK)
         return false;

@@ -2,7 +2,7 @@
 #ifndef DOM_BARRIER_H
 #define DOM_BARRIER_H
 
-#include "effects/choose.h"
+#include "effects/effects.h"
 #include "numerics/numerics.h"
 
 /*

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes the angles, the energies, the fuel and the launch of a train. */
-#include "effects/choose.h"
+#include "effects/effects.h"
 
 KERNEL enum dom_status angles_find(const struct request *train, struct dom_angles *angles)
 {

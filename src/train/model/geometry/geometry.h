@@ -164,7 +164,7 @@ KERNEL real geometry_finest(const struct geometry *geometry)
 }
 
 /*
- * These two functions set up the geometry of a train, except for the law of motion (effects/choose.h).
+ * These two functions set up the geometry of a train, except for the law of motion (effects/effects.h).
  * geometry_read computes everything that does not depend on the separation and the growth. geometry_set then
  * checks the separation and the growth, and sets what depends on them, such as theta_c and theta_inf. It may
  * be called again with other values. Returns DOM_OUT_OF_REACH if r s is too large.

@@ -387,7 +387,7 @@ KERNEL enum dom_status first_change(struct margin_context *c, const struct margi
     enum dom_status status = DOM_OK;
     struct root root = {.r = (real)INFINITY};
     if (s.sign > 0 && c->geometry.conservative && c->dominoes == CHAIN_ENDLESS)
-        status = root_any(c, from->r, &root);
+        status = root_any(c, from->r, 0, &root);
     if (isfinite(root.r))
         keep_root(&s, &root);
     while (status == DOM_OK && n < SAMPLES_MOST && sample[n - 1].r < fmin(root.r, reach)) {

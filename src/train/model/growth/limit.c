@@ -69,16 +69,15 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 {
     struct margin_sample first = {.r = 1};
     struct geometry geometry = c->geometry;
-    bool known = false;
     *limit = (struct limit){.ends = DOM_END_BARRIER, .open = (real)INFINITY, .dip = (real)INFINITY};
     /* A coarser kernel has already found c->near as the first root. */
-    struct root root = {.r = 0};
+    struct root root = {.r = (real)INFINITY};
     if (c->status == DOM_OK && c->near > 0)
-        c->status = root_near(c, c->near, &root, &known);
+        c->status = root_any(c, 0, c->near, &root);
     limit->r_max = root.r;
     limit->barrier = root.barrier;
     limit->falls = root.falls;
-    if (known)
+    if (isfinite(root.r))
         return c->status;
     enum dom_status status = c->status != DOM_OK ? c->status : geometry_set(&geometry, c->s, 1);
     if (status == DOM_OUT_OF_REACH) { /* with rounded edges the reach may be less than 1 */

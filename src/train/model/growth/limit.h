@@ -29,13 +29,10 @@ struct root {
 KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
                                     const struct margin_sample *hi, bool follow, struct root *root);
 
-/* Finds some root above the growth `from` for an endless train without friction. It need not be the first
- * root. If no root is found, root->r is infinity. */
-KERNEL enum dom_status root_any(struct margin_context *c, real from, struct root *root);
-
-/* Finds the root close to `near`. This estimate must be correct to ten digits. If no root is found there,
- * *found is false. */
-KERNEL enum dom_status root_near(struct margin_context *c, real near, struct root *root, bool *found);
+/* Finds some root above the growth `from` for an endless train. It need not be the first root. If `near` is
+ * not 0, looks only close to this estimate, which must be correct to ten digits; otherwise the train must be
+ * without losses. If no root is found, root->r is infinity. */
+KERNEL enum dom_status root_any(struct margin_context *c, real from, real near, struct root *root);
 
 struct change {
     bool found;

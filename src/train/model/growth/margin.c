@@ -198,10 +198,10 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r, bool bound)
     }
 }
 
-KERNEL void margin_follow_begin(struct margin_context *c)
+KERNEL void margin_follow_begin(struct margin_context *c, real share)
 {
-    c->how = MARGIN_FOLLOW;
-    c->share = 1;
+    c->how = c->geometry.conservative ? MARGIN_FOLLOW : MARGIN_SURE;
+    c->share = share;
     c->last[0].half = c->last[1].half = 0;
 }
 

@@ -42,8 +42,7 @@ struct margin_context {
         real r, half;
     } last[2];              /* r and tan(tilt / 2) of the last two maxima that were followed */
     struct barrier nearest; /* the barrier at the growth with the smallest |margin_share| so far */
-    /* The smallest |margin_share| so far. margin_follow derives its tolerance from this number. A search
-     * begins with the value 1, or with a smaller value if its first margin needs more digits. */
+    /* The smallest |margin_share| so far. margin_follow derives its tolerance from this number. */
     real share;
     real followed_value, followed_tol; /* the last margin of margin_follow, and its tolerance */
     real near;                         /* r_max from a coarser kernel, or 0 */
@@ -86,9 +85,9 @@ KERNEL real margin_finest(const struct margin_context *c);
 /*
  * margin_follow returns margin_share at r, for the next step of a root search. It computes only as many
  * digits as this step needs. Each call starts near the maximum of H that the previous call found. Call
- * margin_follow_begin before the first call.
+ * margin_follow_begin before the first call, with an estimate of margin_share there.
  */
-KERNEL void margin_follow_begin(struct margin_context *c);
+KERNEL void margin_follow_begin(struct margin_context *c, real share);
 KERNEL real margin_follow(real r, void *context);
 
 /* Returns true if the maximum of H that margin_follow has tracked is the highest maximum at the root r. */

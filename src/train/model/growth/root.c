@@ -16,7 +16,7 @@ static enum dom_status root_of(struct margin_context *c, num_function *f, const 
     const struct margin *at_lo = &lo->margin, *at_hi = &hi->margin;
     const bool follows = f == margin_follow;
     c->beside = (struct margin_point){.r = 0};
-    margin_follow_begin(c);
+    margin_follow_begin(c, 1);
     const enum num_status solver =
         num_root_between(f, c, lo->r, follows ? margin_share(at_lo) : margin_value(at_lo), hi->r,
                          follows ? margin_share(at_hi) : margin_value(at_hi), c->geometry.tol / 8, &root->r);
@@ -58,25 +58,15 @@ static real root_line(const struct root_point *a, const struct root_point *b)
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* Returns the next growth, by inverse interpolation through the last points: at[2] is the newest of `known`
- * points. */
-static real root_next(const struct root_point at[3], int known)
-{
-    real next = root_line(&at[1], &at[2]), f = at[2].share;
-    if (known > 2 && fabs(f) < fabs(at[1].share) / 2 && fabs(at[1].share) + fabs(at[0].share) < 1)
-        next += (next - root_line(&at[0], &at[1])) * f / (at[0].share - f);
-    return next;
-}
-
 enum { ROOT_STEPS = 12 };
 
-/* Follows one maximum of H from the growth r to a root between `from` and the reach, by the secant method.
- * `slope` is about -d margin / d ln r. Returns false if the method does not find a root. */
+/* Follows one maximum of H from the growth r to a root between `from` and the reach, by the secant method,
+ * and by inverse interpolation through the last three points near the root. `slope` is about -d margin / d ln
+ * r. Returns false if the method does not find a root. */
 static bool root_secant(struct margin_context *c, real from, real r, real slope, struct root *root)
 {
     struct root_point at[3] = {{0}};
     const real tol = c->geometry.tol, reach = c->geometry.span / c->s;
-    margin_follow_begin(c);
     for (int known = 1; known <= ROOT_STEPS && r > from && r < reach; known++) {
         at[0] = at[1];
         at[1] = at[2];
@@ -86,8 +76,14 @@ static bool root_secant(struct margin_context *c, real from, real r, real slope,
         at[2].tol = c->followed_tol;
         if (c->status != DOM_OK)
             return false;
-        const real next = known == 1 ? r * exp(at[2].value / slope) : root_next(at, known),
-                   step = fabs(next - r), before = known == 1 ? r : fabs(r - at[1].r);
+        const real f = at[2].share;
+        /* if the first growth is a root, a step aside gives the slope */
+        real next = known > 1 ? root_line(&at[1], &at[2])
+                    : f == 0  ? r * (1 - (real)1e-5)
+                              : r * exp(at[2].value / slope);
+        if (known > 2 && fabs(f) < fabs(at[1].share) / 2 && fabs(at[1].share) + fabs(at[0].share) < 1)
+            next += (next - root_line(&at[0], &at[1])) * f / (at[0].share - f);
+        const real step = fabs(next - r), before = known == 1 ? r : fabs(r - at[1].r);
         *root = (struct root){.r = next,
                               .barrier = c->nearest.height,
                               .falls = known > 1 ? (at[1].value - at[2].value) / (r - at[1].r) : 0,
@@ -101,6 +97,9 @@ static bool root_secant(struct margin_context *c, real from, real r, real slope,
     }
     return false;
 }
+
+/* The root that a coarser kernel has found is correct to about ROOT_NEAR. */
+#define ROOT_NEAR ((real)1e-10)
 
 /* Estimates the root by a fitted formula. For ordinary dominoes, the logarithm of the estimate is correct to
  * a few percent. Also estimates the slope at the root: minus the derivative of the margin with respect to
@@ -120,58 +119,22 @@ static real root_guess(const struct margin_context *c, real *slope)
     return exp((real)2.4 / (q - (real)0.6) * share * log1p((real)0.4 * u));
 }
 
-KERNEL enum dom_status root_any(struct margin_context *c, real from, struct root *root)
+KERNEL enum dom_status root_any(struct margin_context *c, real from, real near, struct root *root)
 {
     real slope, start = root_guess(c, &slope);
     struct root at = {.r = 0};
     *root = (struct root){.r = (real)INFINITY};
-    const bool found = root_secant(c, from, start, slope, &at);
+    margin_follow_begin(c, near > 0 ? ROOT_NEAR : 1);
+    const bool found = root_secant(c, from, near > 0 ? near : start, slope, &at);
     if (c->status == DOM_INTERRUPTED || c->status == DOM_TOO_LONG)
         return c->status;
     c->status = DOM_OK;
     /* Near the bottom of a shallow dip, the search may end where there is no root. */
     const struct margin m = {.kinetic = at.barrier, .barrier = at.barrier};
     const real error = fmax(c->geometry.tol * at.barrier, margin_error(c, &m, margin_finest(c)));
-    if (found && at.falls * at.r > 100 * sqrt(error * at.barrier) && margin_highest(c, at.r))
+    const bool sure =
+        near > 0 ? fabs(at.r - near) <= ROOT_NEAR * near : at.falls * at.r > 100 * sqrt(error * at.barrier);
+    if (found && sure && (!c->geometry.conservative || margin_highest(c, at.r)))
         *root = at;
     return DOM_OK;
-}
-
-/* ---- From the root of a coarser kernel ---- */
-
-/* The root that a coarser kernel has found is correct to about ROOT_NEAR. The slope comes from a margin at
- * the relative distance ROOT_ASIDE, with a few digits. */
-#define ROOT_NEAR  ((real)1e-10)
-#define ROOT_ASIDE ((real)1e-5)
-
-KERNEL enum dom_status root_near(struct margin_context *c, real near, struct root *root, bool *found)
-{
-    num_function *const f = c->geometry.conservative ? margin_follow : margin_at;
-    const real tol = c->geometry.tol;
-    real r = near, before = near * (1 - ROOT_ASIDE);
-    *found = false;
-    margin_follow_begin(c);
-    c->share = ROOT_NEAR;
-    c->geometry.tol = fmax(tol, ROOT_ASIDE * ROOT_NEAR);
-    real at_before = f(before, c);
-    c->geometry.tol = tol;
-    root->falls = 0;
-    for (int i = 0; i < 4 && c->status == DOM_OK && !*found; i++) {
-        const real at = f(r, c);
-        const real next = at == at_before ? r : r - at * (r - before) / (at - at_before);
-        /* the error of the next growth is about the product of the last two */
-        *found = i > 0 && fabs(next - r) * fabs(r - before) <= tol / 16 * r * r &&
-                 fabs(next - near) <= ROOT_NEAR * near;
-        if (root->falls == 0)
-            root->falls = (at_before - at) / (r - before);
-        before = r;
-        at_before = at;
-        r = next;
-    }
-    root->r = r;
-    root->barrier = c->nearest.height;
-    *found = *found && c->status == DOM_OK && (f == margin_at || margin_highest(c, r));
-    if (c->status != DOM_INTERRUPTED && c->status != DOM_TOO_LONG)
-        c->status = DOM_OK;
-    return c->status;
 }

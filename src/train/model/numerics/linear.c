@@ -5,15 +5,9 @@
 
 /* The number of nodes of a panel: at most N, and fewer in double for an equation, whose p and c are less
  * smooth than an integrand. */
-enum { N = LINEAR_ORDER, N_EQUATION = REAL_BITS <= 64 && LINEAR_ORDER > 24 ? 24 : LINEAR_ORDER };
+enum { N = LINEAR_ORDER, N_EQUATION = REAL_BITS <= 64 && LINEAR_ORDER > 24 ? 24 : LINEAR_ORDER, N_ROUGH = 7 };
 
-/* Finds the n Chebyshev nodes of the first kind. */
-static void nodes_make(real *node, int n)
-{
-    for (int j = 0; j < n; j++)
-        node[j] = cos(PI * ((real)j + (real)0.5) / (real)n);
-}
-
+/* Finds the series of n terms from n values at the Chebyshev nodes of the first kind. */
 static void series_of(const real *node, const real *value, int n, real *series)
 {
     for (int k = 0; k < n; k++)
@@ -45,68 +39,48 @@ static bool series_converged(const real *series, int n, real tol, real noise, re
     return *last_terms <= fmax(fmax(tol, 2 * (real)n * REAL_EPSILON) * size, noise);
 }
 
-struct values {
-    real p[N], c[N], p_noise, c_noise;
-};
-
-static bool values_find(num_linear_function *f, void *context, const real *node, int n,
-                        const struct num_panel *panel, struct values *v)
-{
-    real half = (panel->hi - panel->lo) / 2, middle = panel->lo + half;
-    v->p_noise = v->c_noise = 0;
-    for (int j = 0; j < n; j++) {
-        struct num_rate rate = {0};
-        if (!f(middle + half * node[j], context, &rate) || !isfinite(rate.p) || !isfinite(rate.c))
-            return false;
-        v->p[j] = rate.p;
-        v->c[j] = rate.c;
-        v->p_noise = fmax(v->p_noise, rate.p_noise);
-        v->c_noise = fmax(v->c_noise, rate.c_noise);
-    }
-    return true;
-}
-
-/* Finds ln G of a panel. Divides c by G: the values at->c become those of c / G. */
-static bool panel_ln_G(const real *node, int n, real ln_G, real tol, struct num_panel *panel,
-                       struct values *at, real *last_terms)
-{
-    real series[N], half = (panel->hi - panel->lo) / 2, largest = 0, shrunk = 0;
-    series_of(node, at->p, n, series);
-    /* The solution contains exp(ln G). So where ln G hardly changes, an absolute tolerance is enough. */
-    for (int k = 0; k < n; k++)
-        largest = fmax(largest, fabs(series[k]));
-    if (!series_converged(series, n, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at->p_noise,
-                          last_terms))
-        return false;
-    series_integral(series, n, half, ln_G, panel->ln_G);
-    for (int j = 0; j < n; j++) {
-        real by = exp(-series_at(panel->ln_G, n + 1, node[j]));
-        at->c[j] *= by;
-        shrunk = fmax(shrunk, by);
-    }
-    at->c_noise *= shrunk;
-    return true;
-}
-
-/* Computes one panel, from n <= N nodes. ln_G and v are the solution at the left end of the panel. Returns
+/*
+ * Computes one panel, from n <= N nodes. ln_G and v are the solution at the left end of the panel. Returns
  * false if the panel is too wide for its series to converge. If f fails, also returns false, and sets *status
- * to NUM_NOT_FINITE. */
+ * to NUM_NOT_FINITE.
+ */
 static bool panel_make(num_linear_function *f, void *context, const real *node, int n, real ln_G, real v,
                        real tol, struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {
-    struct values at;
-    real of_p = 0, of_c, series[N], half = (panel->hi - panel->lo) / 2;
-    if (!values_find(f, context, node, n, panel, &at)) {
-        *status = NUM_NOT_FINITE;
-        return false;
-    }
+    const real half = (panel->hi - panel->lo) / 2, middle = panel->lo + half;
+    real p[N], c[N], series[N], p_noise = 0, c_noise = 0, largest = 0, shrunk = 0, of_p = 0, of_c;
     panel->terms = n + 1;
+    for (int j = 0; j < n; j++) {
+        struct num_rate rate = {0};
+        if (!f(middle + half * node[j], context, &rate) || !isfinite(rate.p) || !isfinite(rate.c)) {
+            *status = NUM_NOT_FINITE;
+            return false;
+        }
+        p[j] = rate.p;
+        c[j] = rate.c;
+        p_noise = fmax(p_noise, rate.p_noise);
+        c_noise = fmax(c_noise, rate.c_noise);
+    }
     if (s->integral)
         memset(panel->ln_G, 0, sizeof panel->ln_G);
-    else if (!panel_ln_G(node, n, ln_G, tol, panel, &at, &of_p))
-        return false;
-    series_of(node, at.c, n, series);
-    if (!series_converged(series, n, tol, at.c_noise, &of_c))
+    else {
+        series_of(node, p, n, series);
+        /* The solution contains exp(ln G). So where ln G hardly changes, an absolute tolerance is enough. */
+        for (int k = 0; k < n; k++)
+            largest = fmax(largest, fabs(series[k]));
+        if (!series_converged(series, n, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, p_noise,
+                              &of_p))
+            return false;
+        series_integral(series, n, half, ln_G, panel->ln_G);
+        for (int j = 0; j < n; j++) {
+            const real by = exp(-series_at(panel->ln_G, n + 1, node[j]));
+            c[j] *= by; /* c / G */
+            shrunk = fmax(shrunk, by);
+        }
+        c_noise *= shrunk;
+    }
+    series_of(node, c, n, series);
+    if (!series_converged(series, n, tol, c_noise, &of_c))
         return false;
     series_integral(series, n, half, v, panel->v);
     s->ln_G_error += half * of_p;
@@ -124,12 +98,13 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
                                         struct num_linear *s)
 {
     real node[N], width = hi - lo, ln_G = 0, v = 0;
-    const int n = s->integral ? N : N_EQUATION;
+    const int n = isinf(tol) ? N_ROUGH : s->integral ? N : N_EQUATION;
     bool halved = false;
     enum num_status status = NUM_OK;
     if (!s->panel && !(s->panel = malloc(LINEAR_PANELS * sizeof *s->panel)))
         return NUM_NO_MEMORY;
-    nodes_make(node, n);
+    for (int j = 0; j < n; j++)
+        node[j] = cos(PI * ((real)j + (real)0.5) / (real)n);
     if (s->panels > 0)
         num_linear_at(s, lo, &ln_G, &v);
     else
@@ -155,21 +130,6 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
         }
     }
     return NUM_OK;
-}
-
-KERNEL enum num_status num_linear_rough(num_linear_function *f, void *context, real hi, struct num_linear *s)
-{
-    enum { ROUGH = 7 };
-    real node[ROUGH];
-    enum num_status status = NUM_OK;
-    if (!s->panel && !(s->panel = malloc(LINEAR_PANELS * sizeof *s->panel)))
-        return NUM_NO_MEMORY;
-    nodes_make(node, ROUGH);
-    s->ln_G_error = s->v_error = 0;
-    s->panel->lo = 0;
-    s->panel->hi = hi;
-    s->panels = panel_make(f, context, node, ROUGH, 0, 0, (real)INFINITY, s->panel, s, &status);
-    return status;
 }
 
 static int panel_of(const struct num_linear *s, real x)

@@ -85,13 +85,10 @@ struct num_linear {
 };
 
 /* Extends the solution over [lo, hi], where p and c must be smooth. If there is a solution already, it must
- * end at lo. The relative error of G is about tol, and the error of v is about tol times the range of v. */
+ * end at lo. The relative error of G is about tol, and the error of v is about tol times the range of v. If
+ * tol is infinite, the solution is rough: it has a single panel, on which p and c are evaluated only at 7
+ * nodes, so its series may not have converged. */
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
-                                        struct num_linear *solution);
-
-/* Finds a rough solution on [0, hi]. It has a single panel, on which p and c are evaluated only at 7 nodes,
- * so its series may not have converged. Replaces the solution that was there. */
-KERNEL enum num_status num_linear_rough(num_linear_function *f, void *context, real hi,
                                         struct num_linear *solution);
 
 KERNEL void num_linear_free(struct num_linear *solution);

@@ -22,31 +22,6 @@
 #define KERNEL_LOOP static inline __attribute__((always_inline, unused))
 #endif
 
-/* The functions of <math.h> for every precision: X(name) with one argument, Y(name) with two. */
-#define REAL_FUNCTIONS(X, Y)                                                                                 \
-    X(sqrt)                                                                                                  \
-    X(cbrt)                                                                                                  \
-    X(fabs)                                                                                                  \
-    X(sin)                                                                                                   \
-    X(cos)                                                                                                   \
-    X(tan)                                                                                                   \
-    X(asin)                                                                                                  \
-    X(atan)                                                                                                  \
-    X(asinh)                                                                                                 \
-    X(exp)                                                                                                   \
-    X(expm1)                                                                                                 \
-    X(log)                                                                                                   \
-    X(log1p)                                                                                                 \
-    X(log10)                                                                                                 \
-    X(floor)                                                                                                 \
-    X(ceil)                                                                                                  \
-    X(round)                                                                                                 \
-    Y(fmax)                                                                                                  \
-    Y(fmin)                                                                                                  \
-    Y(hypot)                                                                                                 \
-    Y(atan2)                                                                                                 \
-    Y(pow)
-
 #if defined DOMF
 typedef float real;
 #define REAL_BITS  FLT_MANT_DIG
@@ -58,14 +33,15 @@ typedef double real;
 #define REAL_MIN  DBL_MIN
 #elif defined DOMQ_REAL_FLOAT128
 /* glibc has these functions for every compiler, but declares them only for gcc. */
-#define DECLARE_ONE(f) extern domq_real f##f128(domq_real);
-#define DECLARE_TWO(f) extern domq_real f##f128(domq_real, domq_real);
-REAL_FUNCTIONS(DECLARE_ONE, DECLARE_TWO)
+typedef domq_real real_one(domq_real), real_two(domq_real, domq_real);
+extern real_one sqrtf128, cbrtf128, fabsf128, sinf128, cosf128, tanf128, asinf128, atanf128, asinhf128,
+    expf128, expm1f128, logf128, log1pf128, floorf128, ceilf128, roundf128;
+extern real_two hypotf128, atan2f128, powf128;
 extern domq_real fmaf128(domq_real, domq_real, domq_real);
 typedef domq_real real;
-#define REAL_BITS      113
-#define REAL_MIN       ((real)0x1p-16382L)
-#define MATH(name)     name##f128
+#define REAL_BITS  113
+#define REAL_MIN   ((real)0x1p-16382L)
+#define MATH(name) name##f128
 #else
 typedef domq_real real;
 #define REAL_BITS  LDBL_MANT_DIG
@@ -98,7 +74,6 @@ typedef domq_real real;
 #define log(x)       MATH(log)(x)
 #define log1p(x)     MATH(log1p)(x)
 #define floor(x)     MATH(floor)(x)
-#define log10(x)     MATH(log10)(x)
 #define tan(x)       MATH(tan)(x)
 #define ceil(x)      MATH(ceil)(x)
 #define round(x)     MATH(round)(x)

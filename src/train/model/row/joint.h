@@ -4,7 +4,7 @@
 #ifndef DOM_JOINT_H
 #define DOM_JOINT_H
 
-#include "effects/choose.h"
+#include "effects/effects.h"
 
 /*
  * Allows for rounding errors in a gap. A head counts as reaching the next domino even if the gap exceeds the
