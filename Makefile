@@ -79,7 +79,7 @@ FOLDERS  := $(subst _,/,$(BUILT))
 TRAIN   := src/train/model
 MODEL   := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c precision/float.c precision/quad.c) \
            $(wildcard $(TRAIN)/compare/*.c $(TRAIN)/search/*.c $(patsubst %,src/%/model/*.c,$(filter-out train,$(BUILT))))
-ENGINE_C := $(filter-out %/feature.c %/row_engine.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
+ENGINE_C := $(filter-out %/row_engine.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
 # The sources of a feature are in its folder, and in folders within it that are neither a model nor a feature.
 SHELL_C := src/main.c $(wildcard src/shell/*/*.c) $(filter-out $(ENGINE_C) \
            $(foreach f,$(EVERY),$(if $(filter $f,$(BUILT)),,src/$(subst _,/,$f)/%)) src/train/model/% $(BUILT:%=src/%/model/%), \

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "chipmunk.h"
-#include "room.h"
+#include "world.h"
 #include <dlfcn.h>
 #include <pthread.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -14,6 +14,35 @@
 #else
 #define STREAM_DROP fpurge
 #endif
+
+/* Bytes to reserve. Chipmunk 7.0.3 needs at most 0.4 MB for a space and 4 kB for each box. */
+enum { SPACE = 1 << 20, BOX = 1 << 14 };
+
+static pthread_mutex_t room_lock = PTHREAD_MUTEX_INITIALIZER;
+static size_t reserved; /* bytes reserved for all existing Chipmunk spaces */
+
+bool chipmunk_reserve(size_t boxes)
+{
+    const size_t more = SPACE + BOX * boxes;
+    pthread_mutex_lock(&room_lock);
+    /* volatile, because gcc could otherwise remove a malloc whose result is only freed */
+    void *volatile room = malloc(reserved + more);
+    const bool found = room;
+    free(room);
+    if (found)
+        reserved += more;
+    pthread_mutex_unlock(&room_lock);
+    return found;
+}
+
+void chipmunk_release(size_t boxes)
+{
+    pthread_mutex_lock(&room_lock);
+    reserved -= SPACE + BOX * boxes;
+    pthread_mutex_unlock(&room_lock);
+}
+
+/* ---- The library ---- */
 
 static struct chipmunk functions;
 static bool loaded;
@@ -73,10 +102,10 @@ enum engine_status chipmunk_load(const struct chipmunk **found)
     pthread_mutex_lock(&lock);
     /* Chipmunk crashes if an allocation fails. So the library is loaded only if there is enough memory for it
      * and for the space that make_first creates. */
-    const bool room = tried || room_take(0);
+    const bool room = tried || chipmunk_reserve(0);
     if (room && !tried) {
         load();
-        room_give(0);
+        chipmunk_release(0);
         tried = true;
     }
     pthread_mutex_unlock(&lock);

@@ -62,10 +62,6 @@ struct engine_hit {
     /* Time of the hit. Times are measured from the push or, without a push, from the first hit. If the first
      * box was released, its time is NaN. */
     double time;
-    /* Time at which the box hits the next box. For the last box of the row, this is the time at which it has
-     * fallen to the floor. NaN if the box does not get that far. If the first box was released and hits the
-     * next box, its `until` is NaN too. */
-    double until;
     double omega;   /* angular velocity after the hit; 0 if the box hardly moves or was released */
     double kinetic; /* kinetic energy of all boxes after the hit */
     /* distance that the foot has slid by the end of the run; negative if it slid backwards */

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs the row of a scene in the engine: converts dominoes to boxes, and what the engine finds to the answers
- * that the library and the commands ask for. */
-#include "engine/row_engine.h"
+ * that the library and the commands ask for. To add an effect, add its name to session/effects.h, its
+ * description and its value here, and its code to the engine. */
 #include "engine/engine.h"
+#include "interpreter/feature.h"
 #include "precision/any.h"
+#include "session/engine.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -87,40 +89,29 @@ static enum dom_status status_of(enum engine_status status)
     return DOM_NOT_CONVERGED;
 }
 
-/* Converts the records of hits from the engine's units to m, s and kg. */
-static void hits_scale(struct engine_hit *hit, struct unit unit, size_t hits)
+/* Reports the hits, in m, s and kg. */
+static void hits_visit(const struct engine_hit *hit, const struct engine_fall *fall, struct unit unit,
+                       dom_fall_visit *visit, void *context)
 {
-    for (size_t k = 0; k < hits; k++) {
-        double speed = unit.length / unit.time;
-        hit[k].time *= unit.time;
-        hit[k].until *= unit.time;
-        hit[k].omega /= unit.time;
-        hit[k].kinetic *= unit.mass * speed * speed;
-        hit[k].slid *= unit.length;
-    }
-}
-
-static void hits_visit(const struct engine_hit *hit, const struct engine_fall *fall, dom_fall_visit *visit,
-                       void *context)
-{
-    const double none = DOM_NAN;
-    for (size_t k = 0; k < fall->hits; k++) {
-        struct dom_fall f = {.domino = k + 1,
-                             .time = hit[k].time,
-                             .duration = hit[k].until - hit[k].time,
-                             .omega = hit[k].omega,
-                             .kinetic = hit[k].kinetic,
-                             .barrier = none,
-                             .margin = none,
-                             .lost = none,
-                             .friction_work = none,
-                             .theta_m = none,
-                             .theta = none,
-                             .moving = k + 1,
-                             .floor_motion = none,
-                             .floor_hit = none};
-        if (!visit(&f, context))
-            return;
+    const double none = DOM_NAN, speed = unit.length / unit.time;
+    bool more = true;
+    for (size_t k = 0; k < fall->hits && more; k++) {
+        const double until = k + 1 < fall->hits ? hit[k + 1].time : fall->all ? fall->seconds : none;
+        more = visit(&(struct dom_fall){.domino = k + 1,
+                                        .time = hit[k].time * unit.time,
+                                        .duration = (until - hit[k].time) * unit.time,
+                                        .omega = hit[k].omega / unit.time,
+                                        .kinetic = hit[k].kinetic * unit.mass * speed * speed,
+                                        .barrier = none,
+                                        .margin = none,
+                                        .lost = none,
+                                        .friction_work = none,
+                                        .theta_m = none,
+                                        .theta = none,
+                                        .moving = k + 1,
+                                        .floor_motion = none,
+                                        .floor_hit = none},
+                     context);
     }
 }
 
@@ -138,19 +129,6 @@ static void verdict_fill(const struct engine_fall *fall, const struct dom_row *r
                                     .short_by = fall->all ? 0 : DOM_NAN,
                                     .seconds = seconds,
                                     .spare = DOM_NAN};
-}
-
-static void report_fill(const struct engine_settled *settled, const struct engine_hit *hit, struct unit unit,
-                        struct engine_report *report)
-{
-    for (size_t k = 0; k < settled->fall.hits; k++)
-        report->slid[k] = hit[k].slid;
-    *report = (struct engine_report){.slid = report->slid,
-                                     .lies = settled->fall.lies,
-                                     .change = settled->change,
-                                     .steps = settled->grain.steps,
-                                     .tolerance = settled->grain.tolerance,
-                                     .zero = settled->fall.zero * unit.time};
 }
 
 /* Runs a row in the engine. The library calls this function through struct dom_engine. */
@@ -174,11 +152,18 @@ static enum dom_status run_row(const struct dom_row *row, const struct dom_compu
     if (status == DOM_OK)
         verdict_fill(fall, row, times ? fall->seconds * unit.time : (double)NAN, verdict);
     if (status == DOM_OK && times) {
-        hits_scale(hit, unit, fall->hits);
-        if (of_scene->report)
-            report_fill(&settled, hit, unit, of_scene->report);
+        struct engine_report *report = of_scene->report;
+        for (size_t k = 0; k < fall->hits && report; k++)
+            report->slid[k] = hit[k].slid * unit.length;
+        if (report)
+            *report = (struct engine_report){.slid = report->slid,
+                                             .lies = fall->lies,
+                                             .change = settled.change,
+                                             .steps = settled.grain.steps,
+                                             .tolerance = settled.grain.tolerance,
+                                             .zero = fall->zero * unit.time};
         if (visit)
-            hits_visit(hit, fall, visit, context);
+            hits_visit(hit, fall, unit, visit, context);
     }
     free(hit);
     free(box);
@@ -323,5 +308,68 @@ static bool row_make(const struct scene *scene, size_t count, struct scene_engin
     return true;
 }
 
-const struct engine_driver chipmunk_driver = {
+static const struct engine_driver chipmunk_driver = {
     .version = engine_version, .make = row_make, .watch = row_watch};
+
+/* ---- Effects ---- */
+
+static const struct domq_effect feet = {
+    .name = "feet",
+    .synonyms = "foot slip slide slippery floor ground hinge engine chipmunk",
+    .adds = "feet that can slip on the floor, instead of hinges",
+    .help = "Feet are not hinged to the floor. A foot may lift off, and it slides if friction with the "
+            "coefficient MU cannot hold it, during the motion or in a collision. The equations of the train "
+            "have one degree of freedom and cannot describe this, so the rigid-body engine Chipmunk 7 runs "
+            "the row. 'fall' reports how far feet slide. The time step of the engine is halved until the "
+            "verdict and the times no longer change. The result depends on the start: a push of more than "
+            "sqrt(2 g/h) lifts the first domino and throws it at the second. 'rowmax' finds the largest "
+            "growth at which such a row falls; 'rmax' is for the endless train, whose feet are hinges.",
+    .source = "Chipmunk 7, a rigid-body engine; Coulomb friction",
+    .plan = "rigid-body engine, with steps halved until the results no longer change",
+    .argument = {{.name = "MU",
+                  .unit = "",
+                  .meaning = "friction coefficient of the floor",
+                  .lowest = 0,
+                  .highest = 100,
+                  .usual = (domq_real)1 / 2}},
+    .needs = 1U << DOM_EFFECT_row,
+    .dissipates = "sliding feet",
+};
+
+static const struct domq_effect bounce = {
+    .name = "bounce",
+    .synonyms = "restitution elastic elasticity rebound engine chipmunk",
+    .adds = "dominoes that bounce off each other",
+    .help = "After a collision, two dominoes separate at E times the speed at which they met. With E = 0, as "
+            "in the paper, they stay together, and with E = 1 no energy is lost. The rigid-body engine "
+            "Chipmunk 7 runs the row. The dominoes collide again and again, more and more softly, until they "
+            "stay together. Up to E = 0.2, the largest growth changes by less than 0.2 %.",
+    .source = "Chipmunk 7, a rigid-body engine; Newton's law of restitution",
+    .plan = "rigid-body engine, with steps halved until the results no longer change",
+    .argument = {{.name = "E",
+                  .unit = "",
+                  .meaning = "restitution between dominoes",
+                  .lowest = 0,
+                  .highest = 1,
+                  .usual = (domq_real)1 / 5}},
+    .needs = 1U << DOM_EFFECT_row,
+    .dissipates = "bounces",
+};
+
+#define ENTRY(name_)                                                                                         \
+    .name = #name_, .value = name_.argument, .effect = &name_, .which = EFFECT_##name_, .words = effect_words
+
+static const struct parameter parameters[] = {
+    {ENTRY(feet), .example = "set q hollow; set row 8; set feet 0.4; fall; set feet off; set row off",
+     .from = 0.05, .to = 2},
+    {ENTRY(bounce),
+     .example = "set q hollow; set row 8; set bounce 0.5; verdict; set bounce off; set row off", .from = 0,
+     .to = 1},
+};
+
+static const struct parameter *parameter(int k)
+{
+    return k < (int)(sizeof parameters / sizeof *parameters) ? &parameters[k] : NULL;
+}
+
+const struct feature engine_feature = {.name = "engine", .engine = &chipmunk_driver, .parameter = parameter};

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "world.h"
-#include "room.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -22,16 +21,10 @@ double world_spin(const struct world *w, size_t k)
     return -w->body[k].body->w;
 }
 
-struct motion world_motion(const struct world *w, size_t k)
-{
-    const cpBody *body = w->body[k].body;
-    return (struct motion){body->v, body->w * w->row->box[k].height / 2};
-}
-
 cpVect world_tip(const struct world *w, size_t k)
 {
     const struct engine_box *box = &w->row->box[k];
-    return w->cp->cpBodyLocalToWorld(w->body[k].body, cpv(box->thickness / 2, box->height / 2));
+    return cpTransformPoint(w->body[k].body->transform, cpv(box->thickness / 2, box->height / 2));
 }
 
 static double radius_of(const struct world *w, size_t k)
@@ -45,13 +38,13 @@ cpVect world_front(const struct world *w, size_t k, bool upper)
     const struct engine_box *box = &w->row->box[k];
     double r = radius_of(w, k), y = box->height / 2 - r;
     cpVect centre = cpv(box->thickness / 2 - r, upper ? y : -y);
-    return cpvadd(w->cp->cpBodyLocalToWorld(w->body[k].body, centre), cpv(r, 0));
+    return cpvadd(cpTransformPoint(w->body[k].body->transform, centre), cpv(r, 0));
 }
 
 cpVect world_foot(const struct world *w, size_t k)
 {
     const struct engine_box *box = &w->row->box[k];
-    return w->cp->cpBodyLocalToWorld(w->body[k].body, cpv(box->thickness / 2, -box->height / 2));
+    return cpTransformPoint(w->body[k].body->transform, cpv(box->thickness / 2, -box->height / 2));
 }
 
 double world_kinetic(const struct world *w)
@@ -65,11 +58,6 @@ double world_kinetic(const struct world *w)
     return sum;
 }
 
-cpVect world_gravity(const struct engine_row *row)
-{
-    return cpv(row->g * sin(row->slope), -row->g * cos(row->slope));
-}
-
 double world_energy(const struct world *w)
 {
     double sum = world_kinetic(w);
@@ -77,7 +65,7 @@ double world_energy(const struct world *w)
         const struct engine_box *box = &w->row->box[k];
         cpVect stood = cpvadd(w->body[k].corner, cpv(-box->thickness / 2, box->height / 2));
         cpVect moved = cpvsub(w->body[k].body->p, stood);
-        sum -= box->mass * cpvdot(world_gravity(w->row), moved);
+        sum -= box->mass * cpvdot(w->space->gravity, moved);
     }
     return sum;
 }
@@ -109,14 +97,14 @@ void world_add_box(struct world *w)
     const struct engine_box *box = &w->row->box[k];
     struct body *b = &w->body[k];
     double h = box->height, d = box->thickness, solid = box->mass * (h * h + d * d) / 12;
-    cpBody *ground = cp->cpSpaceGetStaticBody(w->space);
+    cpBody *ground = w->space->staticBody;
     *b = (struct body){.corner = k == 0 ? cpvzero : cpvadd(b[-1].corner, cpv(box->gap + d, 0)),
                        .moment = box->inertia > 0 ? box->inertia * solid : solid};
     b->body = cp->cpSpaceAddBody(w->space, cp->cpBodyNew(box->mass, b->moment));
     b->shape = cp->cpSpaceAddShape(w->space, shape_of(w, k));
     w->count++;
     cp->cpBodySetPosition(b->body, cpvadd(b->corner, cpv(-d / 2, h / 2)));
-    cp->cpShapeSetFilter(b->shape, touches(w, k));
+    b->shape->filter = touches(w, k);
     b->shape->userData = b;
     if (w->floor)
         return;
@@ -136,8 +124,8 @@ static void turn(struct world *w, double tilt, double spin)
     arm = cpvadd(arm, cpv(0, r));
     cp->cpBodySetAngle(body, -tilt);
     cp->cpBodySetPosition(body, cpvadd(w->body[0].corner, cpvadd(arm, cpv(r * (tilt - 1), 0))));
-    cp->cpBodySetAngularVelocity(body, -spin);
-    cp->cpBodySetVelocity(body, cpvmult(cpvperp(arm), -spin));
+    body->w = -spin;
+    body->v = cpvmult(cpvperp(arm), -spin);
 }
 
 /*
@@ -175,16 +163,15 @@ static void note_hit(struct world *w, size_t k)
  * touches the top of the box behind it. */
 static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
 {
-    const struct chipmunk *cp = w->cp;
-    cpVect normal = cp->cpArbiterGetNormal(arbiter), face = cpvforangle(-world_tilt(w, front));
+    const cpVect normal = arbiter->n, face = cpvforangle(-world_tilt(w, front));
     cpVect axis = cpvperp(cpvforangle(-world_tilt(w, front - 1)));
     if (fabs(cpvdot(normal, face)) < parallel && fabs(cpvdot(normal, axis)) > parallel) {
         w->fall->other_contact = true;
         if (front >= w->head)
             w->fall->slowest = 0;
     }
-    for (int c = 0; c < cp->cpArbiterGetCount(arbiter) && front + FOREMOST > w->head; c++) {
-        double depth = -cp->cpArbiterGetDepth(arbiter, c) / w->row->box[front - 1].height;
+    for (int c = 0; c < arbiter->count && front + FOREMOST > w->head; c++) {
+        double depth = -w->cp->cpArbiterGetDepth(arbiter, c) / w->row->box[front - 1].height;
         w->fall->depth = fmax(w->fall->depth, depth);
     }
 }
@@ -193,21 +180,102 @@ static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
 static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
 {
     struct world *w = data;
-    cpShape *a, *b;
     (void)space;
-    w->cp->cpArbiterGetShapes(arbiter, &a, &b);
-    bool floor = a == w->floor || b == w->floor;
-    w->cp->cpArbiterSetFriction(arbiter, floor ? fmin(w->row->feet, rough) : w->row->mu);
-    w->cp->cpArbiterSetRestitution(arbiter, floor ? 0 : w->row->bounce);
+    const bool floor = arbiter->a == w->floor || arbiter->b == w->floor;
+    arbiter->u = floor ? fmin(w->row->feet, rough) : w->row->mu;
+    arbiter->e = floor ? 0 : w->row->bounce;
     if (floor)
         return cpTrue;
-    const struct body *one = a->userData, *other = b->userData;
+    const struct body *one = arbiter->a->userData, *other = arbiter->b->userData;
     size_t i = (size_t)(one - w->body), j = (size_t)(other - w->body);
     size_t front = i > j ? i : j;
     note_touch(w, arbiter, front);
     if (front > w->head)
         note_hit(w, front);
     return cpTrue;
+}
+
+/* ---- The iterations of the solver ---- */
+
+/*
+ * Ends the iterations of Chipmunk's solver when they have converged. Chipmunk has no test for convergence: in
+ * each step, it makes a fixed number of iterations. But in each iteration, it calls a function of every
+ * constraint, and it reads the number of iterations again. So a constraint is added that applies no impulses
+ * and only observes the velocities. When the velocities hardly change any more, the constraint ends the loop
+ * by lowering the number of iterations.
+ */
+enum { ITERATIONS_MOST = 1000 };
+
+static struct motion motion_of(const struct world *w, size_t k)
+{
+    const cpBody *body = w->body[k].body;
+    return (struct motion){body->v, body->w * w->row->box[k].height / 2};
+}
+
+/* Called before the first iteration. Gravity and the impulses of the previous step are already applied. */
+static void before_first(cpConstraint *watch, double factor)
+{
+    struct world *w = watch->userData;
+    (void)factor;
+    for (size_t k = 0; k < w->count; k++)
+        w->body[k].begin = w->body[k].now = motion_of(w, k);
+    w->change = (double)NAN;
+}
+
+static double motion_change(const struct motion *a, const struct motion *b)
+{
+    return fmax(fmax(fabs(a->v.x - b->v.x), fabs(a->v.y - b->v.y)), fabs(a->turns - b->turns));
+}
+
+/*
+ * Called in each iteration. Estimates how much the velocities would change in all further iterations
+ * together, by assuming that the changes form a geometric series. If the estimate is a small fraction of the
+ * change in the whole step, ends the loop.
+ */
+static void each(cpConstraint *watch, double dt)
+{
+    struct world *w = watch->userData;
+    const double last = w->change;
+    double whole = w->row->g * dt;
+    w->change = 0;
+    for (size_t k = 0; k < w->count; k++) {
+        struct body *b = &w->body[k];
+        const struct motion now = motion_of(w, k);
+        w->change = fmax(w->change, motion_change(&now, &b->now));
+        whole = fmax(whole, motion_change(&now, &b->begin));
+        b->now = now;
+    }
+    const double ratio = w->change / last;
+    if (w->change == 0 || w->change * ratio <= w->tolerance * (1 - ratio) * whole)
+        w->space->iterations = 1;
+}
+
+static void prepare(cpConstraint *watch, double dt)
+{
+    (void)watch, (void)dt;
+}
+
+static double no_impulse(cpConstraint *watch)
+{
+    (void)watch;
+    return 0;
+}
+
+static void watch_add(struct world *w)
+{
+    static const struct cpConstraintClass class = {prepare, before_first, each, no_impulse};
+    w->watch = (struct cpConstraint){.klass = &class,
+                                     .a = w->space->staticBody,
+                                     .b = w->body[0].body,
+                                     .collideBodies = cpTrue,
+                                     .userData = w};
+    w->cp->cpSpaceAddConstraint(w->space, &w->watch);
+}
+
+void world_step(struct world *w, double dt)
+{
+    w->space->iterations = ITERATIONS_MOST;
+    w->cp->cpSpaceStep(w->space, dt);
 }
 
 /* ---- The world ---- */
@@ -221,7 +289,7 @@ static void pave(struct world *w)
         length += row->box[k].gap + row->box[k].thickness;
         tallest = fmax(tallest, row->box[k].height);
     }
-    w->floor = w->cp->cpSegmentShapeNew(w->cp->cpSpaceGetStaticBody(w->space), cpv(-10 * tallest, -tallest),
+    w->floor = w->cp->cpSegmentShapeNew(w->space->staticBody, cpv(-10 * tallest, -tallest),
                                         cpv(length + 10 * tallest, -tallest), tallest);
     w->cp->cpSpaceAddShape(w->space, w->floor);
 }
@@ -231,7 +299,7 @@ enum engine_status world_make(struct world *w)
     enum engine_status status = chipmunk_load(&w->cp);
     if (status != ENGINE_OK)
         return status;
-    w->has_room = room_take(w->row->count);
+    w->has_room = chipmunk_reserve(w->row->count);
     if (!w->has_room)
         return ENGINE_NO_MEMORY;
     w->body = calloc(w->row->count, sizeof *w->body);
@@ -241,13 +309,13 @@ enum engine_status world_make(struct world *w)
     cpCollisionHandler *handler = w->cp->cpSpaceAddDefaultCollisionHandler(w->space);
     handler->preSolveFunc = touch;
     handler->userData = w;
-    w->cp->cpSpaceSetGravity(w->space, world_gravity(w->row));
-    w->cp->cpSpaceSetCollisionSlop(w->space, 0);
-    w->cp->cpSpaceSetCollisionBias(w->space, 1);
+    w->space->gravity = cpv(w->row->g * sin(w->row->slope), -w->row->g * cos(w->row->slope));
+    w->space->collisionSlop = 0;
+    w->space->collisionBias = 1;
     if (isfinite(w->row->feet) || w->row->radius > 0)
         pave(w);
     world_add_box(w);
-    converge_begin(w);
+    watch_add(w);
     start(w);
     return ENGINE_OK;
 }
@@ -269,7 +337,8 @@ static void free_body(struct world *w, struct body *b)
 
 void world_free(struct world *w)
 {
-    converge_end(w);
+    if (w->watch.space)
+        w->cp->cpSpaceRemoveConstraint(w->space, &w->watch);
     for (size_t k = 0; k < w->count; k++)
         free_body(w, &w->body[k]);
     if (w->floor) {
@@ -280,5 +349,5 @@ void world_free(struct world *w)
         w->cp->cpSpaceFree(w->space);
     free(w->body);
     if (w->has_room)
-        room_give(w->row->count);
+        chipmunk_release(w->row->count);
 }

@@ -1,10 +1,57 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Represents a row as bodies in a Chipmunk space and handles their contacts. */
+/* Represents a row as bodies in a space of the rigid-body engine Chipmunk 7, and handles their contacts. The
+ * library is loaded only when needed, since it may not be installed. */
 #ifndef ENGINE_WORLD_H
 #define ENGINE_WORLD_H
 
-#include "chipmunk.h"
 #include "engine.h"
+#include <chipmunk/chipmunk.h>
+#include <chipmunk/chipmunk_structs.h>
+
+/* Calls X(name) for each function of the library that is used. Few of them are getters and setters, since
+ * most members of Chipmunk's structures are used directly. */
+#define CHIPMUNK_FUNCTIONS(X)                                                                                \
+    X(cpSpaceNew)                                                                                            \
+    X(cpSpaceFree)                                                                                           \
+    X(cpSpaceStep)                                                                                           \
+    X(cpSpaceAddDefaultCollisionHandler)                                                                     \
+    X(cpSpaceAddBody)                                                                                        \
+    X(cpSpaceAddShape)                                                                                       \
+    X(cpSpaceAddConstraint)                                                                                  \
+    X(cpSpaceRemoveBody)                                                                                     \
+    X(cpSpaceRemoveShape)                                                                                    \
+    X(cpSpaceRemoveConstraint)                                                                               \
+    X(cpBodyNew)                                                                                             \
+    X(cpBodyFree)                                                                                            \
+    X(cpBodySetPosition)                                                                                     \
+    X(cpBodySetAngle)                                                                                        \
+    X(cpBodyGetVelocityAtWorldPoint)                                                                         \
+    X(cpPolyShapeNewRaw)                                                                                     \
+    X(cpSegmentShapeNew)                                                                                     \
+    X(cpShapeFree)                                                                                           \
+    X(cpPivotJointNew)                                                                                       \
+    X(cpRotaryLimitJointNew)                                                                                 \
+    X(cpConstraintFree)                                                                                      \
+    X(cpArbiterGetDepth)
+
+struct chipmunk {
+#define CHIPMUNK_MEMBER(name) __typeof__(name) *name;
+    CHIPMUNK_FUNCTIONS(CHIPMUNK_MEMBER)
+#undef CHIPMUNK_MEMBER
+    char version[24]; /* "7.0.3" */
+};
+
+/* Sets *functions. The first call loads the library. Thread-safe. Returns ENGINE_NO_LIBRARY or
+ * ENGINE_NO_MEMORY if loading fails. */
+enum engine_status chipmunk_load(const struct chipmunk **functions);
+
+/*
+ * Chipmunk crashes if an allocation fails. So a space is created only if there is enough memory for this
+ * space and for all existing spaces. chipmunk_reserve reserves memory for a space with this many boxes, or
+ * returns false. chipmunk_release ends the reservation after the space has been freed. Thread-safe.
+ */
+bool chipmunk_reserve(size_t boxes);
+void chipmunk_release(size_t boxes);
 
 /* penetration and drift are recorded for this many boxes up to the head */
 enum { FOREMOST = 4 };
@@ -31,14 +78,14 @@ struct world {
     const struct engine_row *row;
     struct engine_fall *fall;
     struct engine_hit *hit; /* may be NULL */
-    bool has_room;          /* true if room_take has reserved memory for the space */
+    bool has_room;          /* true if chipmunk_reserve has reserved memory for the space */
     cpSpace *space;
     cpShape *floor; /* NULL if the boxes stand on hinges */
     struct body *body;
     size_t count, head; /* number of boxes in the space, and index of the foremost box that was hit */
     double now;
     double energy;             /* energy of all boxes in `space`, recorded when the head was hit */
-    struct cpConstraint watch; /* ends the iterations of a step (converge.c) */
+    struct cpConstraint watch; /* ends the iterations of a step */
     double tolerance;          /* tolerance of the impulses, as in struct engine_grain */
     double change;             /* the largest change in any velocity during the last iteration */
 };
@@ -51,18 +98,8 @@ void world_free(struct world *world);
 /* Adds the next box in its upright position. */
 void world_add_box(struct world *world);
 
-/*
- * Call converge_begin after the first box has been added, converge_step before each step, and converge_end
- * before the boxes are freed. The solver then iterates until its impulses have converged.
- */
-void converge_begin(struct world *world);
-void converge_step(struct world *world);
-void converge_end(struct world *world);
-
-/* Returns the components of the gravitational acceleration along the floor and perpendicular to it. */
-cpVect world_gravity(const struct engine_row *row);
-
-struct motion world_motion(const struct world *world, size_t k);
+/* Moves all boxes by a step. The solver iterates until its impulses have converged. */
+void world_step(struct world *world, double dt);
 
 /* These functions return the tilt and the angular velocity of box k, and its upper and lower front
  * corners. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "parallel/workers.h"
+#include "interpreter/feature.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include <pthread.h>
@@ -239,3 +240,5 @@ enum dom_status workers_tasks(size_t count, dom_task *run, void *context, void *
     workers_run(&all);
     return all.status;
 }
+
+const struct feature parallel_feature = {.name = "parallel"};
