@@ -237,33 +237,6 @@ static void residuals_say(struct answer *a, const struct fit *f)
 
 /* ---- The fit ---- */
 
-/* Checks that no gap is longer than a domino is tall, and that there are as many different rows as unknowns.
- * Several measurements of one row determine one unknown. */
-static bool rows_check(const struct fit *f, const char *shown, struct problem *problem)
-{
-    const domq_real h = f->query->scene->scale.h;
-    int gaps = 0;
-    for (size_t k = 0; k < f->data.points; k++) {
-        const domq_real gap = (domq_real)f->data.point[k].gap;
-        size_t earlier = 0;
-        while (f->data.point[earlier].gap != f->data.point[k].gap ||
-               f->data.point[earlier].domino != f->data.point[k].domino)
-            earlier++;
-        gaps += earlier == k;
-        if (gap > h)
-            return problem_no_answer(
-                problem,
-                "%s: the gap %s is longer than the domino is tall, h = %s; 'set h' changes this height",
-                shown, measured(gap, "m", 6).text, measured(h, "m", 6).text);
-    }
-    return gaps >= f->unknowns ||
-           problem_no_answer(problem,
-                             "%s has the %s of %d kind%s of row, which cannot determine %d unknowns; "
-                             "measure rows with another gap, or name fewer unknowns",
-                             shown, f->data.kind == FIT_SPEEDS ? "speeds" : "times", gaps,
-                             gaps == 1 ? "" : "s", f->unknowns);
-}
-
 bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
 {
     const struct fit_given *given = query->given->bound;
@@ -272,8 +245,7 @@ bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
     for (int i = 0; i < given->count; i++)
         f->unknown[i].parameter = given->parameter[i];
     const double rate = query->given->count > 2 ? (double)query->given->number[2] : (double)NAN;
-    if (!fit_read(query, query->given->word[1], rate, &f->data, problem) ||
-        (fit_has_rows(&f->data) && !rows_check(f, shown, problem)) || !fit_solve(f, problem))
+    if (!fit_read(query, query->given->word[1], rate, &f->data, problem) || !fit_solve(f, problem))
         return false;
     for (int i = 0; i < f->unknowns; i++)
         if (f->unknown[i].deviation == HUGE_VAL)

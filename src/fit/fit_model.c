@@ -2,9 +2,7 @@
 /* Computes the model's result for each measurement of 'fit'. */
 #include "fit/fit.h"
 #include "language/names.h"
-#include "language/text.h"
 #include "train/falling.h"
-#include <string.h>
 
 /* A copy of the session's state with trial values of the unknowns, and a query about it. */
 struct trial {
@@ -54,25 +52,8 @@ static bool speeds_compute(struct fit *f, const double *value)
     return true;
 }
 
-/* Returns advice for a row that fell, but does not fall in the scene. */
-static const char *push_advice(const struct fit *f, char text[192])
-{
-    bool is_fitted = false;
-    char names[64] = "";
-    for (int i = 0; i < f->unknowns; i++) {
-        is_fitted = is_fitted || strcmp(f->unknown[i].parameter->name, "push") == 0;
-        text_add(names, sizeof names, "%.24s, ", f->unknown[i].parameter->name);
-    }
-    if (!f->query->scene->effect[DOM_EFFECT_push].on)
-        snprintf(text, 192, "if the row was pushed, enter 'set push'%s",
-                 is_fitted ? "" : ", or fit push as well");
-    else if (is_fitted)
-        snprintf(text, 192, "the push may be too weak to begin with; enter a larger one with 'set push'");
-    else
-        snprintf(text, 192, "the push may be too weak; enter a larger one with 'set push', or 'fit %spush'",
-                 names);
-    return text;
-}
+/* Advice for a row that fell, but does not fall in the scene. */
+static const char push_advice[] = "if the row was pushed, 'set push' to about its speed, or fit push as well";
 
 /* Fills in how long each row takes to fall, as 'verdict' says. */
 static bool totals_compute(struct fit *f, const double *value)
@@ -91,7 +72,7 @@ static bool totals_compute(struct fit *f, const double *value)
                                      "the fall ends at domino %zu; %s",
                                      names_shown(f->query->given->word[1]), p->line, p->domino,
                                      measured((domq_real)p->gap, "m", 4).text, p->measured, verdict.domino,
-                                     push_advice(f, (char[192]){""}));
+                                     push_advice);
         f->computed[k] = (double)verdict.seconds;
     }
     return true;
@@ -137,7 +118,7 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
             &f->problem,
             "domino %zu was measured in run %g, but in the scene the fall ends at domino %zu: 'fall' "
             "shows why; %s",
-            dominoes, run->number, last, push_advice(f, (char[192]){""}));
+            dominoes, run->number, last, push_advice);
     return true;
 }
 

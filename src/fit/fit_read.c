@@ -117,6 +117,10 @@ static bool row_add(const struct query *query, struct fit_data *d, struct csv_ta
                               .line = csv->row.at.line,
                               .measured = (double)value[MEASURED],
                               .error = (double)value[ERROR]};
+    if (value[GAP] > query->scene->scale.h)
+        return csv_wrong(&csv->file, csv_cell(csv, GAP).at,
+                         "the gap %s is longer than the domino is tall, h = %s; 'set h' changes this height",
+                         measured(value[GAP], "m", 6).text, measured(query->scene->scale.h, "m", 6).text);
     if (csv->column[RATE])
         rate = (double)value[RATE];
     if (csv->column[FRAME] && isnan(rate) && !isnan((double)value[FRAME]))

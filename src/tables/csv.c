@@ -197,22 +197,23 @@ bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
 {
     int depth = 0;
     for (char *c = text; *c; c++) {
-        size_t before = 0, after = strspn(c + 1, "0123456789");
+        const size_t after = strspn(c + 1, "0123456789");
+        size_t before = 0;
         while (c - before > text && isdigit((unsigned char)(c - before)[-1]))
             before++;
         depth += (*c == '(') - (*c == ')');
         /* Inside parentheses, a comma separates the arguments of a function. */
         const bool is_comma = *c == ',' && depth == 0 && after > 0;
-        if (!is_comma && (*c != '.' || before + after == 0))
+        if (!is_comma && *c != '.')
             continue;
-        const char *end = c + 1 + after;
-        if (before > 0 && (*end == '.' || (*end == ',' && depth == 0)))
+        const char end = c[1 + after];
+        if (before > 0 && (end == '.' || (end == ',' && depth == 0)))
             return csv_wrong(
                 file, at,
                 "this number has more than one decimal mark; write it without thousands separators");
         file->has_comma = file->has_comma || (is_comma && file->separator != ',');
         const bool is_doubtful = before >= 1 && before <= 3 && *(c - before) != '0' && after == 3;
-        if (is_doubtful && (*end | 0x20) != 'e' && (is_comma ? file->separator == ',' : file->has_comma))
+        if (is_doubtful && (is_comma ? file->separator == ',' : file->has_comma))
             return csv_wrong(file, at,
                              "the %s in this number may be a thousands separator; write one more digit "
                              "after it, or leave it out",

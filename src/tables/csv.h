@@ -14,7 +14,7 @@
  * - The first line names the columns, in any order, in English, German, Dutch or French. Case and accents
  *   make no difference.
  * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm", "height_mm",
- *   "height/mm" or "height in mm". The second line may also give them.
+ *   "height/mm" or "height in mm".
  * - A cell is an expression. A cell that contains only a dash counts as empty. If a cell has a unit, the unit
  *   of the column does not apply to the cell.
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
@@ -138,11 +138,8 @@ struct csv_table {
     struct csv_file file;
     char *path;             /* the path of the file, for messages */
     struct csv_record head; /* the first line */
-    /* The second line, if this line gives the units. Otherwise a record without cells. */
-    struct csv_record units;
-    struct csv_record row; /* the current row */
-    bool is_read_ahead;    /* `row` has been read ahead: it is the next row, not the current one */
-    size_t rows;           /* the number of rows that have been read */
+    struct csv_record row;  /* the current row */
+    size_t rows;            /* the number of rows that have been read */
     /* The position of each column in the file, counted from 1, or 0 if the file does not have the column. */
     int column[CSV_COLUMNS_MOST];
     /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives none. */
@@ -176,7 +173,7 @@ bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
 /* Writes the unknown columns of the file. Each of them is preceded by a comma. If `names` is true, writes the
- * names and units of the columns. Otherwise writes their cells in the current row. */
+ * headings of the columns. Otherwise writes their cells in the current row. */
 void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 /* Opens a csv file and reads the first line of its table. The file may be beside the running script, or else

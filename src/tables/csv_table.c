@@ -125,7 +125,7 @@ static bool is_empty(const char *text)
     return names_index("|-|\u2013|\u2014|\u2212", '|', text) >= 0;
 }
 
-/* ---- The first two lines ---- */
+/* ---- The first line ---- */
 
 static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv_place at)
 {
@@ -137,30 +137,8 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
     if (!known || !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, at, "'%s' is not a unit of %s; its units are: %s", shown, c->name,
                          c->units);
-    if (csv->unit[k] > 0 && csv->unit[k] != q.value)
-        return csv_wrong(&csv->file, at,
-                         "'%s' differs from the unit of %s in the first line; delete one of the two units",
-                         shown, c->name);
     csv->unit[k] = q.value;
     return true;
-}
-
-/* Reads the second line. If the line does not give units, it is the first row. */
-static bool units_read(struct csv_table *csv)
-{
-    char unit[UNIT];
-    bool units = false, good = true;
-    if (!csv_read(&csv->file, &csv->row))
-        return !*csv->file.problem.text;
-    for (int k = 0; k < csv->kind->columns; k++)
-        units = units || unit_copy(csv_cell(csv, k).text, unit);
-    for (int k = 0; k < csv->kind->columns && units && good; k++)
-        good =
-            is_empty(csv_cell(csv, k).text) || unit_read(csv, k, csv_cell(csv, k).text, csv_cell(csv, k).at);
-    if (units)
-        csv->units = csv->row;
-    csv->is_read_ahead = !units;
-    return good;
 }
 
 static const char *column_names(const void *context, int k)
@@ -280,7 +258,7 @@ static bool head_read(struct csv_table *csv)
             CSV_OTHERS_MOST);
     if (good && missing)
         return column_missing(csv, missing);
-    return good && units_read(csv);
+    return good;
 }
 
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind)
@@ -303,20 +281,6 @@ void csv_close(struct csv_table *csv)
 }
 
 /* ---- Numbers ---- */
-
-/* Reports that a number has no unit. The number cannot be read as if it were in m, because a file with
- * heights of 48 is probably in mm. Returns false. */
-static bool unit_missing(struct csv_table *csv, int k, const char *text)
-{
-    const struct csv_column *c = &csv->kind->column[k];
-    char here[64] = "";
-    const char *shown = names_shown(text);
-    if (*c->unit == 'm')
-        snprintf(here, sizeof here, ", or '%.40s %s' in the cell", shown, c->usual);
-    return csv_wrong(&csv->file, csv_cell(csv, k).at,
-                     "%s has no unit: '%s' would mean %s %s; write '%s (%s)' in the first line%s", c->name,
-                     shown, shown, c->unit, c->name, c->usual, here);
-}
 
 /* Evaluates a string that must be a single expression without names. Returns false if there is an error, or
  * if more text follows the expression. In the second case, error->message is empty. */
@@ -356,8 +320,15 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     if (*c->unit && strchr(text->line, '%'))
         return csv_wrong(&csv->file, cell, "%s: this is a percentage; %s", c->name, c->advice);
     const domq_real unit = csv->unit[k] > 0 ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
+    /* The number cannot be read as if it were in m, because a file with heights of 48 is probably in mm. */
+    char here[64] = "";
+    shown = names_shown(text->line);
+    if (*c->unit == 'm')
+        snprintf(here, sizeof here, ", or '%.40s %s' in the cell", shown, c->usual);
     if (bare && unit == 0 && q.value != 0)
-        return unit_missing(csv, k, text->line);
+        return csv_wrong(&csv->file, cell,
+                         "%s has no unit: '%s' would mean %s %s; write '%s (%s)' in the first line%s",
+                         c->name, shown, shown, c->unit, c->name, c->usual, here);
     csv->value[k] = bare ? q.value * unit : q.value;
     return true;
 }
@@ -415,8 +386,8 @@ static bool value_read(struct csv_table *csv, int k)
 static bool row_read(struct csv_table *csv)
 {
     const struct csv_record *row = &csv->row;
-    for (bool again = true; again; csv->is_read_ahead = false) {
-        if (!csv->is_read_ahead && !csv_read(&csv->file, &csv->row))
+    for (bool again = true; again;) {
+        if (!csv_read(&csv->file, &csv->row))
             return false;
         again = row->cells == csv->head.cells;
         for (int i = 0; i < row->cells && again; i++)
@@ -457,15 +428,10 @@ bool csv_next(struct csv_table *csv)
 
 void csv_write_others(const struct csv_table *csv, bool names, FILE *out)
 {
-    for (int i = 0; i < csv->head.cells; i++) {
-        const struct csv_record *record = names ? &csv->head : &csv->row;
-        const char *text = i < record->cells ? record->cell[i].text : "";
-        const char *unit = names && *text && i < csv->units.cells ? csv->units.cell[i].text : "";
-        char name[256];
-        snprintf(name, sizeof name, "%s (%s)", text, unit);
+    const struct csv_record *record = names ? &csv->head : &csv->row;
+    for (int i = 0; i < csv->head.cells; i++)
         if (csv->other[i]) {
             putc(',', out);
-            csv_write(out, *unit ? name : text, ",;\t\"\n#");
+            csv_write(out, i < record->cells ? record->cell[i].text : "", ",;\t\"\n#");
         }
-    }
 }

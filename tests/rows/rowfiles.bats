@@ -103,7 +103,7 @@ END
     printf 'no\tlength_mm\tdepth_mm\tdistance_mm\tweight_g\n1\t48\t7.5\t-\t10\n2\t50\t7.5\t20\t12\n' >tabs.csv
     printf '\xef\xbb\xbfsep=;\r\n"height, mm";"thickness, mm";"gap, mm";"mass, g"\r\n48;7.5;-;10\r\n50;7.5;20;12\r\n' >sheet.csv
     printf '"height, mm","thickness [mm]","gap, cm","mass, g"\n48,7.5,-,10\n50,7.5,2,12\n' >quoted.csv
-    printf 'sep=;\nheight;thickness;gap;mass\ncm;mm;mm;g\n4,8;7,5;-;10\n5;7,5;2,0 cm;12,0\n' >commas.csv
+    printf 'sep=;\nheight cm;thickness/mm;gap in mm;mass g\n4,8;7,5;-;10\n5;7,5;2,0 cm;12,0\n' >commas.csv
     for file in synonyms tabs sheet quoted commas; do
         same "$file" "$("$DOMINO" -e 'effect row plain.csv; row')" "$("$DOMINO" -e "effect row $file.csv; row" 2>&1)"
     done
