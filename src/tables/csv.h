@@ -102,7 +102,7 @@ enum {
 struct csv_column {
     const char *name;
     unsigned traits;
-    const char *unit;       /* the SI unit of the values; "" for plain numbers, NULL for text */
+    const char *unit;       /* the SI unit of the values; "" for plain numbers */
     const char *units;      /* for messages: a list of the units that a file may use */
     const char *usual;      /* for messages: the unit to suggest */
     const char *advice;     /* advice for messages, for example "write a length such as 48 mm" */

@@ -131,7 +131,7 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
 {
     char unit[UNIT];
     const struct csv_column *c = &csv->kind->column[k];
-    const bool known = unit_copy(text, unit) && c->unit && *c->unit;
+    const bool known = unit_copy(text, unit) && *c->unit;
     const struct quantity q = expression_unit(unit);
     const char *shown = names_shown(text);
     if (!known || !quantity_alike(q, expression_unit(c->unit)))
@@ -366,7 +366,7 @@ static bool value_read(struct csv_table *csv, int k)
     struct text text;
     bool unused = csv->rows == 0 && c->traits & CSV_NOT_FIRST;
     csv->value[k] = DOMQ_NAN;
-    if (csv->column[k] == 0 || !c->unit || (is_empty(typed) && (unused || c->traits & CSV_EMPTY)))
+    if (csv->column[k] == 0 || (is_empty(typed) && (unused || c->traits & CSV_EMPTY)))
         return true;
     if (csv->column[k] > csv->row.cells)
         return csv_wrong(&csv->file, csv->row.at,
@@ -382,24 +382,10 @@ static bool value_read(struct csv_table *csv, int k)
     return good;
 }
 
-/* Reads the next row. Skips copies of the first line, which occur in concatenated files. */
-static bool row_read(struct csv_table *csv)
-{
-    const struct csv_record *row = &csv->row;
-    for (bool again = true; again;) {
-        if (!csv_read(&csv->file, &csv->row))
-            return false;
-        again = row->cells == csv->head.cells;
-        for (int i = 0; i < row->cells && again; i++)
-            again = strcmp(row->cell[i].text, csv->head.cell[i].text) == 0;
-    }
-    return true;
-}
-
 bool csv_next(struct csv_table *csv)
 {
     const struct csv_kind *kind = csv->kind;
-    if (!row_read(csv)) {
+    if (!csv_read(&csv->file, &csv->row)) {
         if (!*csv->file.problem.text && csv->rows == 0)
             csv_wrong(
                 &csv->file, csv->file.at,
