@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "train/row_start.h"
 #include "language/quad.h"
+#include "train/seek.h"
+#include <float.h>
 #include <stdlib.h>
 
 /* A very long row need not be run to its end. If the endless train keeps falling, and a row of this many
@@ -8,7 +10,7 @@
  * of a cycle is a linear function of the energy of the cycle before it, with a slope below 1. */
 enum { START_DOMINOES = 64 };
 
-/* A search first runs this many dominoes, which often decide the verdict. */
+/* This many dominoes often decide. A row whose sizes are out of range after fewer of them decides nothing. */
 enum { FEW = 8 };
 
 /* The search for the largest growth runs this many dominoes of a row, or fewer if these decide. */
@@ -32,61 +34,70 @@ struct scene start_scene(const struct query *query, const struct domq_train *tra
     return scene;
 }
 
-/* Halves the row if a size or a mass is out of range. The dropped dominoes are too far away to affect the
- * start. */
-static bool row_shorten(struct domq_row *row, enum dom_status status)
-{
-    const bool shorter = status >= DOM_BAD_COUNT && status <= DOM_BAD_MASS && row->count > 2;
-    row->count /= shorter ? 2 : 1;
-    return shorter;
-}
-
-/* Finds the weakest push up to `strongest`, in double. */
-static enum dom_status push_find(const struct scene_row *row, domq_real strongest, domq_real *push)
-{
-    struct double_row made;
-    double found = DOM_NAN;
-    enum dom_status status = scene_row_in_double(row, &made);
-    if (status == DOM_OK)
-        status = dom_row_weakest_push(&made.row, &made.compute, (double)strongest, &found);
-    free(made.domino);
-    *push = quad_decimal(found);
-    return status;
-}
+/* ---- A row ---- */
 
 /* A run of the first dominoes of a row. */
 struct plain_run {
     struct scene_row made; /* the caller frees made.domino */
     struct domq_verdict verdict;
-    double spare;   /* the smallest margin / barrier of the dominoes */
-    bool is_pushed; /* if false, the first domino just tips over, with a margin of 0 */
+    double spare; /* the smallest margin / barrier of the dominoes, below 0 if the row stops */
+    /* Unless this is 0, the run ends once it shows that a row of so many dominoes, which have all the same
+     * proportions, falls. */
+    size_t most;
+    bool is_settled; /* it has shown this */
+    double share[3]; /* margin / kinetic energy of the last dominoes, beginning with the last */
 };
 
+/*
+ * Visits a domino. In a train, margin / kinetic energy changes less and less from domino to domino. To be on
+ * the safe side, this test assumes that it decreases at every further domino, and each time by the size of
+ * its last change. If more than half of it would still be left at the end of the row, all dominoes fall.
+ */
 static bool spare_visit(const struct domq_fall *fall, void *context)
 {
     struct plain_run *run = context;
-    if (fall->barrier > 0 && (fall->domino > 1 || run->is_pushed))
+    /* A first domino that just tips over has a margin of 0. */
+    if (fall->domino == 1 && isnan(run->made.row.push))
+        return true;
+    if (fall->barrier > 0)
         run->spare = fmin(run->spare, (double)(fall->margin / fall->barrier));
-    return true;
+    /* The last domino hits no other, so it may need less energy. */
+    if (run->most == 0 || fall->domino == run->made.row.count)
+        return true;
+    double *share = run->share;
+    share[2] = share[1];
+    share[1] = share[0];
+    share[0] = (double)(fall->margin / fall->kinetic);
+    const double change = fabs(share[0] - share[1]);
+    run->is_settled = change <= fabs(share[1] - share[2]) &&
+                      (double)(run->most - fall->domino) * change < fmin(share[0], share[1]) / 2;
+    return !run->is_settled;
 }
 
-/* Runs a row of at most START_DOMINOES dominoes. If the scene has no such row, sets *problem, which may be
- * NULL, and run->made.domino to NULL. */
-static enum dom_status plain_run(const struct scene *scene, struct plain_run *run, struct problem *problem)
+/* Runs a row, or only its first part if sizes or masses become too large or too small, which are too far away
+ * to affect the start. */
+static enum dom_status plain_run(struct plain_run *run)
 {
-    struct problem ignored = {.kind = PROBLEM_NONE};
-    enum dom_status status;
-    if (!scene_row_make(scene, &run->made, problem ? problem : &ignored)) {
-        run->made.domino = NULL;
-        return DOM_OK;
-    }
-    run->made.row.floor = false;
-    run->is_pushed = !isnan(run->made.row.push);
-    do {
+    struct domq_row *row = &run->made.row;
+    for (;;) {
         run->spare = HUGE_VAL;
-        status = any_row_run(&run->made.row, &run->made.compute, false, spare_visit, run, &run->verdict);
-    } while (row_shorten(&run->made.row, status));
-    return status;
+        run->is_settled = false;
+        run->share[0] = run->share[1] = (double)NAN;
+        const enum dom_status status =
+            any_row_run(row, &run->made.compute, false, spare_visit, run, &run->verdict);
+        if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS || row->count <= 2)
+            return status;
+        row->count /= 2;
+    }
+}
+
+/* Makes a row, unless the scene has no such row. */
+static bool plain_make(const struct scene *scene, struct plain_run *run, struct problem *problem)
+{
+    run->most = 0;
+    const bool is_made = scene_row_make(scene, &run->made, problem);
+    run->made.row.floor = false;
+    return is_made;
 }
 
 static size_t plain_count(domq_real dominoes)
@@ -98,22 +109,28 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
                 struct start *start, struct problem *problem)
 {
     struct plain_run run;
+    struct double_row in_double;
     const struct scene scene = start_scene(query, train, plain_count(dominoes));
-    enum dom_status status = plain_run(&scene, &run, problem);
     const struct domq_row *row = &run.made.row;
-    if (!run.made.domino)
+    if (!plain_make(&scene, &run, problem))
         return false;
+    enum dom_status status = plain_run(&run);
     *start = (struct start){
         .count = row->count, .push = DOMQ_NAN, .engine = row->engine ? scene_engine_why(&scene) : NULL};
     start->falls = status == DOM_OK && run.verdict.end == DOM_ROW_FALLS;
     if (status == DOM_OK && !start->falls) {
         start->end = run.verdict.end;
         start->stops_at = run.verdict.domino;
+        status = start->engine ? status : scene_row_in_double(&run.made, &in_double);
+    }
+    if (status == DOM_OK && !start->falls && !start->engine) {
         /* The centre of a falling domino moves on a circle. If omega^2 h/2 > g, its weight is too small to
          * keep it on the circle, and the domino lifts off the floor. */
-        const domq_real lifting = quad(sqrt)(2 * row->g / run.made.domino[0].height);
-        if (!start->engine)
-            status = push_find(&run.made, lifting, &start->push);
+        const double lifting = (double)quad(sqrt)(2 * row->g / run.made.domino[0].height);
+        double push = (double)NAN;
+        status = dom_row_weakest_push(&in_double.row, &in_double.compute, lifting, &push);
+        start->push = quad_decimal(push);
+        free(in_double.domino);
     }
     free(run.made.domino);
     return row_status(query, problem, status);
@@ -123,15 +140,15 @@ double start_row_spare(const struct query *query, const struct domq_train *train
                        enum dom_status *status)
 {
     struct plain_run run;
+    struct problem ignored = {.kind = PROBLEM_NONE};
     const size_t count = plain_count(dominoes);
     const struct scene scene = start_scene(query, train, count);
-    const enum dom_status ran = plain_run(&scene, &run, NULL);
-    if (!run.made.domino)
+    if (!plain_make(&scene, &run, &ignored))
         return (double)-INFINITY;
+    const enum dom_status ran = plain_run(&run);
     free(run.made.domino);
     if (ran == DOM_NO_MEMORY || ran == DOM_INTERRUPTED)
         *status = ran;
-    /* If sizes are out of range, only the first dominoes are run. They must be enough to decide. */
     const bool is_short = run.made.row.count < count && run.made.row.count < FEW;
     if (ran != DOM_OK || is_short || (run.verdict.end != DOM_ROW_FALLS && run.verdict.end != DOM_ROW_STOPS))
         return (double)-INFINITY;
@@ -152,195 +169,102 @@ double start_train_spare(const struct query *query, const struct domq_train *tra
 
 /* ---- The largest growth ---- */
 
-/* A search for the largest growth. Its rows are parts of trains. */
 struct search {
-    const struct scene *scene;
-    struct scene_row made;
-    size_t most; /* a row that falls up to this domino counts as falling */
-    /* The first `count` dominoes are run. Often they decide, and dominoes after them would only take time. */
-    size_t count;
-    bool settles; /* the first dominoes may decide, because all dominoes have the same proportions */
+    struct scene scene;
+    struct plain_run run; /* its row is a part of a train */
+    size_t count;         /* this many dominoes are run first */
     enum dom_status status;
-    /* ---- The last run ---- */
-    double share[3]; /* margin / kinetic energy of the last dominoes, beginning with the last */
-    bool settled;    /* the dominoes that were run show that all others fall, too */
-    /* Smallest margin / barrier, below 0 if the row stops. NaN if the fall ends in another way. */
-    double spare;
 };
 
-/*
- * Visits a domino. In a train, margin / kinetic energy changes less and less from domino to domino. To be on
- * the safe side, this test assumes that it decreases at every further domino, and each time by the size of
- * its last change. If more than half of it would still be left at the end of the row, all dominoes fall.
- */
-static bool search_visit(const struct domq_fall *fall, void *context)
+/* Returns margin / barrier of the row with growth r: at least 0 if all dominoes fall, below 0 if the row
+ * stops, and NaN if the fall ends in another way. */
+static double growth_spare(double r, void *context)
 {
     struct search *s = context;
-    if (fall->domino == 1 && isnan(s->made.row.push))
-        return true;
-    if (fall->barrier > 0)
-        s->spare = fmin(s->spare, (double)(fall->margin / fall->barrier));
-    /* The last domino hits no other, so it may need less energy. */
-    if (!s->settles || fall->domino == s->made.row.count)
-        return true;
-    s->share[2] = s->share[1];
-    s->share[1] = s->share[0];
-    s->share[0] = (double)(fall->margin / fall->kinetic);
-    const double change = fabs(s->share[0] - s->share[1]);
-    s->settled = change <= fabs(s->share[1] - s->share[2]) &&
-                 (double)(s->most - fall->domino) * change < fmin(s->share[0], s->share[1]) / 2;
-    return !s->settled;
-}
-
-/* Returns true if all dominoes fall at the growth r. */
-static bool search_falls(struct search *s, domq_real r)
-{
-    struct domq_verdict verdict = {.end = DOM_ROW_STOPS};
-    struct domq_row *row = &s->made.row;
-    size_t count = s->count, most = s->most;
-    bool decided = false;
-    while (!decided && s->status == DOM_OK) {
-        row->count = count;
-        row_grow(r, s->made.domino, count, s->scene);
-        s->settled = false;
-        s->spare = HUGE_VAL;
-        for (int k = 0; k < 3; k++)
-            s->share[k] = (double)NAN;
-        s->status = any_row_run(row, &s->made.compute, false, search_visit, s, &verdict);
-        if (row_shorten(row, s->status)) {
-            count = most = row->count;
-            s->status = DOM_OK;
-            continue;
-        }
-        decided = count == most || s->settled || (verdict.end != DOM_ROW_FALLS && verdict.domino < count);
-        if (!decided)
-            count = s->count = most;
+    struct plain_run *run = &s->run;
+    struct domq_row *row = &run->made.row;
+    const struct domq_verdict *v = &run->verdict;
+    bool is_decided = false;
+    while (!is_decided && s->status == DOM_OK) {
+        row->count = s->count;
+        row_grow((domq_real)r, run->made.domino, row->count, &s->scene);
+        s->status = plain_run(run);
+        is_decided = row->count < s->count || row->count == START_SEARCHED || run->is_settled ||
+                     (v->end != DOM_ROW_FALLS && v->domino < row->count);
+        s->count = is_decided ? s->count : START_SEARCHED;
     }
-    if (verdict.end != DOM_ROW_FALLS && verdict.end != DOM_ROW_STOPS)
-        s->spare = (double)NAN;
-    return s->status == DOM_OK && verdict.end == DOM_ROW_FALLS;
-}
-
-/* A growth and the energy to spare there. */
-struct tried {
-    domq_real r;
-    double spare;
-};
-
-/* Returns the growth at which the secant through two points is 0, or NaN. */
-static domq_real secant(const struct tried *a, const struct tried *b)
-{
-    const double part = a->spare / (a->spare - b->spare);
-    return isfinite(part) ? a->r + (b->r - a->r) * (domq_real)part : DOMQ_NAN;
+    return s->status == DOM_OK && v->end == DOM_ROW_FALLS   ? fmax(run->spare, 0)
+           : s->status == DOM_OK && v->end == DOM_ROW_STOPS ? fmin(run->spare, -DBL_MIN)
+                                                            : (double)NAN;
 }
 
 /*
- * Lowers the growth from *bad, where the row does not fall, until it falls. Returns false if it does not fall
- * at any of the growths that are tried, the last of which is 1. The first step is 2 %. If `hurries` is true,
- * each step is twice as large as the one before, or goes where the secant leads. Otherwise, all steps are
- * 2 %, so that only narrower intervals of growths can be missed.
+ * Lowers the growth from `from`, where the row does not fall, until it falls. Returns false if it does not
+ * fall at any of the growths that are tried, the last of which is 1. The first step is 2 %. If `hurries` is
+ * true, each step is twice as large as the one before, or goes where the secant leads. Otherwise, all steps
+ * are 2 %, so that only narrower intervals of growths can be missed.
  */
-static bool search_down(struct search *s, bool hurries, struct tried *bad, struct tried *good)
+static bool search_down(struct search *s, bool hurries, struct spot from, struct spot *bad, struct spot *good)
 {
-    struct tried before = {DOMQ_NAN, (double)NAN};
-    for (domq_real step = bad->r / 50; bad->r > 1 && s->status == DOM_OK;
-         step = hurries ? 2 * step : bad->r / 50) {
+    struct spot before = {(double)NAN, (double)NAN};
+    *bad = from;
+    for (double step = bad->x / 50; bad->x > 1 && s->status == DOM_OK;
+         step = hurries ? 2 * step : bad->x / 50) {
+        const double zero = bad->x + (before.x - bad->x) * bad->value / (bad->value - before.value);
         /* go a little beyond the secant's zero, so that the row falls */
-        domq_real x = bad->r - step;
-        const domq_real zero = secant(bad, &before), beyond = zero - (bad->r - zero) / 16;
-        if (hurries && zero < bad->r && beyond > bad->r - 8 * step)
-            x = beyond;
-        *good = (struct tried){.r = quad_larger(x, 1)};
-        if (search_falls(s, good->r)) {
-            good->spare = s->spare;
+        const double beyond = zero - (bad->x - zero) / 16;
+        const bool follows = hurries && zero < bad->x && beyond > bad->x - 8 * step;
+        good->x = fmax(1, follows ? beyond : bad->x - step);
+        good->value = growth_spare(good->x, s);
+        if (good->value >= 0)
             return true;
-        }
         before = *bad;
-        *bad = (struct tried){good->r, s->spare};
+        *bad = *good;
     }
     return false;
-}
-
-/* Finds the edge between two growths: at `good` the row falls, at `bad` it does not. */
-static domq_real search_edge(struct search *s, struct tried good, struct tried bad, double tol)
-{
-    struct tried last = bad, before = good;
-    domq_real width = bad.r - good.r, near;
-    for (int k = 1; bad.r - good.r > (near = good.r * (domq_real)tol) && s->status == DOM_OK; k++) {
-        const domq_real middle = good.r + (bad.r - good.r) / 2;
-        domq_real x = secant(&last, &before);
-        /* shift x towards the farther end, so that both ends approach the edge */
-        x += x - good.r < bad.r - x ? 0.4 * near : -0.4 * near;
-        if (!(x > good.r && x < bad.r))
-            x = middle;
-        if (k % 3 == 0) {
-            x = bad.r - good.r > width / 2 ? middle : x;
-            width = bad.r - good.r;
-        }
-        const bool falls = search_falls(s, x);
-        before = last;
-        last = (struct tried){x, s->spare};
-        *(falls ? &good : &bad) = last;
-    }
-    return good.r;
-}
-
-static domq_real search_same(const struct search *s)
-{
-    return quad_larger(START_SAME, 4 * s->made.compute.tol);
-}
-
-/* Finds the largest growth up to `highest` at which the row falls, or NaN. The train's r_max limits it from
- * above and is close to it in most cases, so the search goes down from there. */
-static domq_real search_run(struct search *s, domq_real highest)
-{
-    struct tried bad = {.r = quad_larger(highest * (1 - search_same(s)), 1)}, good;
-    if (search_falls(s, bad.r))
-        return highest;
-    bad.spare = s->spare;
-    const struct tried top = bad;
-    if (!search_down(s, true, &bad, &good)) {
-        bad = top;
-        if (!search_down(s, false, &bad, &good))
-            return DOMQ_NAN;
-    }
-    return search_edge(s, good, bad, (double)s->made.compute.tol / 8);
 }
 
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
                         struct start_growths *growths, struct problem *problem)
 {
-    struct scene scene = start_scene(query, train, 2);
-    /* The first domino may have too little room for its tilt at the growths that are tried first. */
-    if (scene.effect[DOM_EFFECT_release].on)
-        scene.effect[DOM_EFFECT_release].value[0] = RELEASE_TOUCH;
-    struct search s = {.scene = &scene, .most = START_SEARCHED, .count = FEW};
-    *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, scene_has_engine(&scene)};
-    scene.train.r = 1;
+    struct search s = {.scene = start_scene(query, train, 2)};
+    struct scene_row *made = &s.run.made;
+    *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, scene_has_engine(&s.scene)};
     if (growths->is_too_slow)
         return true;
-    /* The dominoes of a train lean and stand alike, so a row of two shows whether they stand. */
-    if (!scene_row_make(&scene, &s.made, problem))
+    /* The dominoes of a train lean and stand alike, so two equal ones show whether they stand. The first
+     * domino may have too little room for its tilt at this growth. */
+    s.scene.train.r = 1;
+    if (s.scene.effect[DOM_EFFECT_release].on)
+        s.scene.effect[DOM_EFFECT_release].value[0] = RELEASE_TOUCH;
+    if (!plain_make(&s.scene, &s.run, problem))
         return false;
-    free(s.made.domino);
-    s.made.row.domino = s.made.domino = malloc(START_SEARCHED * sizeof *s.made.domino);
-    s.made.row.floor = false;
-    s.made.row.release = scene_release(query->scene);
-    s.made.compute.tol = quad_larger(s.made.compute.tol, START_TOL);
-    s.settles = s.made.row.walls == 0;
-    if (!s.settles)
-        s.count = s.most;
-    s.status = s.made.domino ? DOM_OK : DOM_NO_MEMORY;
-    const domq_real found = s.made.domino ? search_run(&s, highest) : DOMQ_NAN;
-    free(s.made.domino);
-    if (!row_status(query, problem, s.status))
-        return false;
-    growths->r_max = found >= highest ? highest : round_digits(found, START_DIGITS, false);
-    /* The edge is known to an eighth of the tolerance, and each run has an error within the tolerance, too.
-     */
-    growths->uncertainty = found >= highest ? search_same(&s) * highest
-                                            : found - growths->r_max + 2 * s.made.compute.tol * found;
-    return true;
+    free(made->domino);
+    made->row.domino = made->domino = malloc(START_SEARCHED * sizeof *made->domino);
+    if (!made->domino)
+        return query_status(query, problem, DOM_NO_MEMORY);
+    struct any_compute *compute = &made->compute;
+    made->row.release = scene_release(query->scene);
+    compute->tol = quad_larger(compute->tol, START_TOL);
+    s.run.most = made->row.walls == 0 ? START_SEARCHED : 0;
+    s.count = made->row.walls == 0 ? FEW : START_SEARCHED;
+    const domq_real same = quad_larger(START_SAME, 4 * compute->tol);
+    /* The train's r_max limits the growth from above and is close to it in most cases, so the search goes
+     * down from there. */
+    const double top = (double)quad_larger(highest * (1 - same), 1);
+    const struct spot from = {top, growth_spare(top, &s)};
+    struct spot good, bad;
+    if (from.value >= 0) {
+        *growths = (struct start_growths){highest, same * highest, false};
+    } else if (search_down(&s, true, from, &bad, &good) || search_down(&s, false, from, &bad, &good)) {
+        seek_edge(growth_spare, &s, &good, &bad, (double)compute->tol / 8 * good.x);
+        growths->r_max = round_digits((domq_real)good.x, START_DIGITS, false);
+        /* The edge is known to an eighth of the tolerance, and each run has an error within the tolerance,
+         * too. */
+        growths->uncertainty = (domq_real)good.x - growths->r_max + 2 * compute->tol * (domq_real)good.x;
+    }
+    free(made->domino);
+    return row_status(query, problem, s.status);
 }
 
 struct words start_words(const struct query *query)
