@@ -83,15 +83,13 @@ static bool tower_find(const struct query *query, const struct domq_train *train
 static bool best_kind(const struct query *query, const struct domq_train *train, const struct tower *t,
                       struct growth *best, struct problem *problem)
 {
+    domq_real kind[KINDS_MOST];
+    const size_t kinds = t->falls ? kinds_find(query, train, kind) : 1;
     *best = t->growth;
-    for (const struct word *w = parameter_find("q")->words; w->name && t->falls; w++) {
+    for (size_t k = 1; k < kinds; k++) {
         struct domq_train other = *train;
         struct growth growth;
-        other.q = w->value;
-        /* Several words can have the same value, and trains in air may not be self-similar. */
-        if (w->value == train->q || (w[1].name && w[1].value == w->value) ||
-            any_train_check(&other, query_compute(query)) == DOM_NO_AIR)
-            continue;
+        other.q = kind[k];
         if (!growth_find(query, &other, &growth, problem))
             return false;
         if (growth.row.r_max > best->row.r_max)
