@@ -29,18 +29,11 @@ enum sum {
     SUM_TOP,    /* the tilt theta_m, where the train is highest */
 };
 
-enum formula_style { FORMULA_PLAIN, FORMULA_LETTERS, FORMULA_TEX, FORMULA_STYLES };
-
-/* A symbol in equations: as it is typed, with Greek letters, and in TeX. */
-struct symbol_names {
-    const char *text[FORMULA_STYLES];
-};
-
 /* A quantity, and the equation by which it follows from other quantities. The equation may depend on the
  * train, so a name can have several entries. The first entry whose conditions hold is used. */
 struct derived {
-    struct symbol_names names;
-    unsigned with; /* the conditions under which this entry is used, as bits */
+    const char *name, *letters; /* the symbol as it is typed, and with Greek letters */
+    unsigned with;              /* the conditions under which this entry is used, as bits */
     unsigned ends; /* under these conditions the equation does not hold, and the derivation ends */
     enum sum sum;
     const char *equation; /* NULL if there is no equation in closed form; the derivation then ends here */
@@ -92,7 +85,7 @@ enum { STEPS_MOST = 40, NEEDS_MOST = 10, TERMS_SHOWN = 3 };
 /* One number in a derivation. */
 struct step {
     const struct derived *derived;
-    const char *name;                     /* derived->names.text[FORMULA_PLAIN] */
+    const char *name;                     /* derived->name */
     const char *reference, *unit, *words; /* as in `derived`, but adapted to the train */
     const struct tree *tree;              /* the parsed equation, or NULL */
     const struct step *needs[NEEDS_MOST];
@@ -134,15 +127,9 @@ void derivation_end(struct derivation *derivation);
 bool expression_value(const struct query *query, const char *expression, domq_real *value,
                       struct problem *problem);
 
-/* Writes a number in the form that the parser accepts. In TeX, an exponent is written as a power of ten. */
-void number_write(FILE *out, enum formula_style style, domq_real number, int digits);
-
-/* Writes the equation of a step, or the term of a sum, with names or, if `digits` is not 0, with numbers. */
-void equation_write(FILE *out, enum formula_style style, const struct step *step, int digits);
-
 /* Writes the equation of a step with numbers. A sum can have many terms: only the first ones are written, and
  * the others are added up. */
-void step_numbers(FILE *out, enum formula_style style, const struct step *step, int digits);
+void step_numbers(FILE *out, const struct step *step, bool letters, int digits);
 
 /* The arguments after the name of the question. */
 struct explain_arguments {
@@ -150,8 +137,7 @@ struct explain_arguments {
     bool deep;
 };
 
-/* Writes a derivation as text or, in a .tex file, as a document. Returns false on an error, for example if
- * pdflatex fails. */
+/* Writes a derivation as text. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_arguments *bound,
                    struct problem *problem);

@@ -193,7 +193,7 @@ static const char *words_of(struct derivation *d, const struct derived *q)
 static struct step *step_begin(struct derivation *d, const char *name, int depth)
 {
     const struct derived *q = derived_list;
-    while (q->words && (strcmp(q->names.text[0], name) != 0 || (q->with & d->has) != q->with))
+    while (q->words && (strcmp(q->name, name) != 0 || (q->with & d->has) != q->with))
         q++;
     if (d->count == STEPS_MOST || !q->words) {
         problem_error(d->problem,
@@ -203,7 +203,7 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
         return NULL;
     }
     struct step *s = &d->step[d->count++];
-    *s = (struct step){.derived = q, .name = q->names.text[0], .unit = q->unit, .value = DOMQ_NAN};
+    *s = (struct step){.derived = q, .name = q->name, .unit = q->unit, .value = DOMQ_NAN};
     s->depth = depth;
     s->reference = q->ends & d->has ? "" : q->reference;
     s->words = words_of(d, q);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'explain', which shows where a number comes from. */
-#include "answer/extension.h"
 #include "explain/derivation.h"
 #include "interpreter/feature.h"
 #include "interpreter/question.h"
@@ -145,7 +144,7 @@ static char *text_of(const struct derivation *d, const struct step *s, bool numb
     if (s->derived->sum && !numbers)
         fprintf(out, "sum(%s)", s->derived->equation);
     else if (numbers)
-        step_numbers(out, FORMULA_PLAIN, s, digits);
+        step_numbers(out, s, false, digits);
     else
         fputs(s->derived->equation, out);
     return fclose(out) == 0 ? text : NULL;
@@ -169,7 +168,7 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
 
 /* ---- The command ---- */
 
-/* Writes the derivation as text or as a lesson, or as rows of csv or json. */
+/* Writes the derivation as text, or as rows of csv or json. */
 static bool explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
                            const struct explain_arguments *bound, struct problem *problem)
 {
@@ -270,15 +269,13 @@ const struct command explain_commands[] = {
          "and omega, the first word of MORE is a tilt; with rmax, a separation; with count, a height. "
          "With friction or rounded edges, a quantity may have no equation in closed form. A maximum that the "
          "program "
-         "finds by a search has none either. The derivation then says so and ends. 'explain ... > "
-         "lesson.tex' writes a document with formulas. json gives the tree: 'needs' names the quantities in "
-         "each equation.",
+         "finds by a search has none either. The derivation then says so and ends. json gives the "
+         "tree: 'needs' names the quantities in each equation.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .sweep.refusal = "it explains one train",
      .rows = true,
      .brief = "*",
-     .writes = WRITES_DOCUMENTS,
      ANSWER(explain)},
     {.name = "recipe",
      .synonyms = "paper method algorithm steps compare",

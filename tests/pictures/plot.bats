@@ -238,7 +238,7 @@ END
 @test "what cannot be plotted: an error in one line that says what to do, and no file" {
     wrong 'plot energy rmax' "'plot energy' takes no arguments"
     wrong 'plot growth pair' "unknown word after 'plot growth' 'pair'; use one of: paper"
-    wrong 'draw > d.tex' "'d.tex' is the name of a document, which 'draw' cannot write; use .svg, .png, .pdf, .gp or .txt"
+    wrong 'draw > d.tex' "the file extension of 'd.tex' is unknown; use .svg, .png, .pdf, .gp or .txt"
     wrong 'plot growth > d.md' "the file extension of 'd.md' is unknown; use .svg"
     wrong 'plot growth paper paper' 'one argument too many'
     wrong 'plot cost' "needs the NAME of an answer: fuel, launch"

@@ -130,7 +130,7 @@ END
 # bats test_tags=rows
 @test "save replaces no table, no picture and no file of the row" {
     printf '%s\n' "$two_dominoes" | tee mine.csv row >kept
-    for name in mine.csv mine.json row.png row.SVG row.gif row.tex; do
+    for name in mine.csv mine.json row.png row.SVG row.gif; do
         wrong "save $name" "'$name' is the name of a (data file|picture), but 'save' writes a script"
     done
     same 'no file' kept,mine.csv,row "$(inside)"

@@ -10,7 +10,6 @@ static const struct extension extensions[] = {
     {.text = ".png", .kind = EXTENSION_SHEET, .terminal = "pngcairo"},
     {.text = ".pdf", .kind = EXTENSION_SHEET, .terminal = "pdfcairo"},
     {.text = ".gp", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_script = true},
-    {.text = ".tex", .kind = EXTENSION_SHEET, .is_document = true},
     {.text = ".gif", .kind = EXTENSION_FILM},
 };
 

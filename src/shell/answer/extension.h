@@ -11,7 +11,7 @@ enum extension_kind {
     EXTENSION_TEXT,  /* .txt, which has the same effect as no extension */
     EXTENSION_DATA,  /* the extension of an answer format, such as .csv */
     EXTENSION_FILM,  /* an extension for animations (.gif) */
-    EXTENSION_SHEET, /* an extension for pictures (.png) or documents (.tex) */
+    EXTENSION_SHEET, /* an extension for pictures, such as .png */
 };
 
 /* A file extension, and how files with this extension are written. */
@@ -19,7 +19,6 @@ struct extension {
     const char *text; /* the extension, such as ".csv"; NULL for EXTENSION_NONE and EXTENSION_OTHER */
     enum extension_kind kind;
     const struct format *format; /* for EXTENSION_DATA: the format of the answer */
-    bool is_document;            /* for EXTENSION_SHEET: the file is a document with formulas */
     bool is_script;              /* the script of the picture is written instead of the picture */
     const char *terminal;        /* the name of the gnuplot terminal that draws the picture, or NULL */
 };

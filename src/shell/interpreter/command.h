@@ -150,7 +150,6 @@ struct command {
         WRITES_DATA,
         WRITES_PICTURES, /* in csv and json: the data of a picture */
         WRITES_FILMS,
-        WRITES_DOCUMENTS, /* text that can also be written to a .tex file */
         WRITES_PAGES,     /* text that has data in csv and json, although it has no columns */
         WRITES_SCRIPTS,   /* a script, to the file that is the command's first argument */
     } writes;

@@ -198,8 +198,7 @@ static bool run_command(struct session *session, const struct command *c, const 
 /* Lists the extensions of the files that a command can write, for messages. */
 static const char *endings_of(const struct command *c)
 {
-    return c->writes == WRITES_DOCUMENTS  ? ".tex or .txt (for the data: .csv or .json)"
-           : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
+    return c->writes == WRITES_PICTURES   ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_FILMS    ? ".gif (for the data: .csv or .json)"
            : feature_picture(c)           ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf or .gp)"
            : c->columns || c->access.runs ? ".csv, .json or .txt"
@@ -220,13 +219,12 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
     else if (extension->kind == EXTENSION_DATA)
         fits = c->columns || c->access.runs || c->writes == WRITES_PAGES;
     else if (extension->kind == EXTENSION_SHEET)
-        fits = c->writes == WRITES_DOCUMENTS ? extension->is_document : extension->terminal && draws;
+        fits = draws;
     return fits || problem_error(problem, "'%s' is the name of a %s, which '%s' cannot write; use %s%s",
                                  names_shown(path),
                                  extension->kind == EXTENSION_DATA   ? "data file"
                                  : extension->kind == EXTENSION_FILM ? "film"
                                  : extension->terminal               ? "picture"
-                                 : extension->is_document            ? "document"
                                                                      : "text",
                                  c->name, endings_of(c),
                                  extension->kind == EXTENSION_FILM ? "; 'animate' writes films"

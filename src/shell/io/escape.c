@@ -136,27 +136,6 @@ void escape_json(FILE *out, const char *text)
     putc('"', out);
 }
 
-const char *escape_tex(char letter, char piece[ESCAPE_PIECE])
-{
-    switch (letter) {
-    case '\\':
-        return "\\textbackslash{}";
-    case '<':
-        return "\\textless{}";
-    case '>':
-        return "\\textgreater{}";
-    case '|':
-        return "\\textbar{}";
-    default:
-        snprintf(piece, ESCAPE_PIECE,
-                 strchr("^~", letter)        ? "\\%c{}"
-                 : strchr("_%&#${}", letter) ? "\\%c"
-                                             : "%c",
-                 letter);
-        return piece;
-    }
-}
-
 void csv_write(FILE *out, const char *text, const char *quoted)
 {
     char piece[ESCAPE_PIECE];

@@ -33,9 +33,6 @@ char *escape_copy(const char *text);
  * is one exception: each byte that is not UTF-8 becomes the character U+FFFD. */
 void escape_json(FILE *out, const char *text);
 
-/* Returns one character of a string, escaped if it has a special meaning in TeX. */
-const char *escape_tex(char letter, char piece[ESCAPE_PIECE]);
-
 /* Writes a cell of a csv file. If the cell contains one of the characters in `quoted`, it is put in quotes.
  * Control characters, invisible characters and bytes that are not UTF-8 become escape sequences. Only
  * newlines and tabs are written unchanged. */
