@@ -6,7 +6,6 @@
 
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"
-#include "interpreter/preview.h"
 #include "prompt/input.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,29 +1,72 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/command.h"
+#include "interpreter/feature.h"
 #include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "session/engine.h"
 #include "session/parameters.h"
 #include "session/row.h"
 #include <string.h>
 
-static const struct command_group no_group[] = {{NULL, NULL, NULL}};
-static const struct command_group *groups = no_group;
+/* ---- Registry ---- */
 
-enum { COMMANDS_MOST = 128 };
+enum { GROUPS_MOST = 48, COMMANDS_MOST = 128 };
+static struct command_group groups[GROUPS_MOST + 1];
 static const struct command *every[COMMANDS_MOST]; /* the commands of all groups */
 static char letters[COMMANDS_MOST];                /* the first letter of each command */
 static int every_count;
 
-void command_registry(const struct command_group *all)
+static const struct feature *const no_feature[] = {NULL};
+static const struct feature *const *features = no_feature;
+
+static bool feature_has(const char *name)
 {
-    groups = all;
+    for (int k = 0; features[k]; k++)
+        if (strcmp(features[k]->name, name) == 0)
+            return true;
+    return false;
+}
+
+void features_register(const struct feature *const *list)
+{
+    const struct parameter *p;
+    size_t count = 0;
+    features = list;
     every_count = 0;
+    parameters_of_features(feature_has);
+    for (const struct feature *const *f = features; *f; f++) {
+        for (int k = 0; (*f)->parameter && (p = (*f)->parameter(k)) != NULL; k++)
+            parameters_add(p, feature_has);
+        if ((*f)->engine)
+            row_engine = (*f)->engine;
+        for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++) {
+            size_t at = count; /* after the last group with the same word */
+            for (size_t k = count; k > 0 && at == count; k--)
+                at = strcmp(groups[k - 1].word, g->word) == 0 ? k : at;
+            memmove(&groups[at + 1], &groups[at], (count++ - at) * sizeof *groups);
+            groups[at] = *g;
+        }
+    }
+    groups[count] = (struct command_group){NULL, NULL, NULL};
     for (const struct command_group *g = groups; g->title; g++)
         for (const struct command *c = g->commands; c->name && every_count < COMMANDS_MOST; c++) {
             letters[every_count] = *c->name;
             every[every_count++] = c;
         }
+}
+
+const struct feature *feature_at(int k)
+{
+    return features[k];
+}
+
+const struct feature_picture *feature_picture(const struct command *command)
+{
+    for (const struct feature *const *f = features; *f; f++)
+        for (const struct feature_picture *p = (*f)->picture; p && p->command; p++)
+            if (strcmp(p->command, command->name) == 0)
+                return p;
+    return NULL;
 }
 
 const struct command_group *command_groups(void)
@@ -71,32 +114,22 @@ const char *topic_names(const void *context, int k)
     return NULL;
 }
 
-/* Returns the parameter whose first synonym is this word. If there is none, returns the parameter that
- * accepts the word as a value, such as q for 'solid'. */
-static const struct parameter *parameter_for(const char *word)
-{
-    const struct parameter *usual = parameter_by_synonym(word, false);
-    return usual ? usual : parameter_by_value(word, NULL);
-}
-
-static bool topic_has(const char *topic, const char *word)
-{
-    const struct command *c = command_find(topic);
-    const struct parameter *p = parameter_find(topic);
-    return (c && names_index(c->synonyms, ' ', word) >= 0) ||
-           (p && names_index(p->synonyms, ' ', word) >= 0) ||
-           (p && !p->effect && names_exact(parameter_words, p, word) >= 0);
-}
-
 const char *topic_by_synonym(const char *word, int k)
 {
-    const struct parameter *one = parameter_for(word);
+    const struct parameter *one = parameter_by_synonym(word, false);
+    one = one ? one : parameter_by_value(word, NULL);
     if (one)
         return k == 0 ? one->name : NULL;
     const char *topic;
-    for (int i = 0; (topic = topic_names(NULL, i)) != NULL; i++)
-        if (topic_has(topic, word) && k-- == 0)
+    for (int i = 0; (topic = topic_names(NULL, i)) != NULL; i++) {
+        const struct command *c = command_find(topic);
+        const struct parameter *p = parameter_find(topic);
+        if (((c && names_index(c->synonyms, ' ', word) >= 0) ||
+             (p && names_index(p->synonyms, ' ', word) >= 0) ||
+             (p && !p->effect && names_exact(parameter_words, p, word) >= 0)) &&
+            k-- == 0)
             return topic;
+    }
     return NULL;
 }
 
@@ -159,16 +192,13 @@ const char *command_usage_write(const struct command *c, char usage[USAGE_SIZE])
 
 /* ---- Values of arguments ---- */
 
-static bool is_tilt(const struct argument *a)
-{
-    return a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE;
-}
-
 struct quantity argument_unit(const struct argument *a)
 {
     const struct parameter *p = a->kind == ARGUMENT_VALUE_OF ? parameter_find(a->parameter) : NULL;
     return p ? expression_unit(p->value[a->which].unit)
-             : (struct quantity){.value = 1, .length = a->kind == ARGUMENT_HEIGHT, .angle = is_tilt(a)};
+             : (struct quantity){.value = 1,
+                                 .length = a->kind == ARGUMENT_HEIGHT,
+                                 .angle = a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE};
 }
 
 static bool out_of_range(struct problem *problem, const struct argument *a, domq_real value, const char *is,
@@ -203,23 +233,6 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     return true;
 }
 
-/* Checks the value of a parameter. `is_length` is true if a share of the height was given as a length, or a
- * push as a speed. */
-static bool of_check(const struct query *query, const struct argument *a, domq_real value, bool is_length,
-                     struct problem *problem)
-{
-    char range[96];
-    const struct parameter *p = parameter_find(a->parameter);
-    const struct domq_effect_argument *of = &p->value[a->which];
-    if (is_length && strcmp(a->name, of->name) == 0 && value > 0)
-        return true; /* another h may put this length into the range */
-    if (strcmp(a->name, of->name) == 0 || (value >= of->lowest && value <= of->highest))
-        return parameter_check(query->state, p, a->which, value, problem);
-    snprintf(range, sizeof range, "a value of %s, %g .. %g", p->name, (double)of->lowest,
-             (double)of->highest);
-    return out_of_range(problem, a, value, "out of range", range);
-}
-
 static bool unit_check(const struct query *query, const struct argument *a, struct quantity *q,
                        struct problem *problem)
 {
@@ -252,8 +265,11 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
 bool argument_check(const struct query *query, const struct argument *a, struct quantity q, domq_real *number,
                     struct problem *problem)
 {
-    const bool is_length =
-        a->kind == ARGUMENT_VALUE_OF && share_length(parameter_find(a->parameter), &q).m > 0 && a->which == 0;
+    const struct parameter *p = a->kind == ARGUMENT_VALUE_OF ? parameter_find(a->parameter) : NULL;
+    const struct domq_effect_argument *of = p ? &p->value[a->which] : NULL;
+    const bool is_own = p && strcmp(a->name, of->name) == 0, /* not another name for a value of it */
+        is_length = p && share_length(p, &q).m > 0 && a->which == 0;
+    char range[96];
     if (a->kind != ARGUMENT_ANY && !quantity_is_number(q) && !unit_check(query, a, &q, problem))
         return false;
     *number = q.value;
@@ -268,7 +284,13 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
         return (q.value >= 1 && q.value <= COUNT_MAX && q.value == quad(floor)(q.value)) ||
                out_of_range(problem, a, q.value, "not a count", "an integer in 1 .. 10000000");
     case ARGUMENT_VALUE_OF:
-        return of_check(query, a, q.value, is_length, problem);
+        if (is_length && is_own && q.value > 0)
+            return true; /* another h may put this length into the range */
+        if (is_own || (q.value >= of->lowest && q.value <= of->highest))
+            return parameter_check(query->state, p, a->which, q.value, problem);
+        snprintf(range, sizeof range, "a value of %s, %g .. %g", p->name, (double)of->lowest,
+                 (double)of->highest);
+        return out_of_range(problem, a, q.value, "out of range", range);
     default:
         return true;
     }

@@ -179,8 +179,7 @@ struct command_group {
     const struct command *commands; /* the name of the last element is NULL */
 };
 
-/* Registers the groups of commands; the title of the last one is NULL. */
-void command_registry(const struct command_group *groups);
+/* Returns the groups of all features; the title of the last one is NULL. */
 const struct command_group *command_groups(void);
 
 /* Returns true for the word of a group, and for "all", which stands for all groups. */

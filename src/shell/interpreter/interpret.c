@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* asprintf */
 #include "interpreter/interpret.h"
-#include "interpreter/run.h"
+#include "interpreter/question.h"
 #include "io/output.h"
 #include <errno.h>
 #include <stdlib.h>
@@ -143,4 +144,54 @@ void line_stream(struct session *session, FILE *in, const char *name)
         problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);
         session_problem(session, &problem);
     }
+}
+
+/* ---- A line that is being typed ---- */
+
+enum preview line_preview(struct session *session, const char *line, size_t length, const char *tail,
+                          struct offer *offer)
+{
+    struct run_context run_context = session->run_context;
+    struct query query = session_query(session);
+    struct problem problem;
+    struct question question;
+    struct text text;
+    struct arena arena = {.block = NULL};
+    char *whole = NULL;
+    int size = asprintf(&whole, "%.*s%s", (int)length, line, tail);
+    if (size < 0 || !text_make(&text, whole, (size_t)size)) {
+        free(size < 0 ? NULL : whole);
+        return PREVIEW_WRONG;
+    }
+    run_context.note = NULL;
+    query.run_context = &run_context;
+    struct reader r = {.query = &query,
+                       .problem = &problem,
+                       .text = &text,
+                       .arena = &arena,
+                       .evaluates = !offer,
+                       .offer = offer};
+    if (offer)
+        offer->cursor = text.line + strlen(text.line) - 1;
+    enum preview preview = PREVIEW_WHOLE;
+    for (const char *begin = text.line, *end;; begin = end + 1) {
+        r.at = begin = skip_blanks(begin);
+        end = text_end(begin, ";");
+        preview = PREVIEW_WHOLE;
+        problem_begin(&problem, NULL);
+        if (begin != end && !command_parse(&r, &question))
+            preview = question.command && problem.column >= text_column(&text, text.line + strlen(text.line))
+                          ? PREVIEW_OPEN
+                          : PREVIEW_WRONG;
+        else if (begin != end && *r.at == '>') {
+            r.at = skip_blanks(r.at + 1 + (r.at[1] == '>'));
+            offer_kind(&r, OFFER_FILE);
+        }
+        arena_free(&arena);
+        if (*end != ';')
+            break;
+    }
+    text_free(&text);
+    free(whole);
+    return preview;
 }

@@ -11,6 +11,7 @@
 #ifndef SHELL_INTERPRET_H
 #define SHELL_INTERPRET_H
 
+#include "interpreter/reader.h"
 #include "session/session.h"
 
 /* Runs the commands in a string of one or more lines. ';' separates commands, and '#' begins a comment. After
@@ -19,5 +20,29 @@ void command_run_text(struct session *session, const char *text);
 
 /* Runs the commands of a stream line by line. `name` is the name of the stream in error messages. */
 void line_stream(struct session *session, FILE *in, const char *name);
+
+/* Parses and runs the command at the reader's position, writes its answer to standard output, the pager or a
+ * file, and moves the reader to where parsing ended. */
+void run_command_at(struct session *session, struct reader *line);
+
+/* ---- A line that is being typed, for completion, hints and colours. No command is run. ---- */
+
+/* The character that marks the cursor. No name, value or operator contains this character. */
+#define PREVIEW_CURSOR "\001"
+
+enum preview {
+    PREVIEW_WRONG,
+    PREVIEW_OPEN, /* the command is correct so far, but incomplete */
+    PREVIEW_WHOLE,
+};
+
+/*
+ * Parses a line that is not complete yet and judges its last command. The line consists of `length` bytes of
+ * the text `line`, followed by the text `tail`. If `offer` is NULL, also computes and checks the values in
+ * the line. If `offer` is not NULL, stores in *offer where the names of commands are and, if `tail` ends with
+ * PREVIEW_CURSOR, what may be typed at the cursor.
+ */
+enum preview line_preview(struct session *session, const char *line, size_t length, const char *tail,
+                          struct offer *offer);
 
 #endif

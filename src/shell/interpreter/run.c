@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/run.h"
 #include "answer/extension.h"
 #include "answer/format.h"
 #include "interpreter/feature.h"
+#include "interpreter/interpret.h"
 #include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"
@@ -20,45 +20,10 @@
 
 #define DOUBLE_NOTE "This answer is computed in double precision."
 
-/* Returns true if a command answers in another precision than that of the session. */
-static bool is_in_double(const struct command *c, const struct query *query)
-{
-    return c->precision == PRECISION_DOUBLE && query->scene->compute.precision != IN_DOUBLE;
-}
-
-/* Tells the user that the answer is about the endless train, not about the row. The note usually goes below
- * the answer. If the answer is a picture in a file, the note goes to standard error instead. */
-static void train_note(const struct session *session, struct answer *answer)
-{
-    const char *note =
-        scene_has_engine(&session->state.scene)
-            ? "(This answer is about the endless train in the model, with hinged feet and without bounce. "
-              "'fall' and 'rowmax' run the row in the rigid-body engine.)"
-            : "(" TRAIN_NOTE ")";
-    if (!answer_for_people(answer))
-        return;
-    if (answer->path && extension_of(answer->path)->kind == EXTENSION_SHEET)
-        fprintf(io_stderr(), "%s\n", note);
-    else
-        answer_say(answer, "%s", note);
-}
-
 /* Returns true if the answer of the command is always a picture. */
 static bool is_picture(const struct command *c)
 {
     return c->writes == WRITES_PICTURES || c->writes == WRITES_FILMS;
-}
-
-/* Returns true if the terminal is large enough for a picture. Otherwise reports a problem. */
-static bool picture_has_room(const struct answer *a, const char *command, struct problem *problem)
-{
-    int width, height;
-    terminal_size(a->out, &width, &height);
-    return width == 0 || height == 0 || (width >= PICTURE_LEAST_WIDTH && height >= PICTURE_LEAST_HEIGHT) ||
-           problem_error(problem,
-                         "the terminal has %d x %d characters, but a picture needs %d x %d; enlarge the "
-                         "terminal, or enter '%s > %s.txt'",
-                         width, height, PICTURE_LEAST_WIDTH, PICTURE_LEAST_HEIGHT, command, command);
 }
 
 /* Runs the command's function for this answer: `act` or `run` (see struct command), or the function of a
@@ -66,10 +31,15 @@ static bool picture_has_room(const struct answer *a, const char *command, struct
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
-    bool is_on_screen =
-        is_picture(c) && !c->access.files && answer->style.format->for_people && !answer->path;
-    if (is_on_screen && !picture_has_room(answer, c->name, problem))
-        return false;
+    if (is_picture(c) && !c->access.files && answer->style.format->for_people && !answer->path) {
+        int width, height;
+        terminal_size(answer->out, &width, &height);
+        if (width && height && (width < PICTURE_LEAST_WIDTH || height < PICTURE_LEAST_HEIGHT))
+            return problem_error(problem,
+                                 "the terminal has %d x %d characters, but a picture needs %d x %d; enlarge "
+                                 "the terminal, or enter '%s > %s.txt'",
+                                 width, height, PICTURE_LEAST_WIDTH, PICTURE_LEAST_HEIGHT, c->name, c->name);
+    }
     if (c->act)
         return c->act(session, query->given, answer, problem);
     if (answer->path && extension_of(answer->path)->terminal && feature_picture(c))
@@ -107,27 +77,32 @@ static void answer_remember(struct session *session, const struct command *c, co
     }
 }
 
-/* Says why some numbers have no error. */
-static void unknown_note(const struct command *c, struct answer *answer)
-{
-    answer_say(answer,
-               c->precision == PRECISION_AS_SET
-                   ? "Where no error is given, 30 digits lead to another answer, or a part of the "
-                     "answer is computed in double precision only."
-                   : "No errors are given: '%s' computes in double precision only.",
-               c->name);
-}
-
-/* Says what is special about the numbers of an answer. */
-static void notes_say(const struct session *session, const struct command *c, const struct query *query,
+/* Says what is special about the numbers of an answer: they are in double, or about the endless train and not
+ * about the row, or some have no error. If the answer is a picture in a file, the note about the train goes
+ * to standard error. */
+static void notes_say(const struct session *session, const struct command *c, const char *in_double,
                       struct answer *answer)
 {
-    if (is_in_double(c, query))
-        (answer->details.rest ? answer_detail : answer_say)(answer, "(" DOUBLE_NOTE ")");
-    else if (answer->note)
-        train_note(session, answer);
+    const char *note =
+        in_double ? "(" DOUBLE_NOTE ")"
+        : scene_has_engine(&session->state.scene)
+            ? "(This answer is about the endless train in the model, with hinged feet and without bounce. "
+              "'fall' and 'rowmax' run the row in the rigid-body engine.)"
+            : "(" TRAIN_NOTE ")";
+    if (in_double)
+        (answer->details.rest ? answer_detail : answer_say)(answer, "%s", note);
+    else if (answer->note && answer_for_people(answer) && answer->path &&
+             extension_of(answer->path)->kind == EXTENSION_SHEET)
+        fprintf(io_stderr(), "%s\n", note);
+    else if (answer->note && answer_for_people(answer))
+        answer_say(answer, "%s", note);
     if (answer->errors.has_unknown)
-        unknown_note(c, answer);
+        answer_say(answer,
+                   c->precision == PRECISION_AS_SET
+                       ? "Where no error is given, 30 digits lead to another answer, or a part of the "
+                         "answer is computed in double precision only."
+                       : "No errors are given: '%s' computes in double precision only.",
+                   c->name);
 }
 
 /* Runs a command and writes its answer to the output at the top of the stack. */
@@ -141,16 +116,17 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (c->principal)
         memset(kept, 0, sizeof kept);
     struct output *output = session->output;
-    bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
+    const bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
+    /* in another precision than that of the session */
+    const char *in_double =
+        c->precision == PRECISION_DOUBLE && query->scene->compute.precision != IN_DOUBLE ? DOUBLE_NOTE : NULL;
     struct answer answer = {
         .out = output->out,
         .path = output->path,
         .appended = output->append,
         .style = state_style(query->state),
         .command = c->name,
-        .note = is_not_row               ? TRAIN_NOTE
-                : is_in_double(c, query) ? DOUBLE_NOTE
-                                         : NULL,
+        .note = is_not_row ? TRAIN_NOTE : in_double,
         .csv.last_header = output->header,
         .columns = c->columns,
         .rows = c->rows,
@@ -172,7 +148,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         done = problem_status(problem, query->scene, DOM_INTERRUPTED);
     session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.progress.wrote_text;
     if (done)
-        notes_say(session, c, query, &answer);
+        notes_say(session, c, in_double, &answer);
     const struct format *format = answer.style.format;
     const char *unsaid = done && format->end ? format->end(&answer) : NULL;
     if (unsaid)

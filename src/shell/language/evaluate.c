@@ -81,10 +81,14 @@ const char *expression_names(const void *context, int k)
     return k < count ? functions[k].name : more[k - count];
 }
 
-static bool function_apply(struct evaluation *e, const struct tree *t, const struct quantity *a,
-                           struct quantity *q)
+static bool evaluate_function(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
+    struct quantity a[2] = {{.value = 0}, {.value = 0}};
     const struct function *f = t->function;
+    const struct tree *child = t->child;
+    for (int i = 0; i < t->count; i++, child = child->next)
+        if (!expression_evaluate(e, child, &a[i]))
+            return false;
     bool number = quantity_is_dimensionless(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
     if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2 || a[0].mass % 2))
         return expression_wrong(e->error, t->at, "%s of a value with this unit is not defined", f->name);
@@ -109,20 +113,6 @@ static bool function_apply(struct evaluation *e, const struct tree *t, const str
 
 /* ---- Trees ---- */
 
-static bool apply_power(struct evaluation *e, const struct tree *exponent, struct quantity *q,
-                        struct quantity by)
-{
-    bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
-    if (!quantity_is_number(by) || (!whole && !quantity_is_number(*q)))
-        return expression_wrong(
-            e->error, exponent->op_at,
-            "an exponent must have no unit, and must be a whole number if the value before '^' has a unit");
-    int n = whole ? (int)by.value : 0;
-    *q = (struct quantity){quad(pow)(q->value, by.value), n * q->length, n * q->time, n * q->angle,
-                           n * q->mass};
-    return true;
-}
-
 /* Prepares two values for a sum or a comparison. If one of them is an angle and the other is a number without
  * a unit, as in "thetac - 1", the number becomes an angle in the session's unit. Returns true if both values
  * then have the same unit. */
@@ -135,28 +125,44 @@ static bool make_alike(const struct evaluation *e, struct quantity *a, struct qu
     return quantity_alike(*a, *b);
 }
 
-static bool compare(enum tree_operator op, domq_real a, domq_real b)
+/* Applies an operator of the chain t. Before the call, *q is the value of all operands before the operator.
+ * The function combines *q with the operand `value` after the operator. */
+static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
 {
-    return op == OPERATOR_LESS       ? a < b
-           : op == OPERATOR_AT_MOST  ? a <= b
-           : op == OPERATOR_MORE     ? a > b
-           : op == OPERATOR_AT_LEAST ? a >= b
-           : op == OPERATOR_EQUAL    ? a == b
-                                     : a != b;
-}
-
-static bool sum_or_compare(struct evaluation *e, const struct tree *t, struct quantity *q, struct quantity by)
-{
-    bool adds = t->op >= OPERATOR_PLUS;
-    if (!make_alike(e, q, &by))
-        return expression_wrong(e->error, t->op_at,
+    struct quantity by;
+    const enum tree_operator op = value->op;
+    const bool adds = op >= OPERATOR_PLUS;
+    if (!expression_evaluate(e, value, &by))
+        return false;
+    if (op == OPERATOR_OVER && by.value == 0)
+        return expression_no_value(e->error, value->op_at, "division by zero");
+    if (op == OPERATOR_POWER) {
+        const bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
+        const int n = whole ? (int)by.value : 0;
+        if (!quantity_is_number(by) || (!whole && !quantity_is_number(*q)))
+            return expression_wrong(e->error, value->op_at,
+                                    "an exponent must have no unit, and must be a whole number if the value "
+                                    "before '^' has a unit");
+        *q = (struct quantity){quad(pow)(q->value, by.value), n * q->length, n * q->time, n * q->angle,
+                               n * q->mass};
+    } else if (op == OPERATOR_TIMES || op == OPERATOR_OVER)
+        quantity_multiply(q, by, op == OPERATOR_OVER ? -1 : 1);
+    else if (!make_alike(e, q, &by))
+        return expression_wrong(e->error, value->op_at,
                                 adds ? "%s and %s cannot be added" : "%s and %s cannot be compared",
                                 expression_kind(*q), expression_kind(by));
-    if (adds)
-        q->value += t->op == OPERATOR_MINUS ? -by.value : by.value;
-    else
-        *q = (struct quantity){.value = compare(t->op, q->value, by.value)};
-    return true;
+    else if (adds)
+        q->value += op == OPERATOR_MINUS ? -by.value : by.value;
+    else {
+        const domq_real a = q->value, b = by.value;
+        *q = (struct quantity){.value = op == OPERATOR_LESS       ? a < b
+                                        : op == OPERATOR_AT_MOST  ? a <= b
+                                        : op == OPERATOR_MORE     ? a > b
+                                        : op == OPERATOR_AT_LEAST ? a >= b
+                                        : op == OPERATOR_EQUAL    ? a == b
+                                                                  : a != b};
+    }
+    return is_valid(e, op == OPERATOR_POWER ? t->at : value->op_at, q);
 }
 
 static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool *is_true)
@@ -170,64 +176,25 @@ static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool 
                             expression_kind(q));
 }
 
-/* Evaluates conditions that are joined by 'and' or 'or'. They are evaluated from left to right, and only
- * until one of them decides the result. */
-static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct quantity *q)
+static bool evaluate_chain(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
-    bool is_true, decides = t->child->next->op == OPERATOR_OR;
     const struct tree *child = t->child;
+    const enum tree_operator op = child->next->op;
+    bool is_true = false;
+    if (op > OPERATOR_AND) {
+        bool good = expression_evaluate(e, child, q);
+        while (good && (child = child->next) != NULL)
+            good = apply(e, t, child, q);
+        return good;
+    }
+    /* Conditions are evaluated from left to right, and only until one of them decides the result. */
     do {
         if (!evaluate_condition(e, child, &is_true))
             return false;
         child = child->next;
-    } while (child && is_true != decides);
+    } while (child && is_true != (op == OPERATOR_OR));
     *q = (struct quantity){.value = is_true};
     return true;
-}
-
-/* Applies an operator of the chain t. Before the call, *q is the value of all operands before the operator.
- * The function combines *q with the operand `value` after the operator. */
-static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
-{
-    struct quantity by;
-    const enum tree_operator op = value->op;
-    if (!expression_evaluate(e, value, &by))
-        return false;
-    if (op == OPERATOR_OVER && by.value == 0)
-        return expression_no_value(e->error, value->op_at, "division by zero");
-    if (op == OPERATOR_TIMES || op == OPERATOR_OVER)
-        quantity_multiply(q, by, op == OPERATOR_OVER ? -1 : 1);
-    else if (!(op == OPERATOR_POWER ? apply_power(e, value, q, by) : sum_or_compare(e, value, q, by)))
-        return false;
-    return is_valid(e, op == OPERATOR_POWER ? t->at : value->op_at, q);
-}
-
-static bool evaluate_chain(struct evaluation *e, const struct tree *t, struct quantity *q)
-{
-    const struct tree *child = t->child->next;
-    if (child->op <= OPERATOR_AND)
-        return evaluate_logic(e, t, q);
-    bool good = expression_evaluate(e, t->child, q);
-    for (; good && child; child = child->next)
-        good = apply(e, t, child, q);
-    return good;
-}
-
-static bool evaluate_if(struct evaluation *e, const struct tree *t, struct quantity *q)
-{
-    bool is_true;
-    return evaluate_condition(e, t->child, &is_true) &&
-           expression_evaluate(e, is_true ? t->child->next : t->child->next->next, q);
-}
-
-static bool evaluate_function(struct evaluation *e, const struct tree *t, struct quantity *q)
-{
-    struct quantity argument[2] = {{.value = 0}, {.value = 0}};
-    const struct tree *child = t->child;
-    for (int i = 0; i < t->count; i++, child = child->next)
-        if (!expression_evaluate(e, child, &argument[i]))
-            return false;
-    return function_apply(e, t, argument, q) && is_valid(e, t->at, q);
 }
 
 bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quantity *q)
@@ -250,9 +217,10 @@ bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quan
     case TREE_CHAIN:
         return evaluate_chain(e, t, q);
     case TREE_IF:
-        return evaluate_if(e, t, q);
+        return evaluate_condition(e, t->child, &is_true) &&
+               expression_evaluate(e, is_true ? t->child->next : t->child->next->next, q);
     case TREE_FUNCTION:
-        return evaluate_function(e, t, q);
+        return evaluate_function(e, t, q) && is_valid(e, t->at, q);
     case TREE_SYMBOL:
         return e->symbol(e, t, q) && is_valid(e, t->at, q);
     case TREE_NAME:

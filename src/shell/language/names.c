@@ -79,22 +79,6 @@ const char *names_closest(names_list *list, const void *context, const char *tex
     return best;
 }
 
-/* Finds a name that is typed in upper case or, if it has at least three letters, in the plural. Returns its
- * index, or -1. */
-static int names_spelled(names_list *list, const void *context, const char *text)
-{
-    static const char *const endings[] = {"", "s", "es"};
-    const char *name;
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
-        for (int k = 0; (name = list(context, k)) != NULL; k++) {
-            size_t length = strlen(name);
-            if ((i == 0 || length >= 3) && strncasecmp(text, name, length) == 0 &&
-                strcasecmp(text + length, endings[i]) == 0)
-                return k;
-        }
-    return -1;
-}
-
 int names_find(names_list *list, const void *context, const char *what, const char *text,
                char message[NAMES_MESSAGE])
 {
@@ -109,8 +93,15 @@ int names_find(names_list *list, const void *context, const char *what, const ch
         found = k;
         text_add(all, sizeof all, "%s%s", matches++ ? ", " : "", name);
     }
-    if (matches == 0)
-        found = names_spelled(list, context, text);
+    /* in upper case or, if the name has at least three letters, in the plural */
+    static const char *const endings[] = {"", "s", "es"};
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        for (int k = 0; matches == 0 && found < 0 && (name = list(context, k)) != NULL; k++) {
+            const size_t length = strlen(name);
+            if ((i == 0 || length >= 3) && strncasecmp(text, name, length) == 0 &&
+                strcasecmp(text + length, endings[i]) == 0)
+                found = k;
+        }
     if (matches <= 1 && found >= 0)
         return found;
     const char *close = names_closest(list, context, text);

@@ -144,24 +144,19 @@ static bool parse_arguments(struct parse *p, struct tree *name)
     return true;
 }
 
-/* Returns the landmark at p->end if its name contains blanks, as in "big ben", and stores the end of the
- * name. Returns NULL if there is none, or if its first word is the name of a variable. */
-static const struct landmark *landmark_of_words(const struct parse *p, const char **end)
-{
-    const size_t length = name_length(p->end);
-    const struct landmark *l = landmark_scan(p->end, end);
-    char first[NAME_SIZE];
-    snprintf(first, sizeof first, "%.*s", (int)length, p->end);
-    return *end > p->end + length && !(p->variables && variable_find(p->variables, first)) ? l : NULL;
-}
-
 static struct tree *parse_name(struct parse *p)
 {
     const char *at = p->end, *end;
-    const struct landmark *l = landmark_of_words(p, &end);
-    size_t length = l ? (size_t)(end - at) : name_length(at);
-    if (length >= NAME_SIZE)
+    char first[NAME_SIZE];
+    size_t length = name_length(at);
+    if (!name_copy(at, length, first, sizeof first))
         return parse_fail(p, "this name is too long");
+    /* a landmark whose name contains blanks, as in "big ben", unless its first word is a variable */
+    const struct landmark *l = landmark_scan(at, &end);
+    if (end <= at + length || (p->variables && variable_find(p->variables, first)))
+        l = NULL;
+    else
+        length = (size_t)(end - at);
     struct tree *t = make_node(p, TREE_NAME, at);
     if (!t || !(t->name = l ? l->name : arena_text(p->arena, at, length)))
         return parse_fail(p, "out of memory");
@@ -181,13 +176,11 @@ static struct tree *parse_name(struct parse *p)
         t->kind = TREE_FUNCTION;
         if (t->count == wanted)
             return t;
-        /* perhaps of a column, as in max(chain(0).weight) */
-        if (t->count == 1 && (strcmp(t->name, "min") == 0 || strcmp(t->name, "max") == 0)) {
-            t->kind = TREE_NAME;
-            return !p->names || p->names(p, t) ? t : NULL;
+        t->kind = TREE_NAME; /* perhaps of a column, as in max(chain(0).weight) */
+        if (t->count != 1 || (strcmp(t->name, "min") != 0 && strcmp(t->name, "max") != 0)) {
+            p->end = at;
+            return parse_fail(p, "%s takes %d value%s", t->name, wanted, wanted == 1 ? "" : "s");
         }
-        p->end = at;
-        return parse_fail(p, "%s takes %d value%s", t->name, wanted, wanted == 1 ? "" : "s");
     }
     if (!t->called && strcmp(t->name, "pi") == 0) {
         t->kind = TREE_NUMBER;

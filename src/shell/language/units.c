@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/units.h"
+#include "language/names.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include <ctype.h>
@@ -13,43 +14,32 @@
  * exactly the number that 2.52 m is. */
 struct unit {
     const char *name;
+    const char *words; /* what can be typed instead; completion does not offer these words */
     struct quantity is;
     domq_real over; /* the divisor */
 };
 
 static const struct unit units[] = {
-    {"m", {.value = 1, .length = 1}, 1},
-    {"mm", {.value = 1, .length = 1}, 1000},
-    {"cm", {.value = 1, .length = 1}, 100},
-    {"km", {.value = 1000, .length = 1}, 1},
-    {"in", {.value = 254, .length = 1}, 10000},
-    {"ft", {.value = 3048, .length = 1}, 10000},
-    {"yd", {.value = 9144, .length = 1}, 10000},
-    {"kg", {.value = 1, .mass = 1}, 1},
-    {"g", {.value = 1, .mass = 1}, 1000},
-    {"t", {.value = 1000, .mass = 1}, 1},
-    {"lb", {.value = 45359237, .mass = 1}, 100000000},
-    {"oz", {.value = 45359237, .mass = 1}, 1600000000},
-    {"s", {.value = 1, .time = 1}, 1},
-    {"ms", {.value = 1, .time = 1}, 1000},
-    {"min", {.value = 60, .time = 1}, 1},
-    {"hr", {.value = 3600, .time = 1}, 1},
-    {"mph", {.value = 1609344, .length = 1, .time = -1}, 3600000},
-    {"rad", {.value = 1, .angle = 1}, 1},
-    {"deg", {.value = QUAD_PI / 180, .angle = 1}, 1},
-    {NULL, {.value = 0}, 1},
-};
-
-/* Words that can be typed instead of units. Completion does not offer these words. */
-static const struct word {
-    const char *word, *name;
-} words[] = {
-    {"meter", "m"},       {"metre", "m"}, {"millimeter", "mm"}, {"millimetre", "mm"}, {"centimeter", "cm"},
-    {"centimetre", "cm"}, {"inch", "in"}, {"inche", "in"},      {"foot", "ft"},       {"feet", "ft"},
-    {"yard", "yd"},       {"gram", "g"},  {"kilogram", "kg"},   {"kilo", "kg"},       {"tonne", "t"},
-    {"pound", "lb"},      {"lbs", "lb"},  {"ounce", "oz"},      {"second", "s"},      {"degree", "deg"},
-    {"radian", "rad"},    {"sec", "s"},   {"min", "min"},       {"minute", "min"},    {"hr", "hr"},
-    {"hour", "hr"},       {NULL, NULL},
+    {"m", "meter metre", {.value = 1, .length = 1}, 1},
+    {"mm", "millimeter millimetre", {.value = 1, .length = 1}, 1000},
+    {"cm", "centimeter centimetre", {.value = 1, .length = 1}, 100},
+    {"km", NULL, {.value = 1000, .length = 1}, 1},
+    {"in", "inch inche", {.value = 254, .length = 1}, 10000},
+    {"ft", "foot feet", {.value = 3048, .length = 1}, 10000},
+    {"yd", "yard", {.value = 9144, .length = 1}, 10000},
+    {"kg", "kilogram kilo", {.value = 1, .mass = 1}, 1},
+    {"g", "gram", {.value = 1, .mass = 1}, 1000},
+    {"t", "tonne", {.value = 1000, .mass = 1}, 1},
+    {"lb", "pound lbs", {.value = 45359237, .mass = 1}, 100000000},
+    {"oz", "ounce", {.value = 45359237, .mass = 1}, 1600000000},
+    {"s", "second sec", {.value = 1, .time = 1}, 1},
+    {"ms", NULL, {.value = 1, .time = 1}, 1000},
+    {"min", "minute min", {.value = 60, .time = 1}, 1},
+    {"hr", "hour hr", {.value = 3600, .time = 1}, 1},
+    {"mph", NULL, {.value = 1609344, .length = 1, .time = -1}, 3600000},
+    {"rad", "radian", {.value = 1, .angle = 1}, 1},
+    {"deg", "degree", {.value = QUAD_PI / 180, .angle = 1}, 1},
+    {NULL, NULL, {.value = 0}, 1},
 };
 
 const char *expression_units(const void *context, int k)
@@ -128,30 +118,6 @@ bool name_copy(const char *text, size_t length, char *name, size_t size)
     return n == length;
 }
 
-/* Also accepts the plural of a word, such as "metres". */
-static const char *word_unit(const char *c, size_t length)
-{
-    const size_t one = length > 1 && c[length - 1] == 's' ? length - 1 : length;
-    for (const struct word *w = words; w->word; w++)
-        if ((strlen(w->word) == one || strlen(w->word) == length) &&
-            strncmp(w->word, c, strlen(w->word)) == 0)
-            return w->name;
-    return NULL;
-}
-
-static const struct unit *unit_at(const char *c, size_t length, bool first)
-{
-    /* The letters g and t are units only at the beginning of a unit, as in "5 g". In "2 m/g", g is the
-     * acceleration of gravity. */
-    if (!first && length == 1 && (*c == 'g' || *c == 't'))
-        return NULL;
-    for (const struct unit *u = units; u->name; u++)
-        if (*u->name == *c && strlen(u->name) == length && strncmp(u->name, c, length) == 0)
-            return u;
-    const char *name = word_unit(c, length);
-    return name ? unit_at(name, strlen(name), true) : NULL;
-}
-
 void quantity_multiply(struct quantity *q, struct quantity by, int power)
 {
     q->value = power == 1    ? q->value * by.value
@@ -163,12 +129,31 @@ void quantity_multiply(struct quantity *q, struct quantity by, int power)
     q->mass += power * by.mass;
 }
 
-/* Returns the unit of `length` letters at c in a text that begins at `begin`. In km/h, h is an hour.
- * Elsewhere, h is not a unit but the height. */
+/* Returns the unit of `length` letters at c in a text that begins at `begin`, or NULL. */
 static const struct unit *unit_in(const char *begin, const char *c, size_t length)
 {
-    const bool is_hour = length == 1 && *c == 'h' && c == begin + 3 && strncmp(begin, "km/", 3) == 0;
-    return is_hour ? unit_at("hr", 2, true) : unit_at(c, length, c == begin);
+    char word[16];
+    const struct unit *u = units;
+    /* The letters g and t are units only at the beginning of a unit, as in "5 g". In "2 m/g", g is the
+     * acceleration of gravity. In km/h, h is an hour. Elsewhere, h is not a unit but the height. */
+    if (c > begin && length == 1 && (*c == 'g' || *c == 't'))
+        return NULL;
+    if (length == 1 && *c == 'h' && c == begin + 3 && strncmp(begin, "km/", 3) == 0)
+        return unit_in("hr", "hr", 2);
+    while (u->name && (*u->name != *c || strlen(u->name) != length || strncmp(u->name, c, length) != 0))
+        u++;
+    if (u->name || !name_copy(c, length, word, sizeof word))
+        return u->name ? u : NULL;
+    /* a word, or its plural, such as "metres" */
+    for (int plural = 0; plural < 2; plural++) {
+        for (u = units; u->name; u++)
+            if (names_index(u->words, ' ', word) >= 0)
+                return u;
+        if (length < 2 || word[length - 1] != 's')
+            break;
+        word[length - 1] = '\0';
+    }
+    return NULL;
 }
 
 const char *unit_scan(const char *begin, struct quantity *q)

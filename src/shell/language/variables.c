@@ -20,24 +20,13 @@ static struct body *body_of(char *text)
     return (struct body *)(void *)(text - offsetof(struct body, text));
 }
 
-/* Allocates a body with a reference count of 1. Returns its text, or NULL if memory runs out. */
-static char *body_make(const char *text)
-{
-    const size_t size = strlen(text) + 1;
-    struct body *body = malloc(sizeof *body + size);
-    if (!body)
-        return NULL;
-    atomic_init(&body->users, 1);
-    return memcpy(body->text, text, size);
-}
-
 static void body_drop(char *text)
 {
     if (text && atomic_fetch_sub(&body_of(text)->users, 1) == 1)
         free(body_of(text));
 }
 
-static struct variable *find(const struct variables *variables, const char *name)
+const struct variable *variable_find(const struct variables *variables, const char *name)
 {
     for (size_t i = 0; i < variables->count; i++)
         if (strcmp(variables->list[i].name, name) == 0)
@@ -45,20 +34,21 @@ static struct variable *find(const struct variables *variables, const char *name
     return NULL;
 }
 
-const struct variable *variable_find(const struct variables *variables, const char *name)
-{
-    return find(variables, name);
-}
-
 bool variable_put(struct variables *variables, const struct variable *variable)
 {
-    struct variable copy = *variable, *at = find(variables, variable->name);
-    if (copy.body && !(copy.body = body_make(copy.body)))
+    struct variable copy = *variable, *at = (struct variable *)variable_find(variables, variable->name);
+    const size_t size = copy.body ? strlen(copy.body) + 1 : 0;
+    struct body *body = size ? malloc(sizeof *body + size) : NULL;
+    if (size && !body)
         return false;
+    if (body) {
+        atomic_init(&body->users, 1);
+        copy.body = memcpy(body->text, copy.body, size);
+    }
     if (!at) {
         struct variable *more = realloc(variables->list, (variables->count + 1) * sizeof *more);
         if (!more) {
-            body_drop(copy.body);
+            free(body);
             return false;
         }
         variables->list = more;
@@ -71,7 +61,7 @@ bool variable_put(struct variables *variables, const struct variable *variable)
 
 void variable_drop(struct variables *variables, const char *name)
 {
-    struct variable *at = find(variables, name);
+    struct variable *at = (struct variable *)variable_find(variables, name);
     if (!at)
         return;
     body_drop(at->body);
@@ -92,22 +82,17 @@ bool variables_copy(struct variables *to, const struct variables *from)
     return true;
 }
 
-static bool variable_equal(const struct variable *a, const struct variable *b)
+bool variables_equal(const struct variables *one, const struct variables *other)
 {
-    if (strcmp(a->name, b->name) != 0 || a->count != b->count || !a->body != !b->body)
-        return false;
-    for (int i = 0; i < a->count; i++)
-        if (strcmp(a->argument[i], b->argument[i]) != 0)
-            return false;
-    return a->body ? a->body == b->body || strcmp(a->body, b->body) == 0
-                   : a->value.value == b->value.value && quantity_alike(a->value, b->value);
-}
-
-bool variables_equal(const struct variables *a, const struct variables *b)
-{
-    bool equal = a->count == b->count;
-    for (size_t i = 0; equal && i < a->count; i++)
-        equal = variable_equal(&a->list[i], &b->list[i]);
+    bool equal = one->count == other->count;
+    for (size_t i = 0; equal && i < one->count; i++) {
+        const struct variable *a = &one->list[i], *b = &other->list[i];
+        equal = strcmp(a->name, b->name) == 0 && a->count == b->count && !a->body == !b->body;
+        for (int k = 0; equal && k < a->count; k++)
+            equal = strcmp(a->argument[k], b->argument[k]) == 0;
+        equal = equal && (a->body ? a->body == b->body || strcmp(a->body, b->body) == 0
+                                  : a->value.value == b->value.value && quantity_alike(a->value, b->value));
+    }
     return equal;
 }
 

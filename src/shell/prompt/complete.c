@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Completion. The parser reports what may follow at the cursor, and also decides whether a candidate is
  * valid. */
-#include "interpreter/preview.h"
+#include "interpreter/interpret.h"
 #include "io/escape.h"
 #include "language/landmarks.h"
 #include "prompt/input.h"
