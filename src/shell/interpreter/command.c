@@ -1,117 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "session/engine.h"
 #include "session/parameters.h"
 #include "session/row.h"
 #include <string.h>
 
-/* ---- Registry ---- */
-
-enum { GROUPS_MOST = 48, COMMANDS_MOST = 128 };
-static struct command_group groups[GROUPS_MOST + 1];
-static const struct command *every[COMMANDS_MOST]; /* the commands of all groups */
-static char letters[COMMANDS_MOST];                /* the first letter of each command */
-static int every_count;
-
-static const struct feature *const no_feature[] = {NULL};
-static const struct feature *const *features = no_feature;
-
-static bool feature_has(const char *name)
-{
-    for (int k = 0; features[k]; k++)
-        if (strcmp(features[k]->name, name) == 0)
-            return true;
-    return false;
-}
-
-void features_register(const struct feature *const *list)
-{
-    const struct parameter *p;
-    size_t count = 0;
-    features = list;
-    every_count = 0;
-    parameters_of_features(feature_has);
-    for (const struct feature *const *f = features; *f; f++) {
-        for (int k = 0; (*f)->parameter && (p = (*f)->parameter(k)) != NULL; k++)
-            parameters_add(p, feature_has);
-        if ((*f)->engine)
-            row_engine = (*f)->engine;
-        for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++) {
-            size_t at = count; /* after the last group with the same word */
-            for (size_t k = count; k > 0 && at == count; k--)
-                at = strcmp(groups[k - 1].word, g->word) == 0 ? k : at;
-            memmove(&groups[at + 1], &groups[at], (count++ - at) * sizeof *groups);
-            groups[at] = *g;
-        }
-    }
-    groups[count] = (struct command_group){NULL, NULL, NULL};
-    for (const struct command_group *g = groups; g->title; g++)
-        for (const struct command *c = g->commands; c->name && every_count < COMMANDS_MOST; c++) {
-            letters[every_count] = *c->name;
-            every[every_count++] = c;
-        }
-}
-
-const struct feature *feature_at(int k)
-{
-    return features[k];
-}
-
-const struct feature_picture *feature_picture(const struct command *command)
-{
-    for (const struct feature *const *f = features; *f; f++)
-        for (const struct feature_picture *p = (*f)->picture; p && p->command; p++)
-            if (strcmp(p->command, command->name) == 0)
-                return p;
-    return NULL;
-}
-
-const struct command_group *command_groups(void)
-{
-    return groups;
-}
-
-bool group_named(const char *word)
-{
-    bool found = strcmp(word, "all") == 0;
-    for (const struct command_group *g = groups; g->title; g++)
-        found = found || strcmp(g->word, word) == 0;
-    return found;
-}
-
-const struct command *command_at(int k)
-{
-    return k >= 0 && k < every_count ? every[k] : NULL;
-}
-
-const char *command_names(const void *context, int k)
-{
-    (void)context;
-    return k < every_count ? every[k]->name : NULL;
-}
-
-const char *offered_commands(const void *context, int k)
-{
-    (void)context;
-    for (int i = 0; i < every_count; i++)
-        if (!every[i]->typed.phrase && !every[i]->typed.is_hidden && k-- == 0)
-            return every[i]->name;
-    return NULL;
-}
-
 const char *topic_names(const void *context, int k)
 {
-    int commands = every_count;
-    if (k < commands)
-        return command_names(context, k);
+    const char *name = command_names(context, k);
+    for (int i = 0; !name && command_at(i); i++)
+        k--;
     /* Some names belong to both a command and a parameter, such as 'fuel'. They have been listed already. */
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (!command_find(p->name) && k-- == commands)
-            return p->name;
-    return NULL;
+    for (const struct parameter *p = session_parameters; !name && p->name; p++)
+        if (!command_find(p->name) && k-- == 0)
+            name = p->name;
+    return name;
 }
 
 const char *topic_by_synonym(const char *word, int k)
@@ -161,15 +66,6 @@ const char *command_keys(const void *command, int k)
     const struct command *c = command;
     const char *key = answer_keys(c, k);
     return key && c->sweep.slow_column && strcmp(key, c->sweep.slow_column) == 0 ? NULL : key;
-}
-
-const struct command *command_find(const char *name)
-{
-    const char *end = letters + every_count;
-    for (const char *at = letters; (at = memchr(at, *name, (size_t)(end - at))) != NULL; at++)
-        if (strcmp(every[at - letters]->name, name) == 0)
-            return every[at - letters];
-    return NULL;
 }
 
 int command_principal(const struct command *c)
