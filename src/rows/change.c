@@ -176,33 +176,6 @@ bool remove_bind(const struct question *q, const struct query *query, struct arg
     return dominoes_bind(q, query, given, problem) != NULL;
 }
 
-bool insert_parse(struct reader *r, struct question *q)
-{
-    struct change_parsed *c = q->parsed = reader_memory(r, sizeof *c);
-    if (!c)
-        return false;
-    if (!reader_takes(r, "height"))
-        return reader_ends(r) || problem_error(r->problem, "after the number, enter only the height, as in "
-                                                           "'insert 3 height 30 cm'; 'change' sets the rest");
-    return change_parse_value(r, q);
-}
-
-bool insert_bind(const struct question *q, const struct query *query, struct arguments *given,
-                 struct problem *problem)
-{
-    const struct change_parsed *parsed = q->parsed;
-    struct quantity value;
-    domq_real number;
-    if (!parsed || !parsed->value.argument)
-        return true;
-    struct row_change *change = arguments_take(given, sizeof *change, query, problem);
-    if (!change)
-        return false;
-    change->measure = MEASURE_HEIGHT;
-    return item_bind(&parsed->value, q->text, query, &value, &number, problem) &&
-           value_bind(parsed, &value, change, problem);
-}
-
 /* ---- change and place: the answer ---- */
 
 enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
@@ -290,7 +263,7 @@ bool run_insert(const struct query *query, struct answer *a, struct problem *pro
     struct scene_row row;
     if (!query->next)
         return true;
-    if (!scene_row_insert(&query->next->scene, k, query->given->bound, problem) ||
+    if (!scene_row_insert(&query->next->scene, k, problem) ||
         !scene_row_list(&query->next->scene, &row, problem))
         return false;
     const struct domq_domino *d = &row.domino[k - 1];

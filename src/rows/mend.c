@@ -43,39 +43,39 @@ static enum dom_status push_say(struct answer *a, const struct double_row *made,
 
 /* ---- The gaps ---- */
 
-/* A change of one gap after which all dominoes fall. */
-struct mend {
-    size_t domino; /* the domino after the gap */
-    double gap;    /* the present gap */
-    double to;     /* the nearest gap at which all dominoes fall */
-    double until;  /* all dominoes fall with any gap between `to` and `until` */
-};
+/* Returns the nearest gap at which all dominoes fall. All dominoes also fall with the gaps up to the other
+ * end of the window. */
+static double gap_near(const struct dom_window *w)
+{
+    return w->now < w->low ? w->low : w->high;
+}
+
+static double gap_far(const struct dom_window *w)
+{
+    return w->now < w->low ? w->high : w->low;
+}
 
 static int by_change(const void *a, const void *b)
 {
-    const struct mend *x = a, *y = b;
-    const double dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
+    const struct dom_window *x = a, *y = b;
+    const double dx = fabs(gap_near(x) - x->now), dy = fabs(gap_near(y) - y->now);
     return dx < dy ? -1 : dx > dy;
 }
 
-/* Lists the changes that mend a row, the smallest first. The caller frees the list. */
-static enum dom_status mends_find(const struct double_row *made, struct mend **list, size_t *found)
+/* Finds the windows of all gaps. Moves the gaps that save the row to the front, the one with the smallest
+ * change first, and stores their number in *found. The caller frees *list. */
+static enum dom_status mends_find(const struct double_row *made, struct dom_window **list, size_t *found)
 {
     const size_t gaps = made->row.count - 1;
-    struct dom_window *w = calloc(gaps + 1, sizeof *w);
-    *list = calloc(gaps + 1, sizeof **list);
-    enum dom_status status =
-        w && *list ? dom_row_windows(&made->row, &made->compute, DOM_WINDOW_GAP, progress_count, NULL, w)
-                   : DOM_NO_MEMORY;
-    for (size_t i = 0; i < gaps && status == DOM_OK; i++) {
-        const bool wider = w[i].now < w[i].low;
+    struct dom_window *w = *list = calloc(gaps + 1, sizeof *w);
+    const enum dom_status status =
+        w ? dom_row_windows(&made->row, &made->compute, DOM_WINDOW_GAP, progress_count, NULL, w)
+          : DOM_NO_MEMORY;
+    for (size_t i = 0; i < gaps && status == DOM_OK; i++)
         if (!isnan(w[i].low))
-            (*list)[(*found)++] = (struct mend){w[i].domino, w[i].now, wider ? w[i].low : w[i].high,
-                                                wider ? w[i].high : w[i].low};
-    }
-    if (*list && *found > 1)
-        qsort(*list, *found, sizeof **list, by_change);
-    free(w);
+            w[(*found)++] = w[i];
+    if (*found > 1)
+        qsort(w, *found, sizeof *w, by_change);
     return status;
 }
 
@@ -83,36 +83,31 @@ static enum dom_status mends_find(const struct double_row *made, struct mend **l
 
 /* Returns the smallest change of the gap to whole millimetres at which all dominoes fall. If there is none,
  * returns the nearest gap at which they fall. */
-static domq_real whole_gap(const struct mend *m)
+static domq_real whole_gap(const struct dom_window *w)
 {
-    const bool wider = m->until > m->to;
-    const domq_real mm = (domq_real)1 / 1000, to = quad_decimal(m->to), until = quad_decimal(m->until),
+    const bool wider = gap_far(w) > gap_near(w);
+    const domq_real mm = (domq_real)1 / 1000, to = quad_decimal(gap_near(w)),
+                    until = quad_decimal(gap_far(w)),
                     gap = mm * (wider ? quad(ceil)(to / mm) : quad(floor)(to / mm));
     return (wider ? gap <= until : gap >= until) && gap > 0 ? gap : to;
 }
 
-static void mend_say(struct answer *a, const struct mend *m, bool needs_push)
+static void mend_say(struct answer *a, const struct dom_window *w, bool needs_push)
 {
-    const domq_real safe = whole_gap(m);
-    const struct measured to = measured(safe, "m", 7);
+    const double to = gap_near(w);
+    const struct measured safe = measured(whole_gap(w), "m", 7);
     answer_say(a, "%s %s the gap before domino %zu from %s to %s: 'place %zu %s'.",
                needs_push ? "The smallest change, if the push stays as it is:" : "The smallest change:",
-               m->to < m->gap ? "narrow" : "widen", m->domino, measured(m->gap, "m", 5).text, to.text,
-               m->domino, to.text);
-    if (fabs(m->until - m->to) <= 1e-4 * m->to)
-        return;
-    const bool wider = m->until > m->to;
-    const domq_real until = round_digits(quad_decimal(m->until), 4, !wider),
-                    room = m->to + (until - m->to) / 3;
-    const struct measured end = measured(until, "m", 7), near = measured(m->to, "m", 7);
-    const char *from = until > 0 ? (wider ? near : end).text : "";
-    answer_detail(a, "All dominoes fall if this gap is %s%s%s%s: 'place %zu %s' leaves a margin of %s.",
-                  *from ? "between " : "at most ", from, *from ? " and " : "", (wider ? end : near).text,
-                  m->domino, measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
+               to < w->now ? "narrow" : "widen", w->domino, measured(w->now, "m", 5).text, safe.text,
+               w->domino, safe.text);
+    answer_detail(a, "All dominoes fall if this gap is between %s and %s: 'place %zu %s' leaves a margin.",
+                  measured(round_digits(quad_decimal(w->low), 4, true), "m", 7).text,
+                  measured(round_digits(quad_decimal(w->high), 4, false), "m", 7).text, w->domino,
+                  measured(to + (gap_far(w) - to) / 3, "m", 4).text);
 }
 
 /* Prints a table of the changes that were found and says how to make the smallest one. */
-static void mends_answer(struct answer *a, const struct mend *list, size_t found,
+static void mends_answer(struct answer *a, const struct dom_window *list, size_t found,
                          const struct domq_verdict *v, size_t count, bool has_push)
 {
     static const char no_single_gap[] =
@@ -120,10 +115,10 @@ static void mends_answer(struct answer *a, const struct mend *list, size_t found
         "the dominoes";
     const bool falls = v->end == DOM_ROW_FALLS;
     for (size_t i = 0; i < found; i++) {
-        const double change = list[i].to - list[i].gap;
-        answer_cells(a, cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
-                     cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
-                     cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOM_NAN, 4));
+        const double now = list[i].now, to = gap_near(&list[i]);
+        answer_cells(a, cell_count((domq_real)list[i].domino), cell_narrow(now, 7), cell_narrow(to, 7),
+                     cell_narrow(gap_far(&list[i]), 7), cell_narrow(to - now, 5),
+                     cell_narrow(now > 0 ? (to - now) / now : DOM_NAN, 4));
     }
     if (found > 0)
         mend_say(a, list, push_lacks(v));
@@ -143,7 +138,7 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     struct scene_row scene;
     struct double_row made;
     struct domq_verdict v;
-    struct mend *list = NULL;
+    struct dom_window *list = NULL;
     size_t found = 0;
     double push = DOM_NAN;
     if (!scene_row_make(query->scene, &scene, problem))

@@ -229,7 +229,9 @@ const struct command row_commands[] = {
              "and the other gaps stay the same. A domino whose height changes keeps its density and the "
              "angle of its lean. A domino that is not set up plumb leans about its front edge. The window "
              "for its lean says how far its top may be off plumb, backwards or forwards. With rounded "
-             "edges, and in the engine, the program does not compute how far a domino may lean. The "
+             "edges, and in the engine, the program does not compute how far a domino may lean. A height "
+             "window also ends where the upper edge of the domino would pass above the next one, a contact "
+             "that only the engine includes. The "
              "answer names the dominoes with the tightest limits. If the row does not fall, the windows show "
              "which single changes save it, for up to 31 dominoes before its end. The search takes the same "
              "steps as 'mend'.",
@@ -264,7 +266,9 @@ const struct command row_commands[] = {
                   {.name = "GAP", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the gap before domino K of the row",
      .help = "'place 3 25 mm' is short for 'change 3 gap 25 mm'. All dominoes after the gap move, and the "
-             "other gaps stay the same. 'place 3 +1 cm' widens the gap by 1 cm.",
+             "other gaps stay the same. A GAP with a sign changes the gap: 'place 3 +1 cm' widens it by 1 "
+             "cm, and "
+             "'place 3 -1 cm' narrows it.",
      .example = "set row 5; place 3 25 mm; fall",
      .see = "change row mend",
      .access.changes = true,
@@ -282,19 +286,14 @@ const struct command row_commands[] = {
      .run = run_remove},
     {.name = "insert",
      .synonyms = "add append extend more copy",
-     .argument = {{.name = "K", .kind = ARGUMENT_COUNT},
-                  {.name = "height X",
-                   .kind = ARGUMENT_WORDS,
-                   .optional = true,
-                   .parse = insert_parse,
-                   .bind = insert_bind}},
+     .argument = {{.name = "K", .kind = ARGUMENT_COUNT}},
      .summary = "put another domino into the row, as number K",
      .help =
-         "The new domino is a copy of the one that was number K, with the same gap before it. With a height, "
-         "as in 'insert 3 height 30 cm', its thickness, its width, its gap and its mass change in "
-         "proportion. The domino that was number K and those after it move on. If the row has 5 dominoes, "
+         "The new domino is a copy of the one that was number K, with the same gap before it; 'change' gives "
+         "it other sizes. The domino that was number K and those after it move on. If the row has 5 "
+         "dominoes, "
          "'insert 6' adds one at the end, like the last.",
-     .example = "set row 5; insert 3 height 9 cm; row",
+     .example = "set row 5; insert 3; change 3 height 9 cm; row",
      .see = "remove change row",
      .access.changes = true,
      .run = run_insert},

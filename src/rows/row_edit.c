@@ -14,37 +14,22 @@
 static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
                         domq_real value, struct problem *problem)
 {
-    const bool is_gap = measure == MEASURE_GAP, is_mass = measure == MEASURE_MASS;
-    const char *unit = is_mass ? "kg" : "m", *write = is_mass ? "g" : "mm";
-    const domq_real tall = is_gap ? row[k - 1].height : now;
+    const bool is_mass = measure == MEASURE_MASS;
     /* a gap is not plausible if it exceeds the heights of both its dominoes */
-    if (is_gap ? value <= tall || value <= row[k].height
-               : measure == MEASURE_RADIUS || measure == MEASURE_LEAN || value < SLIP_OF_UNIT * now)
+    if (measure == MEASURE_GAP
+            ? value <= quad_larger(row[k - 1].height, row[k].height)
+            : measure == MEASURE_RADIUS || measure == MEASURE_LEAN || value < SLIP_OF_UNIT * now)
         return true;
-    return problem_error(problem,
-                         "a %s of %s without a unit would be %s, but domino %zu is %s%s; write '%s %s', or "
-                         "the unit that you mean",
-                         row_measure_names(NULL, (int)measure), quad_text(value, 10),
-                         measured(value, unit, 6).text, k + !is_gap, measured(tall, unit, 4).text,
-                         is_gap || measure == MEASURE_HEIGHT ? " tall"
-                         : is_mass                           ? " now"
-                         : measure == MEASURE_WIDTH          ? " wide"
-                                                             : " thick",
-                         quad_text(value, 10), write);
+    return problem_error(
+        problem, "a %s of %s without a unit would be %s; write '%s %s', or the unit that you mean",
+        row_measure_names(NULL, (int)measure), quad_text(value, 10),
+        measured(value, is_mass ? "kg" : "m", 6).text, quad_text(value, 10), is_mass ? "g" : "mm");
 }
 
 /* Returns the lean angle of a domino whose top is off plumb by `off` metres. */
 static domq_real lean_angle(domq_real off, domq_real height)
 {
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
-}
-
-/* Returns what a change makes of a measurement that is `now`. */
-static domq_real changed_value(const struct row_change *change, domq_real now)
-{
-    return change->how == CHANGE_TO   ? change->value
-           : change->how == CHANGE_BY ? now + change->value
-                                      : now * change->value;
 }
 
 /* Computes the value that a measurement of domino k, counted from 0, has after a change. Stores the value in
@@ -58,7 +43,9 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
     struct domq_domino d = row->domino[k], *domino = &d;
     domq_real *member = row_measure_at(domino, measure),
               now = is_lean && change->is_angle ? domino->lean : scene_row_measure(scene, domino, measure),
-              value = changed_value(change, now);
+              value = change->how == CHANGE_TO   ? change->value
+                      : change->how == CHANGE_BY ? now + change->value
+                                                 : now * change->value;
     const struct listed_row *listed = &scene->listed;
     const domq_real before = is_mass && listed->changes > 0 ? listed->change[k].to.mass : DOMQ_NAN;
     char message[MISFIT_MESSAGE];
@@ -146,35 +133,26 @@ static bool edit_end(struct scene *scene, struct listed_row *next, bool good, st
 
 /* ---- Change ---- */
 
-/* Changes the row of a scene, which must own the row. On failure, sets *problem and returns false. */
-static bool row_change(struct scene *scene, const struct scene_row *row, const struct row_change *change,
-                       const struct row_range *range, int ranges, struct problem *problem)
-{
-    struct listed_row next;
-    if (!edit_begin(scene, &next, problem))
-        return false;
-    bool good = true;
-    for (int i = 0; i < ranges; i++)
-        for (size_t k = range[i].first - 1; good && k < range[i].last; k++)
-            good = domino_change(scene, change, row, k, row_measure_at(&next.change[k].to, change->measure),
-                                 problem) &&
-                   (!dom_raised(scene->compute.interrupt) || problem_status(problem, scene, DOM_INTERRUPTED));
-    return edit_end(scene, &next, good, problem);
-}
-
 bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
                       int ranges, struct problem *problem)
 {
     struct scene_row row = {.domino = NULL};
+    struct listed_row next;
     if (!scene_row_list(scene, &row, problem))
         return false;
     bool good = dominoes_check(range, ranges, row.row.count, change->measure == MEASURE_GAP, problem);
     if (good && change->measure == MEASURE_MASS && change->how != CHANGE_TIMES && !scene_has_masses(scene))
         good = problem_error(problem, "the masses of this row are not known; enter the mass of its first "
                                       "domino with 'set mass', or a relative change such as '+10 %%'");
-    good = good && row_change(scene, &row, change, range, ranges, problem);
+    const bool begun = good && edit_begin(scene, &next, problem);
+    good = begun;
+    for (int i = 0; i < ranges && good; i++)
+        for (size_t k = range[i].first - 1; good && k < range[i].last; k++)
+            good = domino_change(scene, change, &row, k, row_measure_at(&next.change[k].to, change->measure),
+                                 problem) &&
+                   (!dom_raised(scene->compute.interrupt) || problem_status(problem, scene, DOM_INTERRUPTED));
     free(row.domino);
-    return good;
+    return begun && edit_end(scene, &next, good, problem);
 }
 
 /* ---- Replace ---- */
@@ -243,79 +221,43 @@ bool scene_row_remove(struct scene *scene, const struct row_range *range, int ra
                     problem);
 }
 
-/* Gives a copy of a domino another size with the same proportions. A solid domino or a box with walls of any
- * thickness gets the mass that follows from q. A box with the walls of the scene keeps its density. */
-static bool copy_resize(const struct scene *scene, const struct domq_domino *like, domq_real height,
-                        struct domq_domino *to, char message[MISFIT_MESSAGE])
+bool scene_row_insert(struct scene *scene, size_t k, struct problem *problem)
 {
-    const domq_real x = height / like->height, was = isnan(to->mass) ? 1 : to->mass;
-    if (!csv_fits(&rowfile_kind.column[MEASURE_HEIGHT], height, message))
-        return false;
-    to->height = height;
-    to->thickness = x * like->thickness;
-    to->width = like->width / like->height * height; /* exactly half of the height if it was */
-    to->gap = x * like->gap;
-    if (like->radius > 0)
-        to->radius = x * like->radius;
-    /* The sizes alone would make the mass x^3 times as large. */
-    if (!(scene_walls(scene) > 0) && scene->train.q != 4)
-        to->mass = was * quad(pow)(x, scene->train.q - 4);
-    return csv_fits(&rowfile_kind.column[MEASURE_MASS], like->mass * quad(pow)(x, scene->train.q - 1),
-                    message);
-}
-
-/* Inserts a copy of the domino with the index `like` at the index `at`. If this makes the first domino of the
- * file, which has no gap, the second of the row, it gets a gap in proportion to the next. */
-static bool copy_insert(struct scene *scene, const struct scene_row *row, size_t at, size_t like,
-                        const struct row_change *height, struct problem *problem)
-{
-    const size_t count = row->row.count;
-    struct domq_domino model = row->domino[like];
-    const domq_real gap = count > 1 ? row->domino[1].gap / row->domino[1].height : scene->train.s,
-                    tall = height ? changed_value(height, model.height) : model.height;
-    char message[MISFIT_MESSAGE];
+    const size_t most = (size_t)domq_effect(DOM_EFFECT_row)->argument[0].highest,
+                 count = scene_row_count(scene), at = k - 1, like = k <= count ? k - 1 : count - 1;
+    struct scene_row row;
     struct listed_row next;
-    if ((height && height->is_bare &&
-         !bare_likely(row->domino, like, MEASURE_HEIGHT, model.height, tall, problem)) ||
-        !edit_begin(scene, &next, problem))
+    if (!scene_row_list(scene, &row, problem))
+        return false;
+    /* A new second domino, or one that moves to the second place, has no gap of its own if it is a copy of
+     * the first. It gets a gap in proportion to the next one. */
+    const domq_real gap =
+        row.domino->height * (count > 1 ? row.domino[1].gap / row.domino[1].height : scene->train.s);
+    free(row.domino);
+    if (k > count + 1)
+        return problem_error(
+            problem,
+            "there is no place %zu in this row of %zu domino%s; 'insert %zu' adds one at its "
+            "end",
+            k, count, count == 1 ? "" : "es", count + 1);
+    if (count >= most)
+        return problem_error(problem, "a row has at most %zu dominoes", most);
+    if (!edit_begin(scene, &next, problem))
         return false;
     struct changed_domino *more = realloc(next.change, (count + 1) * sizeof *more);
     if (!more) {
         listed_free(&next);
         return problem_status(problem, scene, DOM_NO_MEMORY);
     }
-    struct changed_domino copy = more[like];
-    const bool has_gap = copy.origin > 0;
-    if (like == 0 && at > 0 && (height || !has_gap))
-        copy.to.gap = model.gap = gap * model.height;
+    const struct changed_domino copy = more[like];
     memmove(&more[at + 1], &more[at], (count - at) * sizeof *more);
+    more[at] = copy;
+    if (like == 0 && copy.origin == 0)
+        more[1].to.gap = gap;
+    more[0].to.gap = DOMQ_NAN;
     next.change = more;
     next.changes = count + 1;
-    const bool good = !height || copy_resize(scene, &model, tall, &copy.to, message) ||
-                      problem_no_answer(problem, "domino %zu: %s", at + 1, message);
-    more[at] = copy;
-    more[0].to.gap = DOMQ_NAN;
-    if (at == 0 && !has_gap)
-        more[1].to.gap = gap * model.height;
-    return edit_end(scene, &next, good, problem);
-}
-
-bool scene_row_insert(struct scene *scene, size_t k, const struct row_change *height, struct problem *problem)
-{
-    const size_t most = (size_t)domq_effect(DOM_EFFECT_row)->argument[0].highest;
-    struct scene_row row;
-    if (!scene_row_list(scene, &row, problem))
-        return false;
-    const size_t count = row.row.count;
-    const bool good = (k <= count + 1 ||
-                       problem_error(problem,
-                                     "there is no place %zu in this row of %zu domino%s; 'insert %zu' adds "
-                                     "one at its end",
-                                     k, count, count == 1 ? "" : "es", count + 1)) &&
-                      (count < most || problem_error(problem, "a row has at most %zu dominoes", most)) &&
-                      copy_insert(scene, &row, k - 1, k <= count ? k - 1 : count - 1, height, problem);
-    free(row.domino);
-    return good;
+    return edit_end(scene, &next, true, problem);
 }
 
 /* ---- Save ---- */

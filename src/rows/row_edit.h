@@ -39,11 +39,9 @@ bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t cou
 bool scene_row_remove(struct scene *scene, const struct row_range *range, int ranges,
                       struct problem *problem);
 
-/* Inserts a domino that becomes number k, counted from 1. It is a copy of the domino that had this number, or
- * of the last one. If `height` is not NULL, it changes the height of the copy, which keeps its proportions.
- * On failure, sets *problem, changes nothing and returns false. */
-bool scene_row_insert(struct scene *scene, size_t k, const struct row_change *height,
-                      struct problem *problem);
+/* Inserts a copy of the domino that has the number k, counted from 1, or of the last one. The copy gets this
+ * number. On failure, sets *problem, changes nothing and returns false. */
+bool scene_row_insert(struct scene *scene, size_t k, struct problem *problem);
 
 /* Writes the changes as commands for a saved script: 'remove', 'insert' and 'change'. */
 void row_changes_save(const struct scene *scene, FILE *out);

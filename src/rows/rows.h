@@ -21,41 +21,12 @@ bool change_bind(const struct question *question, const struct query *query, str
                  struct problem *problem);
 bool remove_bind(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
-bool insert_parse(struct reader *reader, struct question *question);
-bool insert_bind(const struct question *question, const struct query *query, struct arguments *given,
-                 struct problem *problem);
 bool run_change(const struct query *query, struct answer *a, struct problem *problem);
 bool run_remove(const struct query *query, struct answer *a, struct problem *problem);
 bool run_insert(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Lists the dominoes of the row as 'row' does: all, or only one, counted from 1, if `only` is not 0. */
 bool row_list(const struct query *query, size_t only, struct answer *a, struct problem *problem);
-
-/* The friction that a foot needs so that it does not slip, either while the domino `head` falls or at the
- * instant when this domino is hit. Dominoes are counted from 1. */
-struct slip {
-    domq_real needs; /* the friction coefficient; infinite if the foot is lifted off the floor */
-    size_t domino;   /* the domino whose foot this is */
-    size_t head;     /* 0 if no foot was found */
-};
-
-/* The friction that the feet of a row need: `motion` while dominoes fall, and `hit` at the instants when a
- * domino is hit. */
-struct feet {
-    domq_real floor; /* the friction of the floor */
-    struct needs {
-        struct slip most, first; /* the foot that needs the most friction, and the first foot that slips */
-    } motion, hit;
-};
-
-/* Functions that print the friction that feet need. Call feet_begin, then feet_add for each domino that is
- * hit, and then feet_say. `count` is the number of dominoes in the row. */
-struct feet feet_begin(const struct query *query);
-void feet_add(struct feet *feet, const struct domq_fall *fall);
-void feet_say(struct answer *a, const struct feet *feet, size_t count);
-
-/* The message for a domino that is lifted off the floor. */
-extern const char foot_lifted[];
 
 /* ---- The windows of a row: how inaccurate each domino may be before the row stops ---- */
 
@@ -68,9 +39,8 @@ struct windows {
      * the height of the third domino. All dominoes have the same friction, so there is only one window for
      * it: kind[DOM_WINDOW_FRICTION][0]. */
     struct dom_window *kind[WINDOW_KINDS];
-    /* Numbers of dominoes, counted from 1. If the row falls, critical[K] is the domino with the tightest
-     * limits for its place, height, thickness or lean. If the row does not fall, critical[DOM_WINDOW_LEAN] is
-     * the leaning domino whose lean needs the smallest change to save the row. All other elements are 0. */
+    /* For each kind, the number of a domino, counted from 1, or 0. If the row falls, it has the tightest
+     * limits of all dominoes. If the row does not fall, it needs the smallest change to save the row. */
     size_t critical[WINDOW_KINDS];
     bool falls;
 };

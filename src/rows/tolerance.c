@@ -2,7 +2,6 @@
 /* The command 'tolerance': how far the places, sizes and leans of single dominoes may deviate. */
 #include "io/terminal.h"
 #include "language/quad.h"
-#include "language/text.h"
 #include "parallel/workers.h"
 #include "rows/rows.h"
 #include <stdatomic.h>
@@ -40,13 +39,6 @@ const struct column tolerance_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns the distance from the current value to the nearer end of the window. The distance is negative if
- * the value is outside the window, and NaN if there is no window. */
-static double room(const struct dom_window *w)
-{
-    return fmin(w->now - w->low, w->high - w->now);
-}
-
 /* Returns the number of the domino whose value is closest to an end of its window, or 0 if there is no such
  * domino. If the row falls, this domino has the tightest limits. If the row does not fall, this domino needs
  * the smallest change to save the row. In a row that does not fall, dominoes with the value 0 are not
@@ -58,10 +50,10 @@ static size_t least_room(const struct windows *w, enum dom_window_of kind)
     for (size_t k = 0; k < w->count; k++) {
         const struct dom_window *of = &w->kind[kind][k];
         /* A difference in height or thickness is divided by the current value. */
-        const double free =
-            fabs(room(of)) / (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
-        if (!isnan(free) && !(free >= least) && (w->falls || of->now != 0)) {
-            least = free;
+        const double room = fabs(fmin(of->now - of->low, of->high - of->now)) /
+                            (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
+        if (!isnan(room) && !(room >= least) && (w->falls || of->now != 0 || kind == DOM_WINDOW_FRICTION)) {
+            least = room;
             first = k + 1;
         }
     }
@@ -141,13 +133,8 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
     for (size_t k = 0; k < w->count; k++)
         lean_to_top(&w->kind[DOM_WINDOW_LEAN][k], (double)scene->domino[k].height);
     free(made.domino);
-    if (status == DOM_OK)
-        w->critical[DOM_WINDOW_LEAN] = least_room(w, DOM_WINDOW_LEAN);
-    if (status == DOM_OK && w->falls) {
-        w->critical[DOM_WINDOW_PLACE] = least_room(w, DOM_WINDOW_PLACE);
-        w->critical[DOM_WINDOW_HEIGHT] = least_room(w, DOM_WINDOW_HEIGHT);
-        w->critical[DOM_WINDOW_THICKNESS] = least_room(w, DOM_WINDOW_THICKNESS);
-    }
+    for (int kind = 0; kind < WINDOW_KINDS && status == DOM_OK; kind++)
+        w->critical[kind] = least_room(w, (enum dom_window_of)kind);
     return status;
 }
 
@@ -171,161 +158,67 @@ static struct dom_window readable(const struct dom_window *w)
  * enough for it. */
 enum { DIGITS = 6, DIGITS_NOW = 4 };
 
-static struct measured length(double value, int digits)
-{
-    return measured(value, "m", digits);
-}
+static const char *const kind_names[] = {
+    [DOM_WINDOW_PLACE] = "place", [DOM_WINDOW_GAP] = "gap",   [DOM_WINDOW_HEIGHT] = "height",
+    [DOM_WINDOW_LEAN] = "lean",   [DOM_WINDOW_FRICTION] = "", [DOM_WINDOW_THICKNESS] = "thickness"};
 
-static void friction_detail(struct answer *a, const struct windows *w)
-{
-    const struct dom_window f = readable(w->kind[DOM_WINDOW_FRICTION]);
-    const struct measured now = measured(f.now, "", DIGITS_NOW);
-    char range[2 * CELL_TEXT] = "";
-    if (f.low > 0)
-        snprintf(range, sizeof range, "at least %s and ", measured(f.low, "", DIGITS).text);
-    text_add(range, sizeof range, "at most %s", measured(f.high, "", DIGITS).text);
-    if (isnan(f.low))
-        answer_detail(
-            a,
-            "The search found no value of the friction between the dominoes that saves this row; the "
-            "friction is %s now.",
-            now.text);
-    else if (!w->falls)
-        answer_detail(a,
-                      "All dominoes would fall if the friction between the dominoes were %s; it is %s now.",
-                      range, now.text);
-    else
-        answer_detail(a, "All dominoes fall if the friction between the dominoes is %s%s; it is %s now.",
-                      range, f.above == DOM_ROW_FALLS ? " (larger values are not tried)" : "", now.text);
-}
-
-/* Returns a phrase such as "1.7 mm backwards" or "2 mm forwards". */
-static struct words off_plumb(double value, int digits)
-{
-    struct words off;
-    snprintf(off.text, sizeof off.text, "%.40s%s", measured(fabs(value), "m", digits).text,
-             value < 0   ? " backwards"
-             : value > 0 ? " forwards"
-                         : "");
-    return off;
-}
-
-static void lean_detail(struct answer *a, const struct windows *w)
-{
-    const size_t k = w->critical[DOM_WINDOW_LEAN];
-    if (k == 0)
-        return;
-    const struct dom_window l = readable(&w->kind[DOM_WINDOW_LEAN][k - 1]);
-    const char *all = w->count > 1 ? ", the tightest limits of all" : "";
-    if (!w->falls)
-        answer_detail(
-            a,
-            "All dominoes would fall if the top of domino %zu were off by anything from %s to %s; it "
-            "is off by %s now.",
-            k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
-            off_plumb(l.now, DIGITS_NOW).text);
-    else if (l.now == 0)
-        answer_detail(a, "Set domino %zu %s: its top may be off by up to %s backwards or %s forwards%s.", k,
-                      w->scene->row.alpha != 0 ? "square to the floor" : "plumb",
-                      length(0 - l.low, DIGITS).text, length(l.high, DIGITS).text, all);
-    else
-        answer_detail(a, "The top of domino %zu may be off by anything from %s to %s%s; it is off by %s now.",
-                      k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text, all,
-                      off_plumb(l.now, DIGITS_NOW).text);
-}
-
-/* Prints how many windows of heights may be too narrow, for two reasons: the search does not try very tall
- * dominoes, and the model does not include every contact. */
-static void heights_detail(struct answer *a, const struct windows *w)
-{
-    size_t open = 0, passing = 0;
-    for (size_t k = 0; k < w->count; k++) {
-        const struct dom_window *h = &w->kind[DOM_WINDOW_HEIGHT][k];
-        open += w->falls && h->above == DOM_ROW_FALLS && h->high >= 4 * h->now;
-        passing += !w->scene->row.engine && (h->below == DOM_ROW_PASSES || h->above == DOM_ROW_PASSES);
-    }
-    if (open > 0)
-        answer_detail(a,
-                      "%zu height window%s end%s at 4 times the present height, because taller dominoes are "
-                      "not tried.",
-                      open, open == 1 ? "" : "s", open == 1 ? "s" : "");
-    if (passing > 0)
-        answer_detail(a,
-                      "%zu height window%s end%s where the upper edge of a domino would pass above the next "
-                      "domino. The face of the domino would then strike the next one. The model does not "
-                      "include this contact, so the row may also fall with heights outside %s. "
-                      "The rigid-body engine includes the contact: 'set method engine'.",
-                      passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "",
-                      passing == 1 ? "this window" : "these windows");
-}
-
-/* Prints the command that moves domino k, and no other domino, to the middle of its window. */
-static void place_change_detail(struct answer *a, const struct windows *w, size_t k)
-{
-    const struct dom_window *p = &w->kind[DOM_WINDOW_PLACE][k - 1];
-    const double by = (p->low + p->high) / 2 - p->now;
-    const struct measured shift = measured(fabs(by), "m", 3);
-    char after[2 * CELL_TEXT] = "";
-    if (k < w->count)
-        snprintf(after, sizeof after, "; change %zu gap %c%.40s", k + 1, by < 0 ? '+' : '-', shift.text);
-    answer_detail(a, "'change %zu gap %c%s%s' moves the domino to the middle of this range.", k,
-                  by < 0 ? '-' : '+', shift.text, after);
-}
-
-static const char *const size_names[] = {
-    [DOM_WINDOW_GAP] = "gap", [DOM_WINDOW_HEIGHT] = "height", [DOM_WINDOW_THICKNESS] = "thickness"};
-
-/* Prints a 'change' command that sets the gap, height or thickness of domino k. */
-static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind, size_t k)
-{
-    const struct dom_window *of = &w->kind[kind][k - 1];
-    /* If the row does not fall, the change is kept small, as in 'mend'. */
-    const double near = of->now < of->low ? of->low : of->high, far = of->now < of->low ? of->high : of->low,
-                 value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
-    (w->falls ? answer_detail : answer_say)(a, "'change %zu %s %s' %s.", k, size_names[kind],
-                                            measured(value, "m", 4).text,
-                                            w->falls ? "chooses the middle of this range" : "saves the row");
-}
-
-/* Prints the window of the domino whose place, height or thickness has the tightest limits. */
+/* Prints the window with the tightest limits or, if the row does not fall, the one that saves the row with
+ * the smallest change. Leans and the friction are among the details. */
 static void window_say(struct answer *a, const struct windows *w, enum dom_window_of kind)
 {
     const size_t k = w->critical[kind];
     if (k == 0)
         return;
     const struct dom_window of = readable(&w->kind[kind][k - 1]);
-    answer_say(a, "The %s of domino %zu has %s limits: %s to %s.",
-               kind == DOM_WINDOW_PLACE ? "place" : size_names[kind], k,
-               w->count > 1 ? "the tightest" : "these", length(of.low, DIGITS).text,
-               length(of.high, DIGITS).text);
-    answer_detail(a, "The %s of domino %zu is %s now.", kind == DOM_WINDOW_PLACE ? "place" : size_names[kind],
-                  k, length(of.now, DIGITS_NOW).text);
-    if (kind == DOM_WINDOW_PLACE)
-        place_change_detail(a, w, k);
-    else
-        change_say(a, w, kind, k);
+    const char *unit = kind == DOM_WINDOW_FRICTION ? "" : "m";
+    char what[64] = "friction between the dominoes";
+    if (kind != DOM_WINDOW_FRICTION)
+        snprintf(what, sizeof what, "%s of domino %zu", kind_names[kind], k);
+    (kind == DOM_WINDOW_LEAN || kind == DOM_WINDOW_FRICTION ? answer_detail : answer_say)(
+        a,
+        !w->falls ? "The row would fall if the %s were %s to %s; it is %s now."
+        : w->count > 1 && kind != DOM_WINDOW_FRICTION
+            ? "The %s has the tightest limits: %s to %s; it is %s now."
+            : "The %s may be %s to %s; it is %s now.",
+        what, measured(of.low, unit, DIGITS).text, measured(of.high, unit, DIGITS).text,
+        measured(of.now, unit, DIGITS_NOW).text);
+}
+
+/* Prints the 'change' command that saves a row which does not fall, by the gap, height or thickness of one
+ * domino. */
+static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind)
+{
+    const size_t k = w->critical[kind];
+    if (k == 0)
+        return;
+    const struct dom_window *of = &w->kind[kind][k - 1];
+    const double near = of->now < of->low ? of->low : of->high, far = of->now < of->low ? of->high : of->low;
+    answer_say(a, "'change %zu %s %s' saves the row.", k, kind_names[kind],
+               measured(near + (far - near) / 3, "m", 4).text);
 }
 
 static void tolerance_say(struct answer *a, const struct windows *w)
 {
-    static const enum dom_window_of sizes[] = {DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT, DOM_WINDOW_THICKNESS};
-    answer_detail(a, "\nA window is a range of values, for example of the height of a domino. All dominoes "
-                     "fall with any value in this range, as long as nothing else in the row changes. Places "
-                     "are measured from the back of domino 1 to the back of each domino.");
+    answer_detail(a,
+                  "\nA window is a range of values, for example of the height of a domino. All dominoes "
+                  "fall with any value in this range, as long as nothing else in the row changes. Places "
+                  "are measured from the back of domino 1 to the back of each domino. A lean is how far the "
+                  "top is off plumb; a negative one is backwards.");
     if (w->scene->row.engine)
         answer_detail(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
                          "and a window also ends where the engine reaches no verdict.");
-    if (!w->falls)
+    if (w->falls) {
+        window_say(a, w, DOM_WINDOW_PLACE);
+        window_say(a, w, DOM_WINDOW_HEIGHT);
+        window_say(a, w, DOM_WINDOW_THICKNESS);
+    } else {
         answer_say(a, "The row does not fall as it is; a change of one value can save it.");
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)
-        if (least_room(w, sizes[i]) > 0)
-            change_say(a, w, sizes[i], least_room(w, sizes[i]));
-    window_say(a, w, DOM_WINDOW_PLACE);
-    window_say(a, w, DOM_WINDOW_HEIGHT);
-    window_say(a, w, DOM_WINDOW_THICKNESS);
-    heights_detail(a, w);
-    lean_detail(a, w);
-    friction_detail(a, w);
+        change_say(a, w, DOM_WINDOW_GAP);
+        change_say(a, w, DOM_WINDOW_HEIGHT);
+        change_say(a, w, DOM_WINDOW_THICKNESS);
+    }
+    window_say(a, w, DOM_WINDOW_LEAN);
+    window_say(a, w, DOM_WINDOW_FRICTION);
 }
 
 /* ---- The answer ---- */
@@ -350,8 +243,8 @@ static void columns_choose(struct answer *a, const struct windows *w)
 
 static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
 {
-    const bool place = w->critical[DOM_WINDOW_PLACE] == k + 1,
-               height = w->critical[DOM_WINDOW_HEIGHT] == k + 1;
+    const bool place = w->falls && w->critical[DOM_WINDOW_PLACE] == k + 1,
+               height = w->falls && w->critical[DOM_WINDOW_HEIGHT] == k + 1;
     const struct dom_window *friction = w->kind[DOM_WINDOW_FRICTION];
     struct cell cells[ANSWER_COLUMNS] = {cell_count((domq_real)k + 1)}, *cell = cells + 1;
     bool saves = w->falls;

@@ -79,7 +79,7 @@ END
         grep -qF -- "$message" <<<"$stderr" || same "$command" "$message" "$stderr"
         same "$command: the row" "$before" "$(grep '"domino"' <<<"$output")"
     done <<'END'
-change 3 thickness 12|a thickness of 12 without a unit would be 12 m, but domino 3 is 1.575 cm thick; write '12 mm'
+change 3 thickness 12|a thickness of 12 without a unit would be 12 m; write '12 mm'
 change 9 height 1 m|there is no domino 9; this row has 5
 change 0 height 1 m|there is no domino 0
 change 1 gap 1 cm|there is no gap before domino 1

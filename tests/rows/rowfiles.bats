@@ -189,10 +189,10 @@ END
     wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'set edges off', or set all dominoes upright: 'change all lean = 0 mm'"
     wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, but the rigid-body engine needs upright dominoes [(]the engine runs this row because method is engine[)]; turn the engine off'
     said=$("$DOMINO" -e 'effect row lean.csv; tolerance details')
-    grep -qxF 'The top of domino 2 may be off by anything from 1.7 mm backwards to 1.03 cm forwards, the tightest limits of all; it is off by 1 mm backwards now.' <<<"$said"
+    grep -qxF 'The lean of domino 2 has the tightest limits: -1.7 mm to 1.03 cm; it is -1 mm now.' <<<"$said"
     sed 's/,-1$/,-3/' lean.csv >stops.csv
     said=$("$DOMINO" -e 'effect row stops.csv; tolerance details')
-    grep -qxF 'All dominoes would fall if the top of domino 2 were off by anything from 1.7 mm backwards to 1.03 cm forwards; it is off by 3 mm backwards now.' <<<"$said"
+    grep -qxF 'The row would fall if the lean of domino 2 were -1.7 mm to 1.03 cm; it is -3 mm now.' <<<"$said"
 }
 
 @test "'row > FILE' and then 'set row FILE' give the same row, digit for digit" {

@@ -77,7 +77,7 @@ END
 }
 
 @test "place: a gap out of reach is an error without a unit, and allowed with a unit" {
-    wrong 'effect row 3; place 2 3' "3 without a unit would be 3 m, but domino 1 is 4\.8 cm tall; write '3 mm', or the unit that you mean"
+    wrong 'effect row 3; place 2 3' "3 without a unit would be 3 m; write '3 mm', or the unit that you mean"
     wrong 'effect row 3; place 9 3' 'there is no gap before domino 9'
     same metres 0.03 "$(json 'effect row 3; place 2 0.03; row' | values gap | sed -n 2p)"
     same unit 3 "$(json 'effect row 3; place 2 3 m; row' | values gap | sed -n 2p)"
