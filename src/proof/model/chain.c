@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "proof/model/chain.h"
-#include "proof/model/power.h"
 
 struct shape shape_make(double s, double d, double q)
 {

@@ -108,4 +108,15 @@ struct domino chain_last(const struct growth *growth);
 /* Returns v of theta_c, the tilt of domino 1 while the head is upright: sin theta_c = r s. */
 struct span chain_hit(const struct growth *growth);
 
+/* ---- Powers (power.c) ---- */
+
+/* Returns x^q for x >= 1 and q > 0. Integers q up to 64 need only multiplications. */
+struct span span_power(struct span x, struct span q);
+
+/* Returns ln x for x >= 1. */
+struct span span_log(struct span x);
+
+/* Returns e^x for 0 <= x <= 700. */
+struct span span_exp(struct span x);
+
 #endif

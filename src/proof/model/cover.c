@@ -123,44 +123,33 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
     return first == OUTCOME_PROVED ? cover_tilts(proof, level, middle, high, depth + 1, left) : first;
 }
 
-/* Computes the train with an upright head twice: for all growths of the strip, and for the growth at its
- * upper end. */
-static bool strip_begin(struct proof *proof, double r_low, double r_high)
+/* Tries to prove that D stays below the kinetic energy or, if `most` is not NULL, below *most. */
+static enum outcome cover(struct proof *proof, double r_low, double r_high, const double *most)
 {
+    if (proof_interrupted(proof))
+        return OUTCOME_INTERRUPTED;
     proof->chains += 3;
-    return upright_find(&proof->shape, r_low, r_high, REST, 0, &proof->box) &&
-           upright_find(&proof->shape, r_high, r_high, REST, proof->box.n, &proof->point);
-}
-
-static enum outcome cover_all(struct proof *proof, const struct level *level)
-{
+    if (!upright_find(&proof->shape, r_low, r_high, REST, 0, &proof->box) ||
+        !upright_find(&proof->shape, r_high, r_high, REST, proof->box.n, &proof->point))
+        return most ? OUTCOME_LIMIT : OUTCOME_OPEN;
+    if (!most && proof->point.fuel.hi <= 0)
+        return OUTCOME_REFUTED;
+    const struct dual kinetic = most ? dual_of(span_of(*most)) : proof->box.kinetic;
+    const struct level level = {kinetic.value, most ? kinetic.value : proof->point.kinetic.value,
+                                kinetic.by_r, !most};
     /* A wide strip is given up early, since halving the strip is cheaper than using many boxes. */
-    const struct span r = proof->box.growth.r;
-    size_t left = r.hi - r.lo > 1e-4 * r.hi ? PER_WIDE_STRIP : PER_STRIP;
-    return cover_tilts(proof, level, 0, upright_hit_above(&proof->box), 0, &left);
+    size_t left = r_high - r_low > 1e-4 * r_high ? PER_WIDE_STRIP : PER_STRIP;
+    return cover_tilts(proof, &level, 0, upright_hit_above(&proof->box), 0, &left);
 }
 
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high)
 {
-    if (proof_interrupted(proof))
-        return OUTCOME_INTERRUPTED;
-    if (!strip_begin(proof, r_low, r_high))
-        return OUTCOME_OPEN;
-    if (proof->point.fuel.hi <= 0)
-        return OUTCOME_REFUTED;
-    struct level level = {proof->box.kinetic.value, proof->point.kinetic.value, proof->box.kinetic.by_r,
-                          true};
-    return cover_all(proof, &level);
+    return cover(proof, r_low, r_high, NULL);
 }
 
 enum outcome proof_below(struct proof *proof, double r_low, double r_high, double most)
 {
-    if (proof_interrupted(proof))
-        return OUTCOME_INTERRUPTED;
-    if (!strip_begin(proof, r_low, r_high))
-        return OUTCOME_LIMIT;
-    struct level level = {span_of(most), span_of(most), span_of(0), false};
-    return cover_all(proof, &level);
+    return cover(proof, r_low, r_high, &most);
 }
 
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop)
@@ -197,11 +186,6 @@ bool proof_stops(struct proof *proof, double r_low, double r_high, double top)
     return up(proof->box.kinetic.value.hi - climb.height.lo) < 0;
 }
 
-static double guess_height(struct proof *proof, double at)
-{
-    return span_middle(climb_of(proof, &proof->point, at, at, false).height);
-}
-
 double proof_guess(struct proof *proof, double r, double *top)
 {
     enum { SAMPLES = 48, STEPS = 60 };
@@ -211,27 +195,21 @@ double proof_guess(struct proof *proof, double r, double *top)
     double hit = upright_hit_below(&proof->point), best = 0,
            kinetic = span_middle(proof->point.kinetic.value);
     for (int k = 1; k <= SAMPLES && !proof_interrupted(proof); k++) {
-        double height = guess_height(proof, hit * k / SAMPLES);
-        if (height > best) {
-            best = height;
-            *top = hit * k / SAMPLES;
-        }
+        const double at = hit * k / SAMPLES,
+                     height = span_middle(climb_of(proof, &proof->point, at, at, false).height);
+        *top = height > best ? at : *top;
+        best = larger(best, height);
     }
     /* find the maximum between the neighbours of the highest sample, by bisection on the slope of D */
-    double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit);
+    double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit), at = low;
     for (int k = 0; k < STEPS && high - low > 1e-9 * hit && !proof_interrupted(proof); k++) {
-        double at = 0.5 * (low + high);
-        struct climb climb = climb_of(proof, &proof->point, at, at, true);
-        if (span_middle(climb.by_tilt) > 0)
-            low = at;
-        else
-            high = at;
+        at = 0.5 * (low + high);
+        *(span_middle(climb_of(proof, &proof->point, at, at, true).by_tilt) > 0 ? &low : &high) = at;
     }
-    double at = 0.5 * (low + high), height = guess_height(proof, at);
-    if (height > best) {
-        best = height;
-        *top = at;
-    }
+    at = 0.5 * (low + high);
+    const double height = span_middle(climb_of(proof, &proof->point, at, at, false).height);
+    *top = height > best ? at : *top;
+    best = larger(best, height);
     if (proof_interrupted(proof))
         return NAN;
     return kinetic - best;

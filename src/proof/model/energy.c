@@ -23,7 +23,6 @@
  * sums need derivatives.
  */
 #include "proof/model/energy.h"
-#include "proof/model/power.h"
 
 static const struct span everything = {-HUGE_VAL, HUGE_VAL};
 

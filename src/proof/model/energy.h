@@ -5,7 +5,6 @@
 #define DOM_PROOF_ENERGY_H
 
 #include "proof/model/chain.h"
-#include "proof/model/dual.h"
 #include <stddef.h>
 
 enum { LINKS_MOST = 20000 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes powers, logarithms and exponentials with the operations + - * / alone. Most functions of libm have
  * no guaranteed error bounds. Those that are used here (frexp, ldexp and nearbyint) are exact. */
-#include "proof/model/power.h"
+#include "proof/model/chain.h"
 
 /* Returns x^n for x >= 0 and n >= 1, by repeated squaring. */
 static struct span power_whole(struct span x, int n)

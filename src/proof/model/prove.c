@@ -2,7 +2,6 @@
 /* The public functions of <domino_proof.h>. They check their arguments and then run the proof. */
 #include "domino_proof.h"
 #include "proof/model/cover.h"
-#include "proof/model/power.h"
 
 #include <fenv.h>
 
@@ -46,38 +45,31 @@ static enum dom_proof_gap gap_of(enum outcome outcome)
                                           : DOM_PROOF_ROUNDING;
 }
 
-/* dom_compute_default is not called, because a program that uses only <domino_quad.h> does not link it. */
 static double tolerance_of(const struct dom_compute *compute)
 {
+/* dom_compute_default is not called, because a program that uses only <domino_quad.h> does not link it. */
 #define DEFAULT(name, default_, lowest, highest, unit, meaning) default_
     return compute ? compute->tol : DOM_COMPUTE_PARAMETERS(DEFAULT);
 #undef DEFAULT
 }
 
-static bool has_effect(const struct dom_train *train)
+/* Checks the arguments and prepares a proof. If no proof can be attempted, sets *gap to the reason. Call
+ * proof_end afterwards. */
+static enum dom_status begin(struct proof *proof, const struct dom_train *train,
+                             const struct dom_compute *compute, bool pair, enum dom_proof_gap *gap)
 {
+    *proof = (struct proof){.links = NULL};
+    const enum dom_status status = train_check(train, tolerance_of(compute));
+    if (status != DOM_OK)
+        return status;
 /* Walls are allowed, since they do not affect any result of a proof. */
 #define OR_ON(effect, member, status) || (DOM_EFFECT_##effect != DOM_EFFECT_walls && train->member != 0)
-    return false DOM_DYNAMICS(OR_ON);
+    const bool has_effect = false DOM_DYNAMICS(OR_ON);
 #undef OR_ON
-}
-
-/* The interval arithmetic in span.h needs this rounding mode, but a caller may have changed the mode. */
-static bool rounds_to_nearest(void)
-{
-    return fegetround() == FE_TONEAREST;
-}
-
-/* Returns the reason why no proof about the train can be attempted, or DOM_PROOF_NONE if there is none. */
-static enum dom_proof_gap gap_before(const struct dom_train *train)
-{
-    return has_effect(train) ? DOM_PROOF_EFFECT : rounds_to_nearest() ? DOM_PROOF_NONE : DOM_PROOF_MODE;
-}
-
-/* Prepares a proof about a train. The parameters of the train must already have been checked. */
-static enum dom_status begin(struct proof *proof, const struct dom_train *train,
-                             const struct dom_compute *compute, bool pair)
-{
+    /* The interval arithmetic in span.h needs this rounding mode, but a caller may have changed the mode. */
+    *gap = has_effect ? DOM_PROOF_EFFECT : fegetround() != FE_TONEAREST ? DOM_PROOF_MODE : DOM_PROOF_NONE;
+    if (*gap != DOM_PROOF_NONE)
+        return DOM_OK;
     struct shape shape = shape_make(train->s, train->d, train->q);
     shape.paper = train->fuel == DOM_FUEL_PAPER;
     shape.pair = pair;
@@ -87,29 +79,22 @@ static enum dom_status begin(struct proof *proof, const struct dom_train *train,
     return DOM_OK;
 }
 
-static struct dom_proof_work work_of(const struct proof *proof)
-{
-    return (struct dom_proof_work){proof->boxes, proof->chains};
-}
-
 static enum dom_status prove_limit(const struct dom_train *train, const struct dom_compute *compute,
                                    bool pair, struct dom_proof *result)
 {
     struct proof proof;
-    enum dom_status status = train_check(train, tolerance_of(compute));
+    enum dom_proof_gap gap;
+    const enum dom_status status = begin(&proof, train, compute, pair, &gap);
     if (status != DOM_OK)
         return status;
     *result = (struct dom_proof){
-        .ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY, .gap = gap_before(train)};
-    if (result->gap != DOM_PROOF_NONE)
-        return DOM_OK;
-    status = begin(&proof, train, compute, pair);
-    if (status != DOM_OK)
-        return status;
-    const enum outcome outcome = limit_prove(&proof, larger(tolerance_of(compute), 1e-15), result);
-    if (result->ends == DOM_PROVED_PARTLY)
-        result->gap = gap_of(outcome);
-    result->work = work_of(&proof);
+        .ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY, .gap = gap};
+    if (gap == DOM_PROOF_NONE) {
+        const enum outcome outcome = limit_prove(&proof, larger(tolerance_of(compute), 1e-15), result);
+        if (result->ends == DOM_PROVED_PARTLY)
+            result->gap = gap_of(outcome);
+        result->work = (struct dom_proof_work){proof.boxes, proof.chains};
+    }
     proof_end(&proof);
     return DOM_OK;
 }
@@ -124,11 +109,6 @@ enum dom_status dom_prove_pair(const struct dom_train *train, const struct dom_c
                                struct dom_proof *proof)
 {
     return prove_limit(train, compute, true, proof);
-}
-
-static struct dom_interval interval_of(struct span a)
-{
-    return (struct dom_interval){a.lo, a.hi};
 }
 
 /* Returns a lower and an upper bound on the barrier. The barrier is the largest D, so the value of D at any
@@ -161,7 +141,6 @@ static void cycle_prove(struct proof *proof, double r, double tol, struct dom_pr
         result->gap = DOM_PROOF_BOXES;
         return;
     }
-    result->gap = DOM_PROOF_NONE;
     if (proof->box.fuel.hi <= 0) {
         result->verdict = DOM_PROVED_NO_FUEL;
         return;
@@ -170,9 +149,9 @@ static void cycle_prove(struct proof *proof, double r, double tol, struct dom_pr
                 barrier = barrier_prove(proof, low, high, tol, top, &outcome),
                 margin = span_sub(kinetic, barrier);
     bool fuel = proof->box.fuel.lo > 0;
-    result->kinetic = interval_of(kinetic);
-    result->barrier = interval_of(barrier);
-    result->margin = interval_of(margin);
+    result->kinetic = (struct dom_interval){kinetic.lo, kinetic.hi};
+    result->barrier = (struct dom_interval){barrier.lo, barrier.hi};
+    result->margin = (struct dom_interval){margin.lo, margin.hi};
     if (margin.hi < 0)
         result->verdict = DOM_PROVED_STOPS;
     else if (fuel && (margin.lo >= 0 || proof_strip(proof, low, high) == OUTCOME_PROVED))
@@ -187,29 +166,20 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
                                 struct dom_proof_cycle *result)
 {
     struct proof proof;
+    enum dom_proof_gap gap;
     const struct dom_interval none = {DOM_NAN, DOM_NAN};
-    double tol = tolerance_of(compute);
-    enum dom_status status = train_check(train, tol);
+    const enum dom_status status = begin(&proof, train, compute, false, &gap);
     if (status != DOM_OK)
         return status;
-    *result = (struct dom_proof_cycle){.verdict = DOM_PROVED_NOTHING,
-                                       .kinetic = none,
-                                       .barrier = none,
-                                       .margin = none,
-                                       .gap = gap_before(train)};
-    if (result->gap != DOM_PROOF_NONE)
-        return DOM_OK;
-    status = begin(&proof, train, compute, false);
-    if (status != DOM_OK)
-        return status;
-    struct span reach = span_scale(span_around(train->r), proof.shape.s);
-    if (reach.lo > 1) {
-        result->verdict = DOM_PROVED_OUT_OF_REACH;
-        result->gap = DOM_PROOF_NONE;
-    } else {
-        cycle_prove(&proof, train->r, larger(tol, 1e-15), result);
+    *result = (struct dom_proof_cycle){
+        .verdict = DOM_PROVED_NOTHING, .kinetic = none, .barrier = none, .margin = none, .gap = gap};
+    if (gap == DOM_PROOF_NONE) {
+        if (span_scale(span_around(train->r), proof.shape.s).lo > 1)
+            result->verdict = DOM_PROVED_OUT_OF_REACH;
+        else
+            cycle_prove(&proof, train->r, larger(tolerance_of(compute), 1e-15), result);
+        result->work = (struct dom_proof_work){proof.boxes, proof.chains};
     }
-    result->work = work_of(&proof);
     proof_end(&proof);
     return DOM_OK;
 }
@@ -272,7 +242,7 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
         return DOM_BAD_HEIGHT;
     if (!(r >= 1 && isfinite(r)))
         return DOM_BAD_R;
-    if (!rounds_to_nearest()) {
+    if (fegetround() != FE_TONEAREST) {
         *least = 0;
         *most = INFINITY;
         return DOM_OK;
