@@ -77,12 +77,6 @@ struct engine_fall {
     size_t hits;    /* number of boxes that were hit, including the first */
     double seconds; /* time until the last box lies on the floor, or until the row has come to rest */
     double zero;    /* time from the start of the run to the moment from which all other times are measured */
-    /* `depth` and `drift` are recorded near the foremost box. `depth` is the deepest penetration of one box
-     * into another, relative to the height of the rear box. `drift` is the largest distance of a corner from
-     * its hinge, relative to the height. */
-    double depth, drift;
-    /* the largest increase of energy between two hits, relative to the kinetic energy at the second hit */
-    double gain;
     /*
      * How close the row came to stopping. At each moment, the run divides the angular velocity of the
      * foremost box by the largest angular velocity that this box has had. `slowest` is the smallest of these

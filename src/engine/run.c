@@ -74,34 +74,14 @@ static double time_to_hit(const struct world *w)
     return soonest;
 }
 
-/* Records how far hinges have drifted and sets how fast they are pulled back. */
-static void look_at_hinges(struct world *w, double unit)
+/* Records the angular velocity of the head just after its hit, and the kinetic energy. */
+static void note_state(struct world *w)
 {
-    /* Chipmunk expects the fraction of a drift that remains after one second. */
-    const double left = exp(-hinge_rate / unit);
-    for (size_t k = 0; k < w->count && !w->floor; k++) {
-        const struct body *b = &w->body[k];
-        const double drift = cpvdist(world_foot(w, k), b->corner) / w->row->box[k].height;
-        if (k + FOREMOST > w->head)
-            w->fall->drift = fmax(w->fall->drift, drift);
-        b->hinge->errorBias = b->limit->errorBias = left;
-    }
-}
-
-/* Records the angular velocity of the head just after its hit, the kinetic energy, and the increase in energy
- * since the previous hit. */
-static void note_state(struct run *r)
-{
-    struct world *w = &r->world;
-    double energy = world_energy(w), kinetic = world_kinetic(w);
-    if (w->head > 0)
-        w->fall->gain = fmax(w->fall->gain, (energy - w->energy) / kinetic);
-    w->energy = energy;
-    if (w->hit) {
-        double spin = world_spin(w, w->head), unit = sqrt(w->row->box[w->head].height / w->row->g);
-        w->hit[w->head].omega = fabs(spin) * unit < rests ? 0 : spin;
-        w->hit[w->head].kinetic = kinetic;
-    }
+    if (!w->hit)
+        return;
+    const double spin = world_spin(w, w->head), unit = sqrt(w->row->box[w->head].height / w->row->g);
+    w->hit[w->head].omega = fabs(spin) * unit < rests ? 0 : spin;
+    w->hit[w->head].kinetic = world_kinetic(w);
 }
 
 static void step(struct run *r)
@@ -110,7 +90,9 @@ static void step(struct run *r)
     const size_t head = w->head;
     r->unit = sqrt(w->row->box[head].height / w->row->g);
     r->whole = fmin(r->unit, 1 / fabs(world_spin(w, head))) / r->grain->steps;
-    look_at_hinges(w, r->unit);
+    /* Chipmunk expects the fraction of a drift that remains after one second. */
+    for (size_t k = 0; k < w->count && !w->floor; k++)
+        w->body[k].hinge->errorBias = w->body[k].limit->errorBias = exp(-hinge_rate / r->unit);
     if (r->calm == 0)
         r->dt = fmax(fmin(fmin(r->whole, 2 * r->dt), brakes * time_to_hit(w)), shortest * r->whole);
     r->work++;
@@ -119,7 +101,7 @@ static void step(struct run *r)
     if (w->head > head) {
         r->calm = CALM;
         r->rest = r->most = r->fastest = w->fall->climbed = 0;
-        note_state(r);
+        note_state(w);
     } else if (r->calm > 0)
         r->calm--;
 }
@@ -217,7 +199,7 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
         status = r.tilt ? ENGINE_OK : ENGINE_NO_MEMORY;
     }
     if (status == ENGINE_OK)
-        note_state(&r);
+        note_state(&r.world);
     bool done = fall->leans;
     const double most = most_work * grain->steps * ((double)row->count + 20);
     while (status == ENGINE_OK && !done) {

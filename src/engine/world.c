@@ -58,18 +58,6 @@ double world_kinetic(const struct world *w)
     return sum;
 }
 
-double world_energy(const struct world *w)
-{
-    double sum = world_kinetic(w);
-    for (size_t k = 0; k < w->count; k++) {
-        const struct engine_box *box = &w->row->box[k];
-        cpVect stood = cpvadd(w->body[k].corner, cpv(-box->thickness / 2, box->height / 2));
-        cpVect moved = cpvsub(w->body[k].body->p, stood);
-        sum -= box->mass * cpvdot(w->space->gravity, moved);
-    }
-    return sum;
-}
-
 /* Returns a filter for the shapes with which a box can collide. On a floor, where feet may slide, a box can
  * collide with the floor and with all other boxes. On hinges, it can collide with boxes one place away, and
  * also three places away, but not two. */
@@ -159,20 +147,15 @@ static void note_hit(struct world *w, size_t k)
         w->hit[k].time = w->now;
 }
 
-/* Records how deeply box `front` and the box behind it penetrate each other, and whether an edge of `front`
- * touches the top of the box behind it. */
+/* Records whether an edge of box `front` touches the top of the box behind it. */
 static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
 {
     const cpVect normal = arbiter->n, face = cpvforangle(-world_tilt(w, front));
-    cpVect axis = cpvperp(cpvforangle(-world_tilt(w, front - 1)));
+    const cpVect axis = cpvperp(cpvforangle(-world_tilt(w, front - 1)));
     if (fabs(cpvdot(normal, face)) < parallel && fabs(cpvdot(normal, axis)) > parallel) {
         w->fall->other_contact = true;
         if (front >= w->head)
             w->fall->slowest = 0;
-    }
-    for (int c = 0; c < arbiter->count && front + FOREMOST > w->head; c++) {
-        double depth = -w->cp->cpArbiterGetDepth(arbiter, c) / w->row->box[front - 1].height;
-        w->fall->depth = fmax(w->fall->depth, depth);
     }
 }
 

@@ -31,8 +31,7 @@
     X(cpShapeFree)                                                                                           \
     X(cpPivotJointNew)                                                                                       \
     X(cpRotaryLimitJointNew)                                                                                 \
-    X(cpConstraintFree)                                                                                      \
-    X(cpArbiterGetDepth)
+    X(cpConstraintFree)
 
 struct chipmunk {
 #define CHIPMUNK_MEMBER(name) __typeof__(name) *name;
@@ -52,9 +51,6 @@ enum engine_status chipmunk_load(const struct chipmunk **functions);
  */
 bool chipmunk_reserve(size_t boxes);
 void chipmunk_release(size_t boxes);
-
-/* penetration and drift are recorded for this many boxes up to the head */
-enum { FOREMOST = 4 };
 
 /* the velocity of the centre of a box, and the speed of its ends relative to the centre */
 struct motion {
@@ -84,7 +80,6 @@ struct world {
     struct body *body;
     size_t count, head; /* number of boxes in the space, and index of the foremost box that was hit */
     double now;
-    double energy;             /* energy of all boxes in `space`, recorded when the head was hit */
     struct cpConstraint watch; /* ends the iterations of a step */
     double tolerance;          /* tolerance of the impulses, as in struct engine_grain */
     double change;             /* the largest change in any velocity during the last iteration */
@@ -111,8 +106,7 @@ cpVect world_foot(const struct world *world, size_t k);
 /* Returns the foremost point of the upper or lower front edge of box k, which may be rounded. */
 cpVect world_front(const struct world *world, size_t k, bool upper);
 
-/* These functions return the kinetic energy and the total energy of all boxes in the space. */
+/* Returns the kinetic energy of all boxes in the space. */
 double world_kinetic(const struct world *world);
-double world_energy(const struct world *world);
 
 #endif
