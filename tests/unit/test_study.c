@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows */
 /* Studies save work: they run only the part of a row that a change affects, and leave out the search for the
  * barrier. They are compared here with runs of whole rows, and in test_verdicts for random rows. */
 
 #include "request.h"
+#include "rows/model/study.c" // NOLINT(bugprone-suspicious-include)
 #include "support.h"
 
 static double uniform(uint64_t *seed, double lo, double hi)
@@ -53,6 +55,7 @@ static struct dom_row row_of(const struct row_request *request)
 {
     return (struct dom_row){.domino = request->domino,
                             .count = request->count,
+                            .g = request->g,
                             .push = request->push,
                             .mu = request->effect[DOM_EFFECT_friction],
                             .alpha = request->effect[DOM_EFFECT_slope],
@@ -98,8 +101,8 @@ TEST(rows_again_end_like_whole_rows)
         dominoes_make(&row, &seed, i % 5 ? 0 : 0.2);
         if (i % 4)
             last_domino_balance(&row, &seed);
-        enum dom_status status = study_begin(&row.request, &study, &before);
         struct dom_row copy = row_of(&row.request);
+        enum dom_status status = row_study_begin(&copy, NULL, &study, &before);
         for (int j = 0; j < 20 && status == DOM_OK; j++) {
             const size_t k = (size_t)(random_unit(&seed) * (double)row.request.count);
             struct row_request request = row.request;
@@ -161,7 +164,7 @@ static void head_check(const struct run *run, size_t k, int *count)
     struct descent d;
     struct dom_fall fall = {.domino = k + 1};
     struct start at;
-    curve_check(&run->geometry[k], run->moving);
+    curve_check(&run->row->geometry[k], run->moving);
     assert_status(row_descend(&full, k, &d, &fall), DOM_OK);
     count[0]++;
     const double need = run->omegasq - d.least_margin / d.J0;
@@ -182,13 +185,11 @@ TEST(heads_that_keep_falling)
         static struct random_dominoes row;
         struct study *study;
         dominoes_make(&row, &seed, 0);
-        assert_status(study_begin(&row.request, &study, NULL), DOM_OK);
+        const struct dom_row random = row_of(&row.request);
+        assert_status(row_study_begin(&random, NULL, &study, NULL), DOM_OK);
         study->quick = true;
-        struct run run = {.request = &study->row.request,
-                          .geometry = study->row.geometry,
-                          .study = study,
-                          .verdict = {.end = DOM_ROW_FALLS}};
-        row_launch(&run);
+        struct run run = row_launch(&study->row);
+        run.study = study;
         for (size_t k = 0; k < row.request.count && run.verdict.end == DOM_ROW_FALLS; k++) {
             struct descent d;
             struct dom_fall fall;

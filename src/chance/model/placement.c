@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs many rows with random errors, in batches that may run in parallel. */
 #include "chance/model/draw.h"
-#include "entry/study.h"
+#include "rows/model/study.h"
 #include "numerics/quiet.h"
 #include <stdatomic.h>
 #include <stdlib.h>

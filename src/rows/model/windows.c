@@ -4,7 +4,7 @@
  * changes. The position, the height, the thickness and the lean of a domino have windows too, and so does the
  * friction. If a row does not fall, its windows say which change of one value mends it. */
 #include "rows/model/boxes.h"
-#include "search/trial.h"
+#include "rows/model/study.h"
 
 /* ---- The value that is changed ---- */
 

@@ -170,7 +170,7 @@ KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J,
 
 /* Solves the equation of motion of a plumb head from upright to the tilt hi, with a few evaluations only.
  * Returns false if friction may lock the motion. */
-KERNEL bool flow_rough(const struct geometry *geometry, real hi);
+KERNEL_SHARED bool flow_rough(const struct geometry *geometry, real hi);
 
 /* If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. The motion starts in a smooth
  * piece, which extends from edge[0] to edge[1]. */
@@ -178,7 +178,7 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
                                   const real edge[2], real *hi);
 
 /* Finds ln G, unless it is NULL, and u at a tilt from the last solution. */
-KERNEL void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u);
+KERNEL_SHARED void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u);
 
 /* Returns du/dtheta, with a reliable sign. */
 KERNEL real flow_solved_slope(const struct geometry *geometry, real theta);

@@ -191,13 +191,13 @@ KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J0
     return status == DOM_LOCKS ? flow_to_lock(&fine, geometry->tol, lo, c.locked, hi) : status;
 }
 
-KERNEL void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
+KERNEL_SHARED void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
 {
     num_linear_at(&geometry->flow->solution, theta, ln_G, u);
     *u = -*u;
 }
 
-KERNEL bool flow_rough(const struct geometry *geometry, real hi)
+KERNEL_SHARED bool flow_rough(const struct geometry *geometry, real hi)
 {
     struct flow_context c = {.geometry = geometry};
     geometry->flow->solution.panels = 0;

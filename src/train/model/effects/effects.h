@@ -56,6 +56,6 @@ KERNEL int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT]);
 KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT]);
 
 /* Returns true if one of the effects that are on takes energy from moving dominoes. */
-KERNEL bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT]);
+KERNEL_SHARED bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT]);
 
 #endif

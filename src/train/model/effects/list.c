@@ -106,7 +106,7 @@ KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
     return DOM_OK;
 }
 
-KERNEL bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT])
+KERNEL_SHARED bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT])
 {
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
         if (dynamics_on(effect[k]) && effects[k]->dissipates)

@@ -7,7 +7,6 @@
 #include "entry/method.h"
 #if !defined DOMF && !defined DOMQ
 #include "entry/study.h"
-#include "row/study.h"
 #endif
 
 /* A question about a train. */
@@ -195,71 +194,40 @@ enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom
 
 /* ---- Limits, which more than one precision may find ---- */
 
-/* These functions find a limit in this arithmetic alone. `near` is r_max as double has found it, or 0. */
-static enum dom_status rmax_near(const struct dom_train *train, const struct dom_compute *compute,
-                                 dom_real near, struct dom_limit *limit)
+enum dom_status OWN(_limit_alone)(const struct dom_train *train, const struct dom_compute *compute, bool pair,
+                                  dom_real near, struct dom_limit *limit)
 {
     struct question q = question_of_limit(train, compute);
     q.request.near = near;
-    return ASK_METHOD(q, limit_rmax, limit);
+    return pair ? ASK(q, limit_pair, limit) : ASK_METHOD(q, limit_rmax, limit);
 }
 
-enum dom_status OWN(_rmax_alone)(const struct dom_train *train, const struct dom_compute *compute,
-                                 struct dom_limit *limit)
+/* Finds a limit. In quad, a search for r_max starts from that in double. A limit that is open in float or
+ * double is computed again in quad, where fewer minima of the margin are open. */
+static enum dom_status limit_of(const struct dom_train *train, const struct dom_compute *given, bool pair,
+                                struct dom_limit *limit)
 {
-    return rmax_near(train, compute, 0, limit);
-}
-
-enum dom_status OWN(_pair_alone)(const struct dom_train *train, const struct dom_compute *compute,
-                                 struct dom_limit *limit)
-{
-    struct question q = question_of_limit(train, compute);
-    return ASK(q, limit_pair, limit);
-}
-
+    const struct dom_compute compute = compute_or_default(given);
 #ifdef DOMQ
-
-enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *given,
-                               struct dom_limit *limit)
-{
-    const struct dom_compute compute = compute_or_default(given);
-    return rmax_near(train, &compute, near_rmax(train, &compute), limit);
-}
-
-enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
-                               struct dom_limit *limit)
-{
-    return OWN(_pair_alone)(train, compute, limit);
-}
-
+    return OWN(_limit_alone)(train, &compute, pair, pair ? 0 : near_rmax(train, &compute), limit);
 #else
-
-/* Finds a limit. One that is open in this arithmetic is computed again in quad, where fewer minima of the
- * margin are open. */
-static enum dom_status limit_surely(OWN(_find_limit) * alone, domq__find_limit *in_quad,
-                                    const struct dom_train *train, const struct dom_compute *given,
-                                    struct dom_limit *limit)
-{
-    const struct dom_compute compute = compute_or_default(given);
-    const enum dom_status status = alone(train, &compute, limit);
-    const enum dom_status then =
-        status == DOM_OPEN ? limit_in_quad(in_quad, train, &compute, limit) : DOM_OPEN;
+    const enum dom_status status = OWN(_limit_alone)(train, &compute, pair, 0, limit);
+    const enum dom_status then = status == DOM_OPEN ? limit_in_quad(train, &compute, pair, limit) : DOM_OPEN;
     return then == DOM_OK || then == DOM_INTERRUPTED ? then : status;
+#endif
 }
 
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
-    return limit_surely(OWN(_rmax_alone), domq__rmax_alone, train, compute, limit);
+    return limit_of(train, compute, false, limit);
 }
 
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
-    return limit_surely(OWN(_pair_alone), domq__pair_alone, train, compute, limit);
+    return limit_of(train, compute, true, limit);
 }
-
-#endif
 
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *given,
                                struct dom_best *best)
@@ -340,11 +308,12 @@ enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *
     return q.status != DOM_OK ? q.status : row_run(&q.request, false, visit, context, verdict);
 }
 
-enum dom_status row_study_begin(const struct dom_row *row, const struct dom_compute *compute,
-                                struct study **study, struct dom_verdict *verdict)
+enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
+                               struct row_request *request)
 {
     const struct row_question q = row_question_make(row, compute);
-    return q.status != DOM_OK ? q.status : study_begin(&q.request, study, verdict);
+    *request = q.request;
+    return q.status;
 }
 
 #endif

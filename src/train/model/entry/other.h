@@ -40,13 +40,12 @@ static inline struct OTHER(compute) compute_there(const struct OWN(compute) * co
         .tol = tol, .method = compute->method, .work = compute->work, .interrupt = compute->interrupt};
 }
 
-/* Find a limit in one arithmetic alone (entry.c). */
-typedef enum dom_status OWN(_find_limit)(const struct OWN(train) *, const struct OWN(compute) *,
-                                         struct OWN(limit) *);
-typedef enum dom_status OTHER(_find_limit)(const struct OTHER(train) *, const struct OTHER(compute) *,
-                                           struct OTHER(limit) *);
-OWN(_find_limit) OWN(_rmax_alone), OWN(_pair_alone);
-OTHER(_find_limit) OTHER(_rmax_alone), OTHER(_pair_alone);
+/* Find r_max or, if `pair` is true, the limit of a pair, in one arithmetic alone (entry.c). `near` is r_max
+ * as double has found it, or 0. */
+enum dom_status OWN(_limit_alone)(const struct OWN(train) * train, const struct OWN(compute) * compute,
+                                  bool pair, OWN(real) near, struct OWN(limit) * limit);
+enum dom_status OTHER(_limit_alone)(const struct OTHER(train) * train, const struct OTHER(compute) * compute,
+                                    bool pair, OTHER(real) near, struct OTHER(limit) * limit);
 
 #ifdef DOMQ
 
@@ -56,8 +55,8 @@ static inline double near_rmax(const struct domq_train *train, const struct domq
     const struct dom_train train_ = train_there(train);
     const struct dom_compute compute_ = compute_there(compute, dom_arithmetic()->tol_floor);
     struct dom_limit limit;
-    return dom__rmax_alone(&train_, &compute_, &limit) == DOM_OK && limit.ends == DOM_END_BARRIER &&
-                   limit.r_max > 1
+    return dom__limit_alone(&train_, &compute_, false, 0, &limit) == DOM_OK &&
+                   limit.ends == DOM_END_BARRIER && limit.r_max > 1
                ? limit.r_max
                : 0;
 }
@@ -79,13 +78,14 @@ static inline bool near_best(const struct domq_train *train, const struct domq_c
 #else
 
 /* Finds a limit in quad. */
-static inline enum dom_status limit_in_quad(domq__find_limit *find, const struct OWN(train) * train,
-                                            const struct OWN(compute) * compute, struct OWN(limit) * limit)
+static inline enum dom_status limit_in_quad(const struct OWN(train) * train,
+                                            const struct OWN(compute) * compute, bool pair,
+                                            struct OWN(limit) * limit)
 {
     const struct domq_train train_ = train_there(train);
     const struct domq_compute compute_ = compute_there(compute, compute->tol);
     struct domq_limit found;
-    const enum dom_status status = find(&train_, &compute_, &found);
+    const enum dom_status status = domq__limit_alone(&train_, &compute_, pair, 0, &found);
     if (status == DOM_OK || status == DOM_OPEN)
         *limit = (struct OWN(limit)){.r_max = (OWN(real))found.r_max,
                                      .ends = found.ends,

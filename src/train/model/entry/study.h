@@ -9,18 +9,9 @@
 enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,
                            dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
 
-struct study; /* row/study.h */
-
-/*
- * Studies run a row many times. row_study_begin runs the row as planned. row_study then runs copies of it in
- * which the dominoes `first` to `last` have changed. If the `verdict` of row_study_begin is NULL, no row is
- * planned, and each row may differ in all dominoes, in its effects and in its push. Of their verdicts only
- * `end` and `domino` count. Call row_study_end even after an error.
- */
-enum dom_status row_study_begin(const struct dom_row *row, const struct dom_compute *compute,
-                                struct study **study, struct dom_verdict *verdict);
-enum dom_status row_study(struct study *study, const struct dom_row *row, size_t first, size_t last,
-                          struct dom_verdict *verdict);
-void row_study_end(struct study *study);
+/* Finds the request for a row. Returns an error if the precision does not exist, or if the caller asks for
+ * something that came with a later version. */
+enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
+                               struct row_request *request);
 
 #endif

@@ -30,8 +30,8 @@ enum pass {
 };
 
 /* Does the pass. If the tilt `from` is not upright, no domino may detach between the two tilts. */
-KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    enum pass pass, struct sums *sums);
+KERNEL_SHARED enum dom_status chain_change(const struct geometry *geometry, struct tilt from,
+                                           struct tilt head, enum pass pass, struct sums *sums);
 
 /* Does the same as chain_change. t is the tangent of half the angle between the tilts `from` and `head`. If
  * they are close, computing t from the two tilts would be inaccurate. */

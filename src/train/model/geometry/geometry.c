@@ -124,7 +124,7 @@ KERNEL real geometry_half_u(const struct geometry *geometry)
     return geometry->h.x / (geometry->h.y + geometry->steepest);
 }
 
-KERNEL real geometry_theta_u(const struct geometry *geometry)
+KERNEL_SHARED real geometry_theta_u(const struct geometry *geometry)
 {
     real level = atan(geometry->h.x / geometry->h.y), part = geometry->rounded.roll / geometry->steepest;
     return part == 0 ? level : fmax(level + atan2(part, sqrt((1 - part) * (1 + part))), 0);

@@ -155,13 +155,13 @@ struct walk {
  * lever arms and the derivatives of the new contact. If two chains are walked down side by side, call each
  * function for both chains before you call the next one. The processor can then work on both turns at once.
  */
-KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
-KERNEL void rounded_next(struct walk *walk);
+KERNEL_SHARED struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
+KERNEL_SHARED void rounded_next(struct walk *walk);
 KERNEL void rounded_step(struct walk *walk);
 KERNEL void rounded_levers(struct walk *walk);
-KERNEL struct arms rounded_arms(const struct link *link);
+KERNEL_SHARED struct arms rounded_arms(const struct link *link);
 /* Finds the contact with the follower. */
-KERNEL void rounded_touch(struct walk *walk);
+KERNEL_SHARED void rounded_touch(struct walk *walk);
 
 /* In the loops of passes, `rolls` (of the geometry) is a constant, so the compiler makes a loop for sharp
  * edges that knows nothing of rounded ones. */

@@ -418,8 +418,8 @@ KERNEL enum dom_status chain_change_by(const struct geometry *geometry, struct t
                            : change_by(geometry, from, head, t, pass, false, sums);
 }
 
-KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    enum pass pass, struct sums *sums)
+KERNEL_SHARED enum dom_status chain_change(const struct geometry *geometry, struct tilt from,
+                                           struct tilt head, enum pass pass, struct sums *sums)
 {
     return chain_change_by(geometry, from, head, tan_half_between(from, head), pass, sums);
 }

@@ -161,7 +161,7 @@ KERNEL void rounded_levers(struct walk *k)
                b;
 }
 
-KERNEL void rounded_touch(struct walk *k)
+KERNEL_SHARED void rounded_touch(struct walk *k)
 {
     rounded_turn(k);
     rounded_levers(k);
@@ -190,7 +190,7 @@ static void rounded_follower(struct walk *k)
         rounded_turn(k);
 }
 
-KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head)
+KERNEL_SHARED struct walk rounded_begin(const struct geometry *geometry, struct tilt head)
 {
     struct walk k = {.link = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1},
                      .theta = tilt_theta(head)};
@@ -213,7 +213,7 @@ KERNEL void rounded_step(struct walk *k)
     rounded_follower(k);
 }
 
-KERNEL void rounded_next(struct walk *k)
+KERNEL_SHARED void rounded_next(struct walk *k)
 {
     struct link *link = &k->link;
     k->second_derivative = link_second_derivative(link, k->curve, k->second_derivative);
@@ -225,7 +225,7 @@ KERNEL void rounded_next(struct walk *k)
         rounded_levers(k);
 }
 
-KERNEL struct arms rounded_arms(const struct link *k)
+KERNEL_SHARED struct arms rounded_arms(const struct link *k)
 {
     const struct geometry *geometry = k->geometry;
     const struct rounded *of = &geometry->rounded;

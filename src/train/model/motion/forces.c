@@ -299,7 +299,7 @@ static enum dom_status least_at(real theta, void *context, real *value)
 
 enum { CONTACT_SAMPLES = 3 };
 
-KERNEL enum dom_status segment_contact(const struct segment *st, real to, real *force)
+KERNEL_SHARED enum dom_status segment_contact(const struct segment *st, real to, real *force)
 {
     struct least least = {.segment = st, .force = *force};
     enum dom_status status = DOM_OK;

@@ -107,7 +107,7 @@ KERNEL enum dom_status motion_prepare(const struct request *train, bool timed, s
 /* Finds the contact forces at a few tilts from lo to `to` and divides each force by the weight of the domino
  * that it pushes. If the smallest of these ratios is below *least, stores it there. If segment->end.pushes is
  * true, no ratio is negative, so callers that only need the sign do not call this function. */
-KERNEL enum dom_status segment_contact(const struct segment *segment, real to, real *least);
+KERNEL_SHARED enum dom_status segment_contact(const struct segment *segment, real to, real *least);
 
 /*
  * The friction coefficient that the floor needs so that no foot slips. It is the largest ratio |R_x| / R_z

@@ -14,6 +14,13 @@
 
 /* Marks functions of the kernels. Each precision has its own static copy. */
 #define KERNEL static __attribute__((unused))
+/* Marks functions of the kernel that studies of rows call, too (src/rows/model/study.c), which exist in
+ * double only. */
+#if defined DOMF || defined DOMQ
+#define KERNEL_SHARED KERNEL
+#else
+#define KERNEL_SHARED
+#endif
 /* Marks functions that are called in the loops along a train. They are inlined, since a call would cost as
  * much as the arithmetic. In quad they are not inlined, since every operation is a function call anyway. */
 #ifdef DOMQ

@@ -13,6 +13,7 @@ BEGIN {
 
 function share(name) { if (name !~ /^dom[fq]?_/ && !seen[name]++) print "#define " name " SHARED(" name ")" }
 
+{ sub(/^KERNEL_SHARED /, "") }
 /^extern const struct/ {
     gsub(/^extern const struct [a-z_]+|const |[][;*,]/, "")
     for (i = 1; i <= NF; i++) share($i)

@@ -4,20 +4,14 @@
  * joint. The joint has the geometry of a train with the r, s and d of these two dominoes. Each domino has
  * units of its own: the unit of length is its height, and the unit of energy is its m g h / 2.
  */
-#include "row/joint.h"
 #include "dynamics/dynamics.h"
 #include "effects/inertia.h"
+#include "row/row.h"
 #include <stdlib.h>
 
 KERNEL bool row_releases(const struct row_request *row)
 {
     return row->release > 0 && !isnan(row->push);
-}
-
-KERNEL bool row_overlaps(const struct row_request *row, real lean)
-{
-    return row_releases(row) && isfinite((real)row->release) &&
-           (real)row->release > lean * (1 + REACH_ROUNDED);
 }
 
 KERNEL real row_lean(const struct row_request *row, size_t k)
@@ -186,7 +180,7 @@ static bool lean_stands(const struct row_request *row, const struct dom_domino *
 
 /* The values in `self` are computed from the sizes. They may underflow or overflow even if the sizes do not,
  * so they are checked too. */
-KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
+KERNEL_SHARED enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
     const struct block self = block_of(row, k);
@@ -206,7 +200,7 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
                                                    : DOM_OK;
 }
 
-KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)
+static enum dom_status row_check(const struct row_request *row, size_t *wrong)
 {
     enum dom_status status = settings_check(row);
     for (size_t k = 0; status == DOM_OK && k < row->count; k++) {
@@ -226,7 +220,7 @@ KERNEL bool row_repeats(const struct row_request *row, size_t k)
            a->radius == b->radius && a->lean == b->lean && a->width == b->width;
 }
 
-KERNEL enum dom_status row_read(struct row *row, size_t *wrong)
+KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
 {
     struct row_request *request = &row->request;
     size_t count = request->count;
@@ -247,7 +241,7 @@ KERNEL enum dom_status row_read(struct row *row, size_t *wrong)
     return status;
 }
 
-KERNEL enum dom_status row_begin(const struct row_request *request, struct row *row, size_t *wrong)
+KERNEL_SHARED enum dom_status row_begin(const struct row_request *request, struct row *row, size_t *wrong)
 {
     *row = (struct row){.request = *request};
     if (request->count == 0)
@@ -259,7 +253,7 @@ KERNEL enum dom_status row_begin(const struct row_request *request, struct row *
     return row->block && row->geometry ? row_read(row, wrong) : DOM_NO_MEMORY;
 }
 
-KERNEL void row_free(struct row *row)
+KERNEL_SHARED void row_free(struct row *row)
 {
     if (row->geometry)
         dynamics_end(row->geometry);

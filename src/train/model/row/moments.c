@@ -4,9 +4,9 @@
  * domino detaches, a new passage begins. A detached domino keeps its tilt. Within a passage, a clock finds
  * the tilt at a given time.
  */
-#include "row/moments.h"
 #include "dynamics/dynamics.h"
 #include "geometry/chain.h"
+#include "row/row.h"
 #include <stdlib.h>
 
 KERNEL enum dom_status watch_begin(struct watch *w, const struct row_request *row)
@@ -66,37 +66,35 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
     const struct segment *st = &s->st;
     const bool still = (s->rests && theta >= s->to) || (st->start.omegasq == 0 && theta <= st->lo);
     real omegasq = 0;
-    enum dom_status status = still ? DOM_OK : segment_speed(&s->st, theta, &omegasq);
-    return status == DOM_OK ? watch_lean(w, &s->st, s->head, theta, sqrt(fmax(omegasq, 0)) / s->since.tau)
-                            : status;
+    enum dom_status status = still ? DOM_OK : segment_speed(st, theta, &omegasq);
+    return status == DOM_OK ? watch_lean(w, st, s->head, theta, sqrt(fmax(omegasq, 0)) / s->tau) : status;
 }
 
 static real passage_end(const struct passage *s)
 {
-    return s->since.begins + (s->since.passed + s->lasts) * s->since.tau;
+    return s->begins + (s->passed + s->lasts) * s->tau;
 }
 
-KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, size_t head, real to,
-                                     bool rests, const struct since *since, real lasts)
+KERNEL enum dom_status watch_passage(struct watch *w, const struct passage *passage)
 {
-    if (!w || w->ended)
+    if (w->ended)
         return DOM_OK;
-    if (isnan(since->begins + since->passed) && w->next < w->times)
+    if (isnan(passage->begins + passage->passed) && w->next < w->times)
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
-    *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
+    *s = *passage;
     enum dom_status status = DOM_OK;
     /*
      * If a requested time lies in this passage, its tilt is sought. If the motion ends here, the caller does
      * not know the duration, and watch_rest needs the time of the end.
      */
-    if (isnan(lasts) || (w->next < w->times && (real)w->time[w->next] < passage_end(s)))
-        status = clock_begin(&w->clock, &s->st, to, rests, st->geometry.tol);
-    if (isnan(lasts) && status == DOM_OK)
-        s->lasts = clock_time(&w->clock, to);
-    while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
-        const real time = ((real)w->time[w->next] - since->begins) / since->tau - since->passed;
-        real theta = st->lo;
+    if (isnan(s->lasts) || (w->next < w->times && w->time[w->next] < passage_end(s)))
+        status = clock_begin(&w->clock, &s->st, s->to, s->rests, s->st.geometry.tol);
+    if (isnan(s->lasts) && status == DOM_OK)
+        s->lasts = clock_time(&w->clock, s->to);
+    while (status == DOM_OK && !w->ended && w->next < w->times && w->time[w->next] < passage_end(s)) {
+        const real time = (w->time[w->next] - s->begins) / s->tau - s->passed;
+        real theta = s->st.lo;
         if (time > 0)
             status = clock_tilt(&w->clock, time, &theta);
         if (status == DOM_OK)
@@ -212,7 +210,7 @@ KERNEL enum dom_status watch_tip(struct watch *w, const struct segment *tip, rea
         next = fmin(fmax(8 * q, 1), most);
         solver = num_linear_solve(tipping_slowness, &t, q, next, tol, time);
     }
-    w->last = (struct passage){.st = *tip, .to = tip->hi, .since = {.tau = tau}};
+    w->last = (struct passage){.st = *tip, .to = tip->hi, .tau = tau};
     w->moving = 1;
     while (solver == NUM_OK && !w->ended && w->next < w->times && w->time[w->next] < 0) {
         real q = 0;

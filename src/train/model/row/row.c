@@ -9,8 +9,8 @@
  * The unit of length is the height of the current head, the unit of energy is its m g h / 2, and the unit of
  * time is its tau.
  */
+#include "row/row.h"
 #include "dynamics/dynamics.h"
-#include "row/run.h"
 #include <stdlib.h>
 
 /* Finds the tilt at which the motion of a head ends early, either because its energy is `used_up`, or because
@@ -36,35 +36,41 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
 
 /* Follows the motion to the end of the segment. If descent_rest has found a smaller tilt at which the head
  * comes to rest or locks, follows the motion only to that tilt. */
-static enum dom_status descent_move(struct descent *d, bool times, bool floor)
+static enum dom_status descent_move(struct descent *d)
 {
     struct segment *st = &d->st;
-    bool ends = d->stops || d->locks;
-    real to = ends ? d->stop : st->hi, part = 0;
-    const struct since since = {d->begins, d->tau, d->time};
+    struct run *run = d->run;
+    const bool ends = d->stops || d->locks, moves = !ends || st->lo < d->stop;
+    struct passage passage = {.head = d->head,
+                              .to = ends ? d->stop : st->hi,
+                              .rests = d->stops,
+                              .begins = run->time,
+                              .tau = d->tau,
+                              .passed = d->time,
+                              .lasts = ends ? REAL_NAN : 0};
     enum dom_status status = DOM_OK;
-    if (st->lo < to && (d->forces || !st->end.pushes))
-        status = segment_contact(st, to, &d->least_force);
-    if (status == DOM_OK && floor && st->lo < to)
-        status = floor_over(st, st->lo, to, &d->required_friction);
-    if (ends && status == DOM_OK && st->lo < to)
-        return watch_passage(d->watch, st, d->head, to, d->stops, &since, REAL_NAN);
-    if (ends || status != DOM_OK)
-        return status;
-    d->climbed += st->end.dH;
-    if (times)
-        status = segment_time(st, st->geometry.tol, &part);
+    if (moves && st->lo < passage.to && (run->forces || !st->end.pushes))
+        status = segment_contact(st, passage.to, &d->least_force);
+    if (status == DOM_OK && run->row->request.floor && st->lo < passage.to)
+        status = floor_over(st, st->lo, passage.to, &d->required_friction);
+    if (status == DOM_OK && !ends && run->times)
+        status = segment_time(st, st->geometry.tol, &passage.lasts);
     if (status == DOM_NO_MARGIN) /* then the time is NaN */
         status = DOM_OK;
-    if (status == DOM_OK)
-        status = watch_passage(d->watch, st, d->head, to, false, &since, part);
-    d->time += part;
-    return status != DOM_OK ? status : st->status;
+    if (status == DOM_OK && moves && run->watch) {
+        passage.st = *st;
+        status = watch_passage(run->watch, &passage);
+    }
+    if (!ends) {
+        d->climbed += st->end.dH;
+        d->time += passage.lasts;
+    }
+    return status != DOM_OK || ends ? status : st->status;
 }
 
 /* Computes the motion of the head in one segment and prepares the next segment. If the head has stopped in an
  * earlier segment, only finds the energy that it would need for this one. */
-static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
+static enum dom_status descent_segment(struct descent *d, real end)
 {
     struct segment *st = &d->st, next;
     bool over = d->stops;
@@ -74,7 +80,7 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     if (status == DOM_OK)
         status = segment_begin(st);
     if (status == DOM_OK && !over && st->lo == st->hi)
-        status = watch_detach(d->watch, st, d->head, d->moving);
+        status = watch_detach(d->run->watch, st, d->head, d->moving);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
     /* The margin is the energy to spare at the launch of the head. If omegasq at the launch changes, omegasq
@@ -91,9 +97,9 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     if (status == DOM_OK && !over && (used_up || st->locks))
         status = descent_rest(d, used_up);
     if (status == DOM_OK && !over)
-        status = descent_move(d, times, floor);
+        status = descent_move(d);
     if (status == DOM_OK && !d->stops && !d->locks)
-        status = watch_detach(d->watch, st, d->head, d->moving);
+        status = watch_detach(d->run->watch, st, d->head, d->moving);
     if (status == DOM_OK && !st->locks)
         *st = next;
     return status;
@@ -101,22 +107,21 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
-    const struct block block = block_of(run->request, k);
-    const real end = tilt_angle(run->geometry[k].c);
-    const struct tilt rest = geometry_rest(&run->geometry[k]);
-    *d = (struct descent){.st = {.geometry = run->geometry[k],
-                                 .lo = run->geometry[k].lean,
+    const struct geometry *self = &run->row->geometry[k];
+    const struct block block = block_of(&run->row->request, k);
+    const real end = tilt_angle(self->c);
+    const struct tilt rest = geometry_rest(self);
+    *d = (struct descent){.run = run,
+                          .head = k,
+                          .tau = block.tau,
+                          .st = {.geometry = *self,
+                                 .lo = self->lean,
                                  .start = {.from = rest, .omegasq = run->omegasq},
                                  .gain = 1,
                                  .inertia_ratio = run->inertia_ratio},
                           .moving = run->moving,
                           .least_margin = (real)INFINITY,
-                          .least_force = (real)INFINITY,
-                          .forces = run->forces,
-                          .watch = run->watch,
-                          .head = k,
-                          .begins = run->time,
-                          .tau = block.tau};
+                          .least_force = (real)INFINITY};
     if (run->watch)
         run->watch->head = k;
     struct sums at = {0};
@@ -128,7 +133,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;
     while (status == DOM_OK && d->st.lo < end && !d->st.locks)
-        status = descent_segment(d, end, run->times, run->request->floor);
+        status = descent_segment(d, end);
     if (status != DOM_OK)
         return status;
     run->moving = d->moving;
@@ -142,7 +147,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     fall->theta = ends ? d->stop : end;
     fall->duration = run->times && !ends ? d->time * block.tau : REAL_NAN;
     fall->friction_work = ends ? REAL_NAN : 0;
-    if (!ends && !run->geometry[k].conservative)
+    if (!ends && !self->conservative)
         fall->friction_work = fmax((real)fall->kinetic - d->climbed * block.unit - run->carried, 0);
     return DOM_OK;
 }
@@ -151,8 +156,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
  * energy is the potential energy that it has lost (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
-    const struct block block = block_of(run->request, 0);
-    const struct geometry *geometry = &run->geometry[0];
+    const struct block block = block_of(&run->row->request, 0);
+    const struct geometry *geometry = &run->row->geometry[0];
     real theta_u = geometry_theta_u(geometry), barrier = geometry_rise_u(geometry) * block.unit;
     const struct tilt top = tilt_half(geometry_half_u(geometry));
     bool tips = geometry_lift(geometry, geometry->c) < 0;
@@ -178,7 +183,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
         d->st.geometry.conservative = true;
     else if (tips)
         status = losses_tipped(geometry, &omegasq);
-    if (status == DOM_OK && run->request->floor && tips)
+    if (status == DOM_OK && run->row->request.floor && tips)
         status = floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction);
     if (status == DOM_OK)
         status = watch_tip(run->watch, &d->st, block.tau);
@@ -191,43 +196,45 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Returns how the fall ends when head k reaches the next domino, if at least one of the two leans at the
- * start. Returns DOM_ROW_FALLS if the fall goes on. */
-static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
+/* Returns how the fall ends when head k reaches the next domino, or DOM_ROW_FALLS if it goes on. */
+static enum dom_row_end hit_ends(const struct row *row, size_t k)
 {
+    const struct row_request *request = &row->request;
+    const struct dom_domino *self = &request->domino[k], *next = self + 1;
+    const struct geometry *hits = &row->geometry[k];
+    const real top = hits->rounded.rho + hits->rounded.tall * hits->c.y,
+               flat = 1 - row->geometry[k + 1].rounded.rho;
     struct contact contact;
     struct tilt tilt;
-    return !lean_touch(row, k, &contact, &tilt) ? DOM_ROW_SKEWED
-           : contact.arm > 1                    ? DOM_ROW_PASSES
-                                                : DOM_ROW_FALLS;
+    if (next->gap > hits->span * self->height * (1 + REACH_ROUNDED))
+        return DOM_ROW_MISSES;
+    /* the first domino would be inside the second one when it is released */
+    if (k == 0 && row_releases(request) && isfinite(request->release) &&
+        request->release > hits->lean * (1 + REACH_ROUNDED))
+        return DOM_ROW_SKEWED;
+    if (row_lean(request, k) != 0 || next->lean != 0)
+        return !lean_touch(request, k, &contact, &tilt) ? DOM_ROW_SKEWED
+               : contact.arm > 1                        ? DOM_ROW_PASSES
+                                                        : DOM_ROW_FALLS;
+    return self->height * top > flat * next->height ? DOM_ROW_PASSES : DOM_ROW_FALLS;
 }
 
 KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at)
 {
-    const struct dom_domino *self = &run->request->domino[k], *next = self + 1;
-    const struct geometry *geometry = &run->geometry[k + 1];
-    enum dom_row_end *end = &run->verdict.end;
-    const struct geometry *hits = &run->geometry[k];
-    real top = hits->rounded.rho + hits->rounded.tall * hits->c.y, flat = 1 - geometry->rounded.rho;
-    if ((real)next->gap > hits->span * (real)self->height * (1 + REACH_ROUNDED))
-        *end = DOM_ROW_MISSES;
-    else if (k == 0 && row_overlaps(run->request, hits->lean))
-        *end = DOM_ROW_SKEWED;
-    else if (row_lean(run->request, k) != 0 || next->lean != 0)
-        *end = lean_ends(run->request, k);
-    else if ((real)self->height * top > flat * (real)next->height)
-        *end = DOM_ROW_PASSES;
-    if (*end != DOM_ROW_FALLS)
+    const struct row_request *request = &run->row->request;
+    const struct geometry *geometry = &run->row->geometry[k + 1];
+    run->verdict.end = hit_ends(run->row, k);
+    if (run->verdict.end != DOM_ROW_FALLS)
         return DOM_OK;
     real inertia_ratio = 0, velocity_ratio;
     enum dom_status status = dynamics_inertia_ratio(geometry, hitting, at->from, at->J, &inertia_ratio);
     if (status == DOM_LOCKS) {
-        *end = DOM_ROW_LOCKS;
+        run->verdict.end = DOM_ROW_LOCKS;
         return DOM_OK;
     }
     velocity_ratio = collision_velocity_ratio(inertia_ratio) / geometry_hit_slope(geometry);
-    real slower = block_of(run->request, k + 1).tau / block_of(run->request, k).tau;
+    real slower = block_of(request, k + 1).tau / block_of(request, k).tau;
     run->inertia_ratio = inertia_ratio;
     run->omegasq = velocity_ratio * velocity_ratio * slower * slower * at->omegasq;
     run->moving++;
@@ -246,60 +253,52 @@ static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool
     }
 }
 
-static void fall_floor(const struct row_request *row, size_t k,
-                       const struct required_friction *required_friction, struct dom_fall *fall)
+KERNEL_SHARED struct run row_launch(struct row *row)
 {
-    fall->floor_motion = fall->floor_hit = REAL_NAN;
-    if (!row->floor)
-        return;
-    fall->floor_motion = required_friction->motion;
-    fall->floor_domino = k + 1 - required_friction->domino;
-    fall->floor_hit = required_friction->hit;
-    fall->floor_hit_domino = k + 1 - required_friction->hit_domino;
+    const real push = row->request.push, omega = isnan(push) ? 0 : push * block_of(&row->request, 0).tau;
+    return (struct run){.row = row,
+                        .moving = 1,
+                        .omegasq = omega * omega,
+                        .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
 }
 
-KERNEL void row_launch(struct run *run)
-{
-    real tau = block_of(run->request, 0).tau, push = (real)run->request->push;
-    run->omegasq = isnan(push) ? 0 : push * tau * push * tau;
-    run->moving = 1;
-}
-
-/* Called when head k has stopped, but the run must go on. Runs head k again, with slightly more energy than
- * it needs. */
-static enum dom_status carry_on(struct run *run, size_t k, size_t moving, struct descent *d)
-{
-    const real more = 1 + (real)1e-4;
-    struct dom_fall fall;
-    run->omegasq = (run->omegasq - d->least_margin / d->J0) * more;
-    run->moving = moving;
-    return row_descend(run, k, d, &fall);
-}
+/* A domino that would stop gets this much more energy than it needs if the run must go on. */
+#define CARRY_ON (1 + (real)1e-4)
 
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
-    bool tips = k == 0 && isnan(run->request->push);
-    real before = run->carried;
+    const struct row_request *request = &run->row->request;
+    const bool tips = k == 0 && isnan(request->push);
+    const real before = run->carried;
     const size_t moving = run->moving;
-    *fall = (struct dom_fall){.domino = k + 1, .time = run->time, .moving = run->moving};
+    *fall = (struct dom_fall){.domino = k + 1, .time = run->time, .moving = moving};
     enum dom_status status = tips ? tip_run(run, d, fall) : row_descend(run, k, d, fall);
-    if (status != DOM_OK)
-        return status;
-    if (run->request->carries_on && !tips && d->stops && !d->locks)
-        status = carry_on(run, k, moving, d);
-    if (status != DOM_OK)
-        return status;
-    if (k > 0)
-        fall->lost = before - (real)fall->kinetic;
-    if (!tips) {
-        run->time += d->stops || d->locks ? 0 : (real)fall->duration;
-        if (d->stops || d->locks || d->least_force < 0)
-            run->verdict.end = d->least_force < 0                     ? DOM_ROW_PARTS
-                               : d->locks                             ? DOM_ROW_LOCKS
-                               : k == 0 && row_releases(run->request) ? DOM_ROW_BACK
-                                                                      : DOM_ROW_STOPS;
+    if (status == DOM_OK && request->carries_on && !tips && d->stops && !d->locks) {
+        struct dom_fall carried;
+        run->omegasq = (run->omegasq - d->least_margin / d->J0) * CARRY_ON;
+        run->moving = moving;
+        status = row_descend(run, k, d, &carried);
     }
-    fall_floor(run->request, k, &d->required_friction, fall);
+    if (status != DOM_OK)
+        return status;
+    const bool ends = !tips && (d->stops || d->locks);
+    if (k > 0)
+        fall->lost = before - fall->kinetic;
+    if (!tips && !ends)
+        run->time += fall->duration;
+    if (ends || (!tips && d->least_force < 0))
+        run->verdict.end = d->least_force < 0                ? DOM_ROW_PARTS
+                           : d->locks                        ? DOM_ROW_LOCKS
+                           : k == 0 && row_releases(request) ? DOM_ROW_BACK
+                                                             : DOM_ROW_STOPS;
+    fall->floor_motion = fall->floor_hit = REAL_NAN;
+    if (request->floor) {
+        const struct required_friction *required = &d->required_friction;
+        fall->floor_motion = required->motion;
+        fall->floor_domino = k + 1 - required->domino;
+        fall->floor_hit = required->hit;
+        fall->floor_hit_domino = k + 1 - required->hit_domino;
+    }
     verdict_add(&run->verdict, fall, tips);
     return DOM_OK;
 }
@@ -332,8 +331,9 @@ enum { STEADY_MORE = 2 };
  * advances the run and returns true. Otherwise returns false. */
 static bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall)
 {
-    s->alike = k > 0 && row_repeats(run->request, k) ? s->alike + 1 : 1;
-    if (!s->found || s->alike == 1 || k + 1 == run->request->count || !row_repeats(run->request, k + 1))
+    const struct row_request *request = &run->row->request;
+    s->alike = k > 0 && row_repeats(request, k) ? s->alike + 1 : 1;
+    if (!s->found || s->alike == 1 || k + 1 == request->count || !row_repeats(request, k + 1))
         return false;
     struct dom_fall *self = &s->fall;
     self->domino++;
@@ -356,9 +356,9 @@ static void steady_find(struct steady *s, const struct run *run, size_t k, const
     const real after = run->omegasq, lambda = d->st.gain * after / d->st.start.omegasq,
                left = fabs(after - before->omegasq) * lambda / (1 - lambda);
     const size_t more = run->moving - fall->moving;
-    s->found = !run->watch && !run->study && k > 0 && run->request->work->longest + STEADY_MORE <= s->alike &&
-               more <= 1 && more == s->more && lambda < 1 &&
-               left <= STEADY_SHARE * (real)run->request->tol * after;
+    const struct row_request *request = &run->row->request;
+    s->found = !run->watch && !run->study && k > 0 && request->work->longest + STEADY_MORE <= s->alike &&
+               more <= 1 && more == s->more && lambda < 1 && left <= STEADY_SHARE * request->tol * after;
     s->more = more;
     s->fall = *fall;
 }
@@ -368,25 +368,24 @@ static void steady_find(struct steady *s, const struct run *run, size_t k, const
 /* Fills in the geometry of the dominoes up to domino k. After a steady motion, leaves out the dominoes that
  * no sum along the chain of domino k visits: the last one that was filled in equals them, and takes the place
  * of all of them. */
-static enum dom_status row_ready(struct run *run, size_t k, const struct steady *s)
+static enum dom_status row_ready(struct row *row, size_t k, const struct steady *s)
 {
     enum dom_status status = DOM_OK;
-    if (s->found) {
-        const size_t from = k - run->request->work->longest - STEADY_MORE;
-        if (from > run->made) {
-            run->geometry[from] = run->geometry[run->made - 1];
-            run->geometry[from].follower = &run->geometry[from];
-            run->made = from + 1;
-        }
+    const size_t from = s->found ? k - row->request.work->longest - STEADY_MORE : 0;
+    if (from > row->made) {
+        row->geometry[from] = row->geometry[row->made - 1];
+        row->geometry[from].follower = &row->geometry[from];
+        row->made = from + 1;
     }
-    for (; run->made <= k && status == DOM_OK; run->made++)
-        status = row_geometry(run->request, run->made, run->geometry);
+    for (; row->made <= k && status == DOM_OK; row->made++)
+        status = row_geometry(&row->request, row->made, row->geometry);
     return status;
 }
 
-KERNEL enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context)
+KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context)
 {
-    const size_t count = run->request->count;
+    struct row *row = run->row;
+    const size_t count = row->request.count;
     bool more = true;
     struct steady steady = {.found = false};
     for (; k < count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
@@ -395,14 +394,14 @@ KERNEL enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visi
         struct dom_fall fall;
         const struct run before = *run;
         const bool last = k + 1 == count;
-        if (dom_interrupted(run->request->interrupt))
+        if (dom_interrupted(row->request.interrupt))
             return DOM_INTERRUPTED;
         if (steady_repeats(&steady, run, k, &fall)) {
             more = !visit || visit(&fall, context);
             continue;
         }
-        enum dom_status status = row_ready(run, last ? k : k + 1, &steady);
-        const bool passes = status == DOM_OK && study_passes(run, k, &at);
+        enum dom_status status = row_ready(row, last ? k : k + 1, &steady);
+        const bool passes = status == DOM_OK && run->passes && run->passes(run, k, &at);
         run->verdict.domino = k + 1;
         if (status == DOM_OK && !passes)
             status = row_head(run, k, &d, &fall);
@@ -410,16 +409,18 @@ KERNEL enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visi
             return status;
         more = (!visit || visit(&fall, context)) && !(run->watch && run->watch->ended);
         if (more && run->verdict.end == DOM_ROW_FALLS && !last)
-            status = passes ? row_hit(run, k, &run->geometry[k], &at)
+            status = passes ? row_hit(run, k, &row->geometry[k], &at)
                             : row_hit(run, k, &d.st.geometry, &d.st.start);
         if (status != DOM_OK)
             return status;
         if (!passes && more && !last)
             steady_find(&steady, run, k, &before, &d, &fall);
-        more = more && !(!passes && study_ends(run, k, &before, &d, &fall));
+        more = more && !(!passes && run->ends && run->ends(run, k, &before, &d, &fall));
     }
     return DOM_OK;
 }
+
+/* ---- Public ---- */
 
 /* Adds the work of a row to the caller's counters, which may be NULL. */
 static void work_add(struct dom_work *sum, const struct dom_work *self)
@@ -431,8 +432,6 @@ static void work_add(struct dom_work *sum, const struct dom_work *self)
     sum->longest = self->longest > sum->longest ? self->longest : sum->longest;
 }
 
-/* ---- Public ---- */
-
 static enum dom_status row_answer(const struct row_request *request, bool times, dom_fall_visit *visit,
                                   void *context, struct watch *watch, struct dom_verdict *verdict)
 {
@@ -441,27 +440,23 @@ static enum dom_status row_answer(const struct row_request *request, bool times,
     struct row row;
     counted.work = &work;
     enum dom_status status = row_begin(&counted, &row, &verdict->domino);
-    struct run run = {.request = &row.request,
-                      .geometry = row.geometry,
-                      .made = row.made,
-                      .times = times,
-                      .watch = watch,
-                      .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     if (status == DOM_OK && watch)
         status = watch_begin(watch, request);
     if (status == DOM_OK && watch && row_releases(request))
         watch->tilt[0] = row.geometry[0].lean;
     if (status == DOM_OK) {
-        row_launch(&run);
+        struct run run = row_launch(&row);
+        run.times = times;
+        run.watch = watch;
         status = row_falls(&run, 0, visit, context);
+        if (status == DOM_OK && watch)
+            status = watch_rest(watch);
+        run.verdict.seconds = times ? run.time : REAL_NAN;
+        if (status == DOM_OK)
+            *verdict = run.verdict;
     }
-    if (status == DOM_OK && watch)
-        status = watch_rest(watch);
     row_free(&row);
     work_add(request->work, &work);
-    run.verdict.seconds = times ? run.time : REAL_NAN;
-    if (status == DOM_OK)
-        *verdict = run.verdict;
     return status;
 }
 

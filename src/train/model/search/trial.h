@@ -39,14 +39,8 @@ struct trial trial_of(const struct dom_row *row, const struct dom_compute *compu
 /* Runs the row with its current dominoes. Returns true if all dominoes fall. */
 bool trial_falls(struct trial *t);
 
-/* Runs the unchanged row. Returns true if all dominoes fall. Also prepares trials that change one domino or
- * the gaps beside it. The caller must call trial_end afterwards, even after a failure. */
-bool trial_begin(struct trial *t);
-void trial_end(struct trial *t);
-
-/* Runs the row prepared by trial_begin after a change of the dominoes from `first` to `last`, counted from
- * 0. */
-bool trial_again(struct trial *t, size_t first, size_t last);
+/* Evaluates the last run. Returns true if all dominoes have fallen. */
+bool trial_judged(struct trial *t);
 
 /* Changes the row by one value and runs it. Returns true if all dominoes fall. */
 typedef bool trial_test(struct trial *t, double x);

@@ -2,13 +2,10 @@
 /*
  * Shows quickly that a head keeps falling. In a study only the verdicts on thousands of random rows are
  * wanted, and most heads pass their barrier by far, so the search for the barrier can be left out. Without
- * this shortcut, studies of placement take three to five times as long.
+ * this shortcut, studies of placement take three to five times as long. Only studies call it, but compiled
+ * apart from contact_pushes it would be slower by a sixth.
  */
-#include "dynamics/dynamics.h"
-#include "row/study.h"
-#include <stdlib.h>
-
-/* ---- Without friction: bounds from one pass down the chain ---- */
+#include "row/row.h"
 
 /*
  * Sums along a chain while its head turns from one tilt to another. A few digits of these sums suffice, so
@@ -77,8 +74,7 @@ static bool glide_done(struct glide *g, const struct link *a, real shrink, real 
     return a->inertia * a->slope * a->slope * ratio_J <= (1 - ratio_J) * tol * g->J;
 }
 
-/* Edges are sharp, and the chain moves without friction. */
-static bool quick_glides(const struct run *run, const struct geometry *head, struct start *at)
+KERNEL_SHARED bool row_glides(const struct run *run, const struct geometry *head, struct start *at)
 {
     const real tol = TAIL_SHARE * head->tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
     struct walk walk_a = {.link = link_head(head, head->c)}, walk_b = {.link = link_head(head, standing)};
@@ -100,83 +96,4 @@ static bool quick_glides(const struct run *run, const struct geometry *head, str
     }
     *at = (struct start){.from = head->c, .J = g.J, .omegasq = (kinetic - g.dH) / g.J};
     return glide_clears(&g, head, kinetic);
-}
-
-/* ---- With friction: a solution of the equation of motion from a few tilts ---- */
-
-/* The errors of a rough solution are estimated from the last terms of its series. omegasq at the end of the
- * motion may have this relative error, and the head must clear the barrier by several times the error. */
-#define ROUGH_ERROR ((real)1 / 256)
-#define ROUGH_TIMES 4
-
-/* Number of tilts at which the required energy is sampled to find its maximum. */
-enum { ROUGH_PLACES = 12 };
-
-/* Returns the largest u up to the tilt hi (dynamics.h), from samples and parabolas through them. The samples are
- * equally spaced in the square root of the tilt, since thin dominoes have their barrier at a small tilt. */
-static real rough_need(const struct geometry *head, real hi)
-{
-    real most = 0, last = 0, self = 0, next;
-    for (int i = 1; i <= ROUGH_PLACES; i++) {
-        flow_at(head, hi * (real)(i * i) / (ROUGH_PLACES * ROUGH_PLACES), NULL, &next);
-        const real bend = 2 * self - last - next;
-        most = fmax(most, next);
-        if (i > 1 && self >= last && self >= next && bend > 0)
-            most = fmax(most, self + (next - last) * (next - last) / (8 * bend));
-        last = self;
-        self = next;
-    }
-    return most;
-}
-
-/* Returns the last tilt that the head must reach to fall. For the last head of a row whose followers only
- * lose height, this is theta_u. Any other head must reach the next domino. */
-static real rough_end(const struct run *run, size_t k)
-{
-    const struct geometry *head = &run->geometry[k];
-    bool rises = k + 1 < run->request->count;
-    for (size_t j = k; !rises && j-- > k + 1 - run->moving;)
-        rises = geometry_lift(&run->geometry[j], run->geometry[j].c) > 0;
-    return fmin(tilt_angle(head->c), rises ? (real)INFINITY : geometry_theta_u(head));
-}
-
-/* With drag there is no proof that contacts push, so the forces at a few tilts decide, as in a precise run.
- */
-static bool rough_pushes(const struct geometry *head, real w, real hi)
-{
-    const struct segment st = {.geometry = *head, .hi = hi, .start = {.from = standing, .omegasq = w}};
-    real least = (real)INFINITY;
-    return segment_contact(&st, hi, &least) == DOM_OK && least > LEAST_CLEAR;
-}
-
-static bool quick_rolls(const struct run *run, size_t k, struct start *at)
-{
-    const struct geometry *head = &run->geometry[k];
-    const struct num_linear *solution = &head->flow->solution;
-    const real hi = rough_end(run, k), w = run->omegasq;
-    struct sums sums;
-    real ln_G, u;
-    const bool proves = losses_end_alone(head);
-    if (chain_change(head, standing, head->c, PASS_PUSHES, &sums) != DOM_OK || (proves && !sums.pushes) ||
-        sums.left != 0 || !flow_rough(head, hi))
-        return false;
-    flow_at(head, hi, &ln_G, &u);
-    *at = (struct start){.from = head->c, .J = sums.J, .omegasq = exp(ln_G) * (w - u)};
-    const real off = solution->v_error + solution->ln_G_error * (w - u);
-    return off <= ROUGH_ERROR * (w - u) &&
-           w - rough_need(head, hi) > ROUGH_CLEAR * w + ROUGH_TIMES * solution->v_error &&
-           (proves || rough_pushes(head, w, hi));
-}
-
-KERNEL bool study_passes(struct run *run, size_t k, struct start *at)
-{
-    const struct study *s = run->study;
-    struct geometry *head = &run->geometry[k];
-    /* only a first domino that is released can lean here */
-    if (!s || !s->quick || !(run->omegasq > 0) || head->lean != 0)
-        return false;
-    head->n = run->moving;
-    if (head->conservative || (run->moving == 1 && losses_end_alone(head)))
-        return !head->rolls && quick_glides(run, head, at);
-    return s->rough && quick_rolls(run, k, at);
 }

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Runs a row many times: with changes of a few dominoes (windows, mending), or with random errors. */
+#ifndef DOM_STUDY_H
+#define DOM_STUDY_H
+
+#include "search/trial.h"
+
+struct study;
+
+/*
+ * Studies run a row many times. row_study_begin runs the row as planned. row_study then runs copies of it in
+ * which the dominoes `first` to `last` have changed. If the `verdict` of row_study_begin is NULL, no row is
+ * planned, and each row may differ in all dominoes, in its effects and in its push. Of their verdicts only
+ * `end` and `domino` count. Call row_study_end even after an error.
+ */
+enum dom_status row_study_begin(const struct dom_row *row, const struct dom_compute *compute,
+                                struct study **study, struct dom_verdict *verdict);
+enum dom_status row_study(struct study *study, const struct dom_row *row, size_t first, size_t last,
+                          struct dom_verdict *verdict);
+void row_study_end(struct study *study);
+
+/* Runs the unchanged row. Returns true if all dominoes fall. Also prepares trials that change one domino or
+ * the gaps beside it. The caller must call trial_end afterwards, even after a failure. */
+bool trial_begin(struct trial *t);
+void trial_end(struct trial *t);
+
+/* Runs the row prepared by trial_begin after a change of the dominoes from `first` to `last`, counted from
+ * 0. */
+bool trial_again(struct trial *t, size_t first, size_t last);
+
+#endif
