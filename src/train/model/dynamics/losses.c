@@ -56,38 +56,28 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 }
 
 /*
- * Solves the equation of motion near the start, where the solution changes on two scales that may be tiny:
+ * Solves the equation of motion over one piece, in which no domino detaches. Near the start, the solution
+ * changes on two scales that may be tiny:
  * - The first scale is d. Up to theta ~ d, u changes by only d^2. Afterwards it changes by much more.
  * - The second scale is sqrt(1 - r s). When the head has this tilt, followers that started near pi/2 have
  *   come down.
  *
  * So the panels near the start are narrow. Each panel ends at 8 times the tilt at which the previous panel
- * ends. Sets *lo to the tilt at which the last of these panels ends.
+ * ends.
  */
-static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
-{
-    const struct geometry *geometry = c->geometry;
-    real finest = geometry_finest(geometry);
-    /* Scales below the initial tilt of the head do not matter. */
-    while (finest <= *lo && finest < hi / 8)
-        finest *= 8;
-    for (real to = finest; *lo < to && to < hi / 8; to *= 8) {
-        enum num_status solver = num_linear_solve(flow_rate, c, *lo, to, tol / 8, &geometry->flow->solution);
-        if (solver != NUM_OK)
-            return model_status(c->status, solver);
-        *lo = to;
-    }
-    return DOM_OK;
-}
-
-/* Solves the equation of motion over one piece, in which no domino detaches. */
 static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, real hi)
 {
-    bool begins = lo <= REAL_MIN || lo == c->geometry->lean;
-    enum dom_status status = begins ? flow_finely(c, tol, &lo, hi) : DOM_OK;
-    if (status != DOM_OK)
-        return status;
-    enum num_status solver = num_linear_solve(flow_rate, c, lo, hi, tol / 8, &c->geometry->flow->solution);
+    const struct geometry *geometry = c->geometry;
+    const bool begins = lo <= REAL_MIN || lo == geometry->lean;
+    real to = geometry_finest(geometry);
+    enum num_status solver = NUM_OK;
+    /* Scales below the initial tilt of the head do not matter. */
+    while (to <= lo && to < hi / 8)
+        to *= 8;
+    for (; begins && solver == NUM_OK && lo < to && to < hi / 8; lo = to, to *= 8)
+        solver = num_linear_solve(flow_rate, c, lo, to, tol / 8, &geometry->flow->solution);
+    if (solver == NUM_OK)
+        solver = num_linear_solve(flow_rate, c, lo, hi, tol / 8, &geometry->flow->solution);
     return solver == NUM_OK ? DOM_OK : model_status(c->status, solver);
 }
 
@@ -108,24 +98,6 @@ static struct geometry flow_begin(const struct geometry *geometry)
     return fine;
 }
 
-/* Finds the collision that begins a cycle and sets inertia_ratio, J0 and J_c of *flow. The upright new head
- * is hit by the chain of all other dominoes. */
-static enum dom_status flow_collision(const struct geometry *geometry, struct flow *flow)
-{
-    struct sums sums;
-    struct geometry hitting = *geometry;
-    hitting.n = geometry->n == CHAIN_ENDLESS ? CHAIN_ENDLESS : geometry->n - 1;
-    enum dom_status status =
-        dynamics_inertia_ratio(geometry, &hitting, geometry->c, REAL_NAN, &flow->inertia_ratio);
-    if (status == DOM_OK)
-        status = chain_sum(&hitting, geometry->c, &sums);
-    if (status != DOM_OK)
-        return status;
-    flow->J0 = geometry->upright_inertia + geometry->inertia * sums.J;
-    flow->J_c = sums.J;
-    return DOM_OK;
-}
-
 KERNEL enum dom_status flow_solve(const struct geometry *geometry)
 {
     struct flow *flow = geometry->flow;
@@ -136,8 +108,16 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     int edges;
     size_t moving = CHAIN_ENDLESS;
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
+    /* In the collision that begins a cycle, the chain of all other dominoes hits the upright new head. */
+    struct sums sums = {0};
+    struct geometry hitting = fine;
+    hitting.n = fine.n == CHAIN_ENDLESS ? CHAIN_ENDLESS : fine.n - 1;
     if (status == DOM_OK)
-        status = flow_collision(&fine, flow);
+        status = dynamics_inertia_ratio(&fine, &hitting, fine.c, REAL_NAN, &flow->inertia_ratio);
+    if (status == DOM_OK)
+        status = chain_sum(&hitting, fine.c, &sums);
+    flow->J0 = fine.upright_inertia + fine.inertia * sums.J;
+    flow->J_c = sums.J;
     /*
      * All sums over one piece must include the same dominoes. If the number of dominoes were computed from
      * the tilt, rounding could make it wrong near an end of the piece. So the loop below sets the number once

@@ -62,56 +62,49 @@ struct top {
      * because p may be 0. */
     real backwards;
     real height; /* estimated height of the top; its error is proportional to the cube of the last step */
-    real moved;  /* relative change of p in the last step of the search */
 };
-
-/*
- * Makes one Newton step towards the top, where the slope H1 of H is 0. The sums `at` belong to the current p.
- * If the step is impossible or leaves the bracket, p moves to an end of the bracket at which the sign of the
- * slope is not known yet. If both signs are known, p moves to the middle of the bracket.
- */
-static void top_step(struct top *top, struct sums at)
-{
-    real p = top->p;
-    bool up = at.H1 > 0;
-    top->rises = top->rises || up;
-    top->falls = top->falls || !up;
-    real step = -at.H1 / at.H2, next = p + step * (1 + p * p) / 2;
-    /* H still increases towards this end of the bracket, so the top is at this end */
-    if (p == (up ? top->hi : top->lo)) {
-        next = p;
-        step = 0;
-    }
-    *(up ? &top->lo : &top->hi) = p;
-    bool newton = step == 0 || (at.H2 < 0 && next >= top->lo && next <= top->hi);
-    if (!newton)
-        next = !top->falls ? top->hi : !top->rises ? top->lo : (top->lo + top->hi) / 2;
-    top->height = newton ? at.dH + at.H1 * step / 2 : at.dH;
-    top->moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / (fabs(next) + top->backwards);
-    top->p = next;
-}
 
 #define TOP_STEPS 200
 
-/* Searches for a local maximum of H by Newton's method, starting at top->p. */
+/*
+ * Searches for a local maximum of H by Newton's method, starting at top->p: the slope H1 of H is 0 there. If
+ * a step is impossible or leaves the bracket, p moves to an end of the bracket at which the sign of the slope
+ * is not known yet. If both signs are known, p moves to the middle of the bracket.
+ */
 static enum dom_status barrier_climb(const struct slope_context *c, struct top *top, real tol)
 {
     real before = 1;
     tol = fmax(tol, 4 * REAL_EPSILON);
     for (int i = 0; i < TOP_STEPS; i++) {
-        struct sums here;
+        struct sums at;
+        const real p = top->p;
         enum dom_status status =
-            chain_change(c->geometry, c->from, tilt_half(top->p), PASS_SECOND_DERIVATIVE, &here);
+            chain_change(c->geometry, c->from, tilt_half(p), PASS_SECOND_DERIVATIVE, &at);
         if (status != DOM_OK)
             return status;
-        top_step(top, here);
-        bool closed = top->rises && top->falls;
-        if (top->moved <= tol ||
+        const bool up = at.H1 > 0;
+        top->rises = top->rises || up;
+        top->falls = top->falls || !up;
+        real step = -at.H1 / at.H2, next = p + step * (1 + p * p) / 2;
+        /* H still increases towards this end of the bracket, so the top is at this end */
+        if (p == (up ? top->hi : top->lo)) {
+            next = p;
+            step = 0;
+        }
+        *(up ? &top->lo : &top->hi) = p;
+        const bool newton = step == 0 || (at.H2 < 0 && next >= top->lo && next <= top->hi),
+                   closed = top->rises && top->falls;
+        if (!newton)
+            next = !top->falls ? top->hi : !top->rises ? top->lo : (top->lo + top->hi) / 2;
+        const real moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / (fabs(next) + top->backwards);
+        top->height = newton ? at.dH + at.H1 * step / 2 : at.dH;
+        top->p = next;
+        if (moved <= tol ||
             (closed && top->hi - top->lo <= 4 * REAL_EPSILON * (fabs(top->hi) + top->backwards)))
             return DOM_OK;
-        if (closed && i > 2 && top->moved > before / 2) /* Newton's method oscillates at a kink of H' */
+        if (closed && i > 2 && moved > before / 2) /* Newton's method oscillates at a kink of H' */
             top->p = (top->lo + top->hi) / 2;
-        before = top->moved;
+        before = moved;
     }
     return DOM_NOT_CONVERGED;
 }

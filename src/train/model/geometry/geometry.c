@@ -4,25 +4,6 @@
  * about the front edge of its foot. */
 #include "geometry/geometry.h"
 
-/* Finds r^q, and r^q - 1 without cancellation. */
-static void geometry_powers(real r, real q, real *rq, real *rq_1)
-{
-    const int whole = (int)q;
-    if (q == (real)whole && whole <= 8) { /* r^q - 1 = (r - 1) (1 + r + ... + r^(q-1)) */
-        real power = r, sum = 1;
-        for (int k = 1; k < whole; k++) {
-            sum += power;
-            power *= r;
-        }
-        *rq = power;
-        *rq_1 = (r - 1) * sum;
-        return;
-    }
-    *rq = pow(r, q);
-    /* expm1(q ln r) is accurate for r^q near 1, but loses digits for large r^q. */
-    *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
-}
-
 KERNEL struct geometry geometry_read(const struct request *t)
 {
     struct geometry geometry = {.s = (real)t->s,
@@ -92,7 +73,19 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
     if (short_of < -REAL_EPSILON)
         return DOM_OUT_OF_REACH;
     geometry->short_of = fmax(short_of, 0);
-    geometry_powers(r, geometry->q, &geometry->rq, &geometry->rq_1);
+    const real q = geometry->q;
+    const int whole = (int)q;
+    if (q == (real)whole && whole <= 8) { /* r^q - 1 = (r - 1) (1 + r + ... + r^(q-1)) */
+        real power = r, sum = 1;
+        for (int k = 1; k < whole; k++, power *= r)
+            sum += power;
+        geometry->rq = power;
+        geometry->rq_1 = (r - 1) * sum;
+    } else {
+        geometry->rq = pow(r, q);
+        /* expm1(q ln r) is accurate for r^q near 1, but loses digits for large r^q. */
+        geometry->rq_1 = geometry->rq > 2 ? geometry->rq - 1 : expm1(q * log1p(r - 1));
+    }
     /* The kinetic energy (24; c6) decreases like r^-(2q+1), and must not underflow. */
     if (!(geometry->rq * geometry->rq * r < REAL_EPSILON / REAL_MIN))
         return DOM_UNDERFLOW;

@@ -124,15 +124,6 @@ static real tilt_theta(struct tilt t)
 /* If G is at least this fraction of l + c, the turn is near pi/2, and turn_near_reach finds it. */
 #define TURN_NEAR ((real)15 / 16)
 
-/* Returns the quantity E, as defined at turn_near_reach, for the contact of `leader` with its follower. E is
- * 0 if the follower is perpendicular to its leader. */
-static real left_of_reach(const struct geometry *geometry, struct tilt leader, real theta)
-{
-    const struct rounded *of = &geometry->rounded;
-    return geometry->short_of / geometry->r + (geometry->L - of->rho_1 * (PI / 2)) * leader.v -
-           (of->rho - of->rho_1) * (leader.v - sine_excess(leader, theta));
-}
-
 static void rounded_turn(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
@@ -140,9 +131,14 @@ static void rounded_turn(struct walk *k)
     const struct tilt leader = k->link.tilt;
     const real c = of->rho_1 * leader.y,
                G = geometry->s - geometry->L * leader.v + (of->rho - of->rho_1) * unequal(leader, k->theta);
-    k->turn = G < TURN_NEAR * (of->tall_1 + c)
-                  ? turn_solve(of->tall_1, c, G)
-                  : turn_near_reach(of->tall_1, c, left_of_reach(geometry, leader, k->theta));
+    if (G < TURN_NEAR * (of->tall_1 + c)) {
+        k->turn = turn_solve(of->tall_1, c, G);
+        return;
+    }
+    /* 0 if the follower is perpendicular to its leader */
+    const real E = geometry->short_of / geometry->r + (geometry->L - of->rho_1 * (PI / 2)) * leader.v -
+                   (of->rho - of->rho_1) * (leader.v - sine_excess(leader, k->theta));
+    k->turn = turn_near_reach(of->tall_1, c, E);
 }
 
 KERNEL void rounded_levers(struct walk *k)

@@ -31,15 +31,6 @@ static real r_of(const struct margin_context *c, real x)
 /* Enough for a reach of 1.6e6, the largest there is. */
 enum { SAMPLES_MOST = 160 };
 
-/* Returns the growth of the sample after r. */
-static real next_place(const struct margin_context *c, real r)
-{
-    const real s = c->s, reach = c->geometry.span / s, near = (real)0.9 * reach,
-               first = sqrt(s * (s + 2 * c->geometry.d)) / 2,
-               step = r > 1 ? SAMPLE_MOST : fmin(fmax(first, SAMPLE_LEAST), SAMPLE_MOST);
-    return r >= near ? reach : fmin(r * exp(step), r * exp(step * (real)1.25) > near ? near : reach);
-}
-
 /* An interval is halved at most HALVES times, down to about 2e-6 r. After every LOOK_EVERY halvings, the
  * slopes at its ends tell whether it contains a minimum. */
 enum { HALVES = 17, LOOK_EVERY = 4 };
@@ -162,7 +153,7 @@ static bool is_clear(const struct first *s, const struct stretch *in, const stru
 
 static enum dom_status sample_finely(const struct first *s, real r, struct margin_sample *sample)
 {
-    *sample = (struct margin_sample){r, margin_finely(s->c, r)};
+    *sample = (struct margin_sample){r, margin_within(s->c, r, 0)};
     return s->c->status;
 }
 
@@ -391,7 +382,12 @@ KERNEL enum dom_status first_change(struct margin_context *c, const struct margi
     if (isfinite(root.r))
         keep_root(&s, &root);
     while (status == DOM_OK && n < SAMPLES_MOST && sample[n - 1].r < fmin(root.r, reach)) {
-        const real r = next_place(c, sample[n - 1].r);
+        const real last = sample[n - 1].r, near = (real)0.9 * reach,
+                   first = sqrt(c->s * (c->s + 2 * c->geometry.d)) / 2,
+                   step = last > 1 ? SAMPLE_MOST : fmin(fmax(first, SAMPLE_LEAST), SAMPLE_MOST),
+                   r = last >= near
+                           ? reach
+                           : fmin(last * exp(step), last * exp(step * (real)1.25) > near ? near : reach);
         sample[n] = r < root.r ? (struct margin_sample){r, margin_sign(c, r, true)} : s.change.at;
         status = c->status;
         /* the kinetic energy at the start may be only a lower bound */

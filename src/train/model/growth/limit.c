@@ -21,8 +21,8 @@ KERNEL enum dom_status limit_uncertainty(struct margin_context *c, const struct 
     *uncertainty += r * tol / 4;
     if (!(falls * (reach - r) > e * 1000)) {
         const real step = fmin(sqrt(sqrt(REAL_EPSILON)) * r, fmin(reach - r, r - 1) / 2);
-        const struct margin lo = margin_finely(c, r - step);
-        const struct margin hi = c->status == DOM_OK ? margin_finely(c, r + step) : lo;
+        const struct margin lo = margin_within(c, r - step, 0);
+        const struct margin hi = c->status == DOM_OK ? margin_within(c, r + step, 0) : lo;
         const real wrong = e + 2 * fmax(lo.barrier_error, hi.barrier_error), up = margin_value(&lo),
                    down = margin_value(&hi);
         *uncertainty += fmin(2 * step * wrong / fabs(up - down), step * sqrt(2 * wrong / fabs(up + down)));

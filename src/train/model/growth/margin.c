@@ -146,15 +146,11 @@ KERNEL real margin_at(real r, void *context)
     return status == DOM_OK ? margin_value(&m) : REAL_NAN;
 }
 
-KERNEL real margin_unit(const struct margin_context *c, const struct margin *m)
-{
-    return fabs(m->kinetic) + barrier_most(&c->geometry);
-}
-
 KERNEL real margin_error(const struct margin_context *c, const struct margin *m, real tol)
 {
-    return 4 * tol * (fabs(m->kinetic) + m->barrier) + 16 * REAL_EPSILON * margin_unit(c, m) +
-           2 * m->barrier_error;
+    /* near a root, |K| + barrier_most is of the size of the terms whose difference the margin is */
+    return 4 * tol * (fabs(m->kinetic) + m->barrier) +
+           16 * REAL_EPSILON * (fabs(m->kinetic) + barrier_most(&c->geometry)) + 2 * m->barrier_error;
 }
 
 KERNEL real margin_finest(const struct margin_context *c)
@@ -172,11 +168,6 @@ KERNEL struct margin margin_within(struct margin_context *c, real r, real tol)
 }
 
 #define MARGIN_ROUGH ((real)1e-3)
-
-KERNEL struct margin margin_finely(struct margin_context *c, real r)
-{
-    return margin_within(c, r, 0);
-}
 
 KERNEL struct margin margin_sign(struct margin_context *c, real r, bool bound)
 {

@@ -60,10 +60,9 @@ KERNEL struct margin_context margin_of_pair(const struct request *train);
  * returns NaN. `context` must point to a struct margin_context, which receives the status. */
 KERNEL real margin_at(real r, void *context);
 
-/* Return the margin to the tolerance tol, and with all digits that the arithmetic allows. The kinetic energy
- * is NaN after an error. */
+/* Returns the margin to the tolerance tol; 0 stands for all digits that the arithmetic allows. The kinetic
+ * energy is NaN after an error. */
 KERNEL struct margin margin_within(struct margin_context *c, real r, real tol);
-KERNEL struct margin margin_finely(struct margin_context *c, real r);
 
 /* If the kinetic energy exceeds MARGIN_HIGH barrier_most, margin_sign does not search for the barrier. */
 #define MARGIN_HIGH 1
@@ -71,10 +70,6 @@ KERNEL struct margin margin_finely(struct margin_context *c, real r);
 /* Returns the margin, computed precisely enough to be sure of its sign if the arithmetic permits this. If
  * `bound` is true, an upper bound may take the place of the barrier. */
 KERNEL struct margin margin_sign(struct margin_context *c, real r, bool bound);
-
-/* Returns the unit in which a margin is measured: |K| + barrier_most. Near a root, it is of the size of the
- * terms whose difference the margin is. */
-KERNEL real margin_unit(const struct margin_context *c, const struct margin *m);
 
 /* Returns an estimate of the error of a margin that was computed to the tolerance tol. */
 KERNEL real margin_error(const struct margin_context *c, const struct margin *m, real tol);
