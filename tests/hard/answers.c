@@ -209,8 +209,3 @@ double ref_scale(struct ref *ref, enum ref_quantity quantity)
 {
     return ref_scale_up_to(ref, quantity, (double)INFINITY);
 }
-
-double ref_kappa(struct ref *ref, enum ref_quantity quantity)
-{
-    return ref_scale(ref, quantity) / fabs(ref_double(ref, quantity));
-}

@@ -138,7 +138,8 @@ void ref_find_duration(struct ref *ref)
     int pieces = cut_into_pieces(ref, piece);
     integrate(&k, piece, pieces, ref->cut - 36);
     mpfr_set(ref->value[REF_DURATION], k.time, N);
-    ref->duration_size = mpfr_get_d(k.size, N) / 2 * fmax(1, ref_kappa(ref, REF_KINETIC));
+    const double kappa = ref_scale(ref, REF_KINETIC) / fabs(ref_double(ref, REF_KINETIC));
+    ref->duration_size = mpfr_get_d(k.size, N) / 2 * fmax(1, kappa);
     for (int j = 0; j <= PIECES; j++)
         mpfr_clear(piece[j]);
     mpfr_clears(INTEGRAL_ALL(&k));

@@ -157,23 +157,12 @@ struct ref *ref_near(struct ref *ref, int input)
     return ref->near[input];
 }
 
-/* Clears the values that depend on the tilt. */
-static void forget_tilt(struct ref *ref)
+void ref_link(struct ref *ref, size_t link)
 {
+    ref->link = link;
+    /* the values that depend on the tilt */
     close_near(ref);
     for (int k = REF_THETA_1; k <= REF_J; k++)
         ref->known[k] = false;
     ref->known[REF_OMEGASQ] = false;
-}
-
-void ref_tilt(struct ref *ref, domq_real tilt)
-{
-    ref_set_real(ref->in[REF_TILT], tilt);
-    forget_tilt(ref);
-}
-
-void ref_link(struct ref *ref, size_t link)
-{
-    ref->link = link;
-    forget_tilt(ref);
 }

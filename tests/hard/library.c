@@ -30,7 +30,7 @@ void library_nothing(struct answers *answers)
 {
     *answers = (struct answers){.ends = DOM_END_NONE, .why = DOM_OK};
     for (int k = 0; k < REF_COUNT; k++)
-        answers->value[k] = answers->error[k] = DOMQ_NAN;
+        answers->value[k] = DOMQ_NAN;
 }
 
 static void note(struct answers *answers, enum ref_quantity quantity, enum dom_status status, domq_real value)
@@ -53,7 +53,7 @@ static bool look_at_link(const struct domq_link *link, void *context)
     return link->i < look->wanted;
 }
 
-static void link_find(const struct setup *setup, domq_real tilt, size_t wanted, struct answers *answers)
+void library_link(const struct setup *setup, domq_real tilt, size_t wanted, struct answers *answers)
 {
     const struct domq_train train = setup_train(setup);
     const struct any_compute compute = setup_compute(setup);
@@ -118,8 +118,8 @@ static void ask_growth(const struct domq_train *train, const struct any_compute 
     note(answers, quantity, status, f->limit.r_max);
 }
 
-static void quantity_find(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
-                          struct answers *answers)
+void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
+                 struct answers *answers)
 {
     const struct domq_train train = setup_train(setup);
     const struct any_compute compute = setup_compute(setup);
@@ -141,7 +141,7 @@ static void quantity_find(const struct setup *setup, domq_real tilt, enum ref_qu
         NOTE(ARM_A, f.contact, arm_a);
         NOTE(ARM_B, f.contact, arm_b);
     } else if (quantity <= REF_LINK_WEIGHT) {
-        link_find(setup, tilt, 1, answers);
+        library_link(setup, tilt, 1, answers);
     } else if (quantity <= REF_J0) {
         status = any_energy_find(&train, &compute, tilt, &f.energy);
         NOTE(DH, f.energy, dH);
@@ -166,53 +166,4 @@ static void quantity_find(const struct setup *setup, domq_real tilt, enum ref_qu
     } else {
         ask_growth(&train, &compute, quantity, &f, answers);
     }
-}
-
-/* ---- Errors ---- */
-
-/* The tolerance of a computation in quad precision with which a result is compared. */
-static domq_real exact_tol(const struct setup *setup)
-{
-    const struct domq_arithmetic quad = any_arithmetic(IN_QUAD);
-    if (setup->precision != IN_QUAD || setup->tol > 100 * quad.tol_default)
-        return quad.tol_default;
-    return setup->tol >= 100 * quad.tol_floor ? setup->tol / 100 : setup->tol * 100;
-}
-
-static struct setup exact_of(const struct setup *setup)
-{
-    struct setup exact = *setup;
-    exact.tol = exact_tol(setup);
-    exact.precision = IN_QUAD;
-    return exact;
-}
-
-static void errors_find(const struct setup *setup, const struct answers *exact, struct answers *answers)
-{
-    for (int k = 0; k < REF_COUNT; k++) {
-        const domq_real value = answers->value[k], off = value - exact->value[k];
-        answers->error[k] = (off < 0 ? -off : off) +
-                            (domq_real)(2 * library_unit(setup->precision)) * (value < 0 ? -value : value);
-    }
-}
-
-void library_link(const struct setup *setup, domq_real tilt, size_t link, struct answers *answers)
-{
-    const struct setup exactly = exact_of(setup);
-    struct answers exact;
-    library_nothing(&exact);
-    link_find(setup, tilt, link, answers);
-    link_find(&exactly, tilt, answers->link, &exact);
-    errors_find(setup, &exact, answers);
-}
-
-void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
-                 struct answers *answers)
-{
-    const struct setup exactly = exact_of(setup);
-    struct answers exact;
-    library_nothing(&exact);
-    quantity_find(&exactly, tilt, quantity, &exact);
-    quantity_find(setup, tilt, quantity, answers);
-    errors_find(setup, &exact, answers);
 }

@@ -8,7 +8,6 @@
 struct answers {
     enum dom_status status[REF_COUNT]; /* status of the function that computes the value */
     domq_real value[REF_COUNT];        /* NaN if there is no value */
-    domq_real error[REF_COUNT];        /* its error, as the calculator finds it: see library_ask */
     domq_real best_s_uncertainty;      /* how far REF_BEST_S may be off, as the library says */
     bool detaches;
     enum dom_end ends; /* what limits the last growth that was found */
@@ -23,9 +22,7 @@ double library_unit(enum precision precision);
 double library_floor(enum precision precision);
 
 void library_nothing(struct answers *answers);
-/* Calls the function that computes this quantity and stores all quantities of its result. Their errors are
- * the differences from the same computation in quad precision, plus a unit in the last place, as in
- * src/shell/answer/reference.h. */
+/* Calls the function that computes this quantity and stores all quantities of its result. */
 void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
                  struct answers *answers);
 /* Finds the LINK_... quantities of a domino. */

@@ -108,8 +108,6 @@ struct ref *ref_open_for(const struct ref_input *input, int digits2);
 /* Opens a reference for a train of two dominoes. */
 struct ref *ref_open_pair(const struct ref_input *input, int digits2);
 void ref_close(struct ref *ref);
-/* Changes the tilt, which costs less than a new reference. */
-void ref_tilt(struct ref *ref, domq_real tilt);
 /* Sets the domino for the LINK_... quantities. */
 void ref_link(struct ref *ref, size_t link);
 
@@ -123,7 +121,6 @@ double ref_scale(struct ref *ref, enum ref_quantity quantity);
 /* Returns the scale, or a lower bound of the scale that is at least `enough`. This saves work, since every
  * input takes one more reference. */
 double ref_scale_up_to(struct ref *ref, enum ref_quantity quantity, double enough);
-double ref_kappa(struct ref *ref, enum ref_quantity quantity);
 
 /* Finds the geometry and the train at tilt 0. The inputs must be set. */
 void ref_start(struct ref *ref);

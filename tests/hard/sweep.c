@@ -51,7 +51,6 @@ static struct comparison comparison_of(const struct point *point, enum ref_quant
                                .input = &point->input,
                                .quantity = quantity,
                                .got = answers->value[quantity],
-                               .bound = answers->error[quantity],
                                .tol = (double)point->train.tol,
                                .unit = library_unit(point->sweep->precision),
                                .sharp = point->sharp};
@@ -280,7 +279,6 @@ static void check_growth(struct point *point, enum ref_quantity quantity, struct
     library_ask(&point->train, 0, quantity, answers);
     c.ref = NULL;
     c.got = answers->value[quantity];
-    c.bound = answers->error[quantity];
     c.want = (double)c.got;
     c.scale = c.want;
     if (answers->status[quantity] != DOM_OK) {

@@ -38,17 +38,6 @@ void tally_mistake(struct tally *tally, const struct comparison *c, const char *
     snprintf(tally->what, sizeof tally->what, "%s", what);
 }
 
-/* Compares the true error with the error that the calculator would show. */
-static void compare_bound(struct tally *tally, const struct comparison *c, double error)
-{
-    const double bound = (double)c->bound;
-    if (isnan(bound)) {
-        tally->without_bound++;
-        return;
-    }
-    keep_worst(&tally->bound, c, error == 0 ? 0 : error / bound);
-}
-
 /* Compares an error in units with the largest one so far. The full scale is computed only if the error may be
  * larger. */
 static void compare_units(struct sample *worst, const struct comparison *c, double error, double allowed,
@@ -75,7 +64,6 @@ void tally_compare(struct tally *tally, const struct comparison *c)
         return;
     }
     tally->checked++;
-    compare_bound(tally, c, error);
     if (error == 0)
         return;
     if (c->sharp)
@@ -86,18 +74,14 @@ void tally_compare(struct tally *tally, const struct comparison *c)
 
 void tally_merge(struct tally *into, const struct tally *from)
 {
-    struct sample *const mine[] = {&into->units, &into->tol, &into->bound};
-    const struct sample *const theirs[] = {&from->units, &from->tol, &from->bound};
-    for (int k = 0; k < 3; k++)
-        if (theirs[k]->excess > mine[k]->excess)
-            *mine[k] = *theirs[k];
+    into->units = from->units.excess > into->units.excess ? from->units : into->units;
+    into->tol = from->tol.excess > into->tol.excess ? from->tol : into->tol;
     if (!into->wrong && from->wrong) {
         into->mistake = from->mistake;
         memcpy(into->what, from->what, sizeof into->what);
     }
     into->wrong += from->wrong;
     into->checked += from->checked;
-    into->without_bound += from->without_bound;
 }
 
 /* Prints a number as a hexadecimal C constant, or as a sum of such constants. */

@@ -20,8 +20,6 @@ struct tally {
     long checked;
     struct sample units;   /* the largest error in units (reference.h) */
     struct sample tol;     /* the largest error divided by what the tolerance allows */
-    struct sample bound;   /* the largest error divided by the error that the calculator would show */
-    long without_bound;    /* number of results with a value but without such an error */
     long wrong;            /* number of values or statuses that contradict the reference */
     struct sample mistake; /* the first value or status that contradicts the reference */
     char what[80];
@@ -33,7 +31,7 @@ struct comparison {
     double want, error, scale;
     const struct ref_input *input;
     enum ref_quantity quantity;
-    domq_real got, bound;
+    domq_real got;
     double tol, unit;
     bool sharp; /* true if tol is the smallest tolerance of the precision, so that units are compared */
 };

@@ -66,37 +66,6 @@ void row_of_kind(struct run *run, uint64_t *seed, int kind)
     run->row.push = pushes[(int)(5 * random_unit(seed))] * push_over(run->domino);
 }
 
-void newton_run(const struct run *run, struct newton *n)
-{
-    for (size_t k = 0; k < run->row.count; k++) {
-        n->height[k] = run->domino[k].height;
-        n->thickness[k] = run->domino[k].thickness;
-        n->gap[k] = run->domino[k].gap;
-        n->mass[k] = run->domino[k].mass;
-        n->lean[k] = run->domino[k].lean;
-        n->width[k] = run->domino[k].width;
-    }
-    const double gap = n->gap[1], height = n->height[0]; /* a row that is released has two dominoes */
-    if (run->row.release > 0)
-        n->lean[0] = fmin((double)run->row.release, atan2(gap, sqrt((height - gap) * (height + gap))));
-    const struct direct_row row = {.n = run->row.count,
-                                   .height = n->height,
-                                   .thickness = n->thickness,
-                                   .gap = n->gap,
-                                   .mass = n->mass,
-                                   .lean = n->lean,
-                                   .width = n->width,
-                                   .mu = run->row.mu,
-                                   .g = run->row.g,
-                                   .omega = run->row.push,
-                                   .slope = run->row.alpha,
-                                   .walls = run->row.walls,
-                                   .boxes_above = run->row.boxes_above,
-                                   .air = run->row.air,
-                                   .drag = run->row.drag != 0 ? (double)run->row.drag : 1.2};
-    n->wrong = direct_run(&row, n->hit, &n->result);
-}
-
 bool run_is_clear(const struct run *run)
 {
     for (size_t k = 0; k < run->falls; k++)
@@ -123,7 +92,7 @@ static void compare_hits(const struct run *run, const struct newton *n)
     double friction_work = 0, spare = INFINITY;
     for (size_t k = 0; k < run->falls; k++) {
         const struct domq_fall *f = &run->fall[k];
-        const struct direct_hit *h = &n->hit[k];
+        const struct newton_hit *h = &n->hit[k];
         double bound = 1e-10 * (1 + 1 / spare);
         if (h->time > 0)
             near_newton("time", run, k, f->time, h->time, h->time, bound);
@@ -139,10 +108,9 @@ static void compare_hits(const struct run *run, const struct newton *n)
     const size_t last = run->falls - 1;
     const double bound = 1e-10 / fmin(1, spare);
     if (run->verdict.end == DOM_ROW_FALLS)
-        near_newton("the end", run, last, run->verdict.seconds, n->result.end_time, n->result.end_time,
-                    bound);
+        near_newton("the end", run, last, run->verdict.seconds, n->end_time, n->end_time, bound);
     if (run->verdict.end == DOM_ROW_STOPS)
-        near_newton("rest", run, last, run->fall[last].theta, n->result.stop_theta, 1, bound);
+        near_newton("rest", run, last, run->fall[last].theta, n->stop_theta, 1, bound);
 }
 
 void newton_compare(const struct run *run, const struct newton *n)
@@ -151,16 +119,15 @@ void newton_compare(const struct run *run, const struct newton *n)
     if (end == DOM_ROW_FALLS || end == DOM_ROW_STOPS || end == DOM_ROW_MISSES) {
         if (n->wrong)
             fail_msg("Newton: %s (end %d)", n->wrong, end);
-        assert_int_equal(n->result.hit, run->falls);
-        assert_int_equal(n->result.all_fall, end == DOM_ROW_FALLS);
+        assert_int_equal(n->hits, run->falls);
+        assert_int_equal(n->all_fall, end == DOM_ROW_FALLS);
         /* The model checks forces at a few tilts only, so that contacts may open a little. */
-        if (n->result.least_at > 0)
-            assert_true(n->result.least_force >=
-                        -0.02 * n->mass[n->result.least_at - 1] * (double)run->row.g);
+        if (n->least_at > 0)
+            assert_true(n->least_force >= -0.02 * (double)(run->domino[n->least_at - 1].mass * run->row.g));
     }
     if (end == DOM_ROW_PASSES)
         assert_non_null(n->wrong);
     if (end == DOM_ROW_PARTS) /* from this domino on, contacts pull in Newton's equations */
-        assert_true(n->result.least_force < 0);
+        assert_true(n->least_force < 0);
     compare_hits(run, n);
 }

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs a finite row in the library and by Newton's equations (direct.h), and compares the results. */
+/* Runs a finite row in the library and by Newton's equations (direct.c), and compares the results. */
 #ifndef TEST_RUN_H
 #define TEST_RUN_H
 
 #include "ask.h"
-#include "direct.h"
 #include <stdint.h>
 
 enum { ROW_MOST = 64 };
@@ -34,15 +33,35 @@ void make_row(struct run *run, size_t count, double s, double r, double mu);
 /* Makes a random row of equal (kind 0), growing, shrinking or uneven dominoes (kind 3). */
 void row_of_kind(struct run *run, uint64_t *seed, int kind);
 
-struct newton {
-    double height[ROW_MOST], thickness[ROW_MOST], gap[ROW_MOST], mass[ROW_MOST], lean[ROW_MOST],
-        width[ROW_MOST];
-    struct direct_hit hit[ROW_MOST];
-    struct direct_result result;
-    const char *wrong;
+/* A hit by Newton's equations. The first one is the push, at time 0. */
+struct newton_hit {
+    double time;
+    double omega;   /* angular velocity of this domino just after the hit */
+    double kinetic; /* kinetic energy of all moving dominoes just after the hit */
+    double kinetic_before;
+    double friction_work; /* energy lost to sliding friction and to the air since the start */
 };
 
-/* Runs the row by Newton's equations. *n holds the arrays that describe the dominoes. */
+struct newton {
+    struct newton_hit hit[ROW_MOST];
+    size_t hits; /* number of dominoes that were hit, including the first */
+    bool all_fall;
+    double end_time;    /* time at which the head lies flat or comes to rest */
+    double least_force; /* smallest normal force between two dominoes; INFINITY if there was no contact */
+    /* least_force is between dominoes least_at and least_at + 1, counted from 1; 0 if there is none */
+    size_t least_at;
+    size_t least_head; /* number, from 1, of the foremost domino at the moment of least_force */
+    /* tilt of the head at the end; pi/2 if the head lies flat, even if it has missed the next domino */
+    double stop_theta;
+    const char *wrong; /* an error, or NULL; the hits before the error are valid */
+};
+
+/*
+ * Runs the row by Newton's equations (direct.c). A tip that passes above the top of the next domino is an
+ * error. If a hit is lower than mu times the thickness of the struck domino, friction holds the tip and the
+ * face together: the struck domino does not turn, the row stops, and stop_theta is the lean of this domino. A
+ * negative contact force means that the contact pulls. This is not an error, so check least_force.
+ */
 void newton_run(const struct run *run, struct newton *n);
 
 /* Returns false if a margin of the row is so small that rounding decides the verdict. */

@@ -67,50 +67,16 @@ TEST(digits)
     assert_int_equal(rows, 26);
 }
 
-/* ---- Without friction ---- */
-
-enum { ANSWERS = 6 };
-
-static void answers_of(const struct setup *train, double theta, bool limit_too, domq_real *x)
-{
-    struct domq_launch launch = {0};
-    struct domq_barrier barrier = {0};
-    struct domq_limit limit = {.r_max = 1};
-    assert_status(ask_launch_find(train, &launch), DOM_OK);
-    assert_status(ask_barrier_find(train, &barrier), DOM_OK);
-    assert_status(ask_cycle_duration(train, &x[2]), DOM_OK);
-    assert_status(ask_cycle_omegasq(train, theta, &x[3]), DOM_OK);
-    if (limit_too)
-        assert_status(ask_limit_rmax(train, &limit), DOM_OK);
-    x[0] = launch.omegasq;
-    x[1] = launch.fuel;
-    x[4] = barrier.margin;
-    x[5] = limit.r_max;
-}
-
-static const double some_trains[][4] = {
-    {0.4, 1.5, 4, 0.14583333333333334},
-    {0.2, 1.2, 3, 0.14583333333333334},
-    {0.1, 1, 3, 0.1},
-    {0.6, 1.3, 3.5, 0.1},
-    {0.3, 1.4, 3, 0.05},
-};
-
-/* Checks that mu = 0 and mu = -0.0 give equal results. */
 TEST(minus_zero_is_no_friction)
 {
-    for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
-        struct setup plain = friction_train(some_trains[i][0], some_trains[i][1], 0), train;
-        domq_real before[ANSWERS], after[ANSWERS];
-        plain.q = some_trains[i][2];
-        plain.d = some_trains[i][3];
-        answers_of(&plain, 0.09, true, before);
-        train = plain;
-        train.mu = -0.0;
-        answers_of(&train, 0.09, true, after);
-        for (int j = 0; j < ANSWERS; j++)
-            assert_true(before[j] == after[j]);
+    struct setup train = friction_train(0.2, 1.2, 0);
+    struct domq_barrier barrier[2];
+    domq_real duration[2];
+    for (int k = 0; k < 2; k++, train.mu = -0.0) {
+        assert_status(ask_barrier_find(&train, &barrier[k]), DOM_OK);
+        assert_status(ask_cycle_duration(&train, &duration[k]), DOM_OK);
     }
+    assert_true(barrier[0].margin == barrier[1].margin && duration[0] == duration[1]);
 }
 
 /* ---- The work of friction ---- */

@@ -42,7 +42,7 @@ TEST(equal_dominoes_from_20_degrees)
     assert_true(run.fall->omega == 0 && run.fall->kinetic == 0 && run.fall->barrier == 0 &&
                 run.fall->time == 0 && run.verdict.weakest > 1);
     assert_near("hit 2", (double)run.fall[1].time, n.hit[1].time, 1e-10);
-    assert_near("the end", (double)run.verdict.seconds, n.result.end_time, 1e-10);
+    assert_near("the end", (double)run.verdict.seconds, n.end_time, 1e-10);
 }
 
 /* ---- The first domino touches the second ---- */

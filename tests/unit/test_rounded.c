@@ -239,11 +239,11 @@ static double clearance(const struct block *follower, const struct block *leader
     return -along - (leader->d - leader->rho) - follower->rho;
 }
 
-/* Leans a chain of n blocks on its head at theta. */
-static void lean(struct block *b, int n, double theta)
+/* Leans a chain of n blocks on its domino `first`, at theta. */
+static void lean(struct block *b, int first, int n, double theta)
 {
-    b[0].theta = theta;
-    for (int i = 1; i < n; i++) {
+    b[first].theta = theta;
+    for (int i = first + 1; i < n; i++) {
         double lo = 0, hi = 1.6;
         for (int k = 0; k < 100; k++) {
             b[i].theta = (lo + hi) / 2;
@@ -314,9 +314,9 @@ TEST(newtons_law)
         train_make(now, MOST, &train, scene[k][2]);
         train_make(low, MOST, &train, scene[k][2]);
         train_make(high, MOST, &train, scene[k][2]);
-        lean(now, MOST, theta);
-        lean(low, MOST, theta - step);
-        lean(high, MOST, theta + step);
+        lean(now, 0, MOST, theta);
+        lean(low, 0, MOST, theta - step);
+        lean(high, 0, MOST, theta + step);
         /* In units of h/g, tau^2 = (1 + d^2) / 3. */
         double tausq = (1 + (double)train.d * (double)train.d) / 3, w = (double)at.omegasq / tausq;
         for (int i = 0; i < MOST; i++) {
@@ -337,19 +337,12 @@ TEST(newtons_law)
         struct domq_angles angles;
         assert_status(ask_launch_find(&train, &launch), DOM_OK);
         assert_status(ask_angles_find(&train, &angles), DOM_OK);
-        lean(now, MOST, 0);
-        lean(high, MOST, step);
+        lean(now, 0, MOST, 0);
+        lean(high, 0, MOST, step);
         assert_near("theta_c", now[1].theta, (double)angles.theta_c, 1e-12);
         struct block hit[MOST];
         memcpy(hit, now, sizeof hit);
-        hit[1].theta = now[1].theta - step; /* the followers move while the head is at rest */
-        for (int i = 2; i < MOST; i++) {
-            double lo = 0, hi = 1.6;
-            for (int n = 0; n < 100; n++) {
-                hit[i].theta = (lo + hi) / 2;
-                *(clearance(&hit[i], &hit[i - 1]) > 0 ? &lo : &hi) = hit[i].theta;
-            }
-        }
+        lean(hit, 1, MOST, now[1].theta - step); /* the followers move while the head is at rest */
         struct vector before[MOST], after[MOST];
         double turns_before[MOST], turns_after[MOST];
         for (int i = 0; i < MOST; i++) {

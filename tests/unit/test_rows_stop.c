@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Rows that stop. The missing energy is compared with the potential energy of the dominoes on a fine grid.
- * With high friction, the tilt at which a row comes to rest is compared with Newton's equations (direct.h).
+ * With high friction, the tilt at which a row comes to rest is compared with Newton's equations (direct.c).
  */
 #include "run.h"
 #include "support.h"
@@ -198,19 +198,19 @@ TEST(much_friction)
         newton_run(&run, &n);
         if (jam) {
             assert_non_null(n.wrong);
-            assert_int_equal(n.result.hit, run.falls);
+            assert_int_equal(n.hits, run.falls);
             jams++;
             continue;
         }
-        if (n.wrong || n.result.hit != run.falls || n.result.all_fall != (run.verdict.end == DOM_ROW_FALLS))
-            fail_msg("row %d, mu %g: hits %zu, by Newton %zu %s", i, (double)run.row.mu, run.falls,
-                     n.result.hit, n.wrong ? n.wrong : "");
+        if (n.wrong || n.hits != run.falls || n.all_fall != (run.verdict.end == DOM_ROW_FALLS))
+            fail_msg("row %d, mu %g: hits %zu, by Newton %zu %s", i, (double)run.row.mu, run.falls, n.hits,
+                     n.wrong ? n.wrong : "");
         falls += run.verdict.end == DOM_ROW_FALLS;
         if (run.verdict.end != DOM_ROW_STOPS)
             continue;
-        if (!(fabs(n.result.stop_theta - (double)last->theta) < (wide ? 1e-7 : 1e-2)))
+        if (!(fabs(n.stop_theta - (double)last->theta) < (wide ? 1e-7 : 1e-2)))
             fail_msg("row %d, mu %g: rests at %.12g, by Newton %.12g", i, (double)run.row.mu,
-                     (double)last->theta, n.result.stop_theta);
+                     (double)last->theta, n.stop_theta);
         assert_true(run.verdict.short_by > 0 && run.verdict.short_by == -last->margin);
         stops++;
         locked += isinf((double)last->barrier);
