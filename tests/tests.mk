@@ -183,11 +183,10 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
 # Times the main questions in one run, and compares their times with goals, most of which are ratios to other programs.
-bench: all $(B)/bench $(B)/answers python
+bench: all $(B)/bench
 	@$(B)/bench $(B)
-	@$(PYTHON3) tests/bench/numpy_loop.py $(B)
 
-$(B)/bench: $(call OBJ,$(addprefix tests/bench/,bench.c processes.c waits.c) $(ANY)) $(P)/libdomino.a
+$(B)/bench: $(call OBJ,$(addprefix tests/bench/,bench.c processes.c) $(ANY)) $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
 $(B)/answers: $(call OBJ,tests/bench/answers.c $(ANY)) $(P)/libdomino.a

@@ -18,7 +18,6 @@
 /* A line of the table. Numbers that do not exist are NONE. */
 struct goal {
     const char *text, *unit;
-    double first; /* measured before the goal was set, on another machine */
     double goal, measured;
     bool at_least; /* the goal is a lower bound */
 };
@@ -29,24 +28,10 @@ double seconds_now(void);
  * link waits for the one before, so no pass along a train is faster. */
 double bare_link(void);
 
-/* ---- processes.c ---- */
-
-/* The result of a process without input, whose output is discarded. */
-struct process {
-    bool done; /* true if the process has run and ended with status 0 */
-    double seconds;
-    double work;      /* processor time in s */
-    double megabytes; /* the largest memory of the process */
-};
-
-/* Runs a program, with arguments that end with NULL, several times. Returns the run with the least processor
- * time. A process that takes more than a few seconds runs only once. */
-struct process process_least(const char *const *argv, int runs);
-
 /* Measure what the program of this build takes for many lines and for its start, and the questions for which
- * people have to wait. Both write at most GOALS_MOST goals and return their number. The system counts the
- * memory of the benchmark as memory of the processes that it starts, so both must be called before the
- * benchmark takes much memory. */
+ * people have to wait (processes.c). Both write at most GOALS_MOST goals and return their number. The system
+ * counts the memory of the benchmark as memory of the processes that it starts, so both must be called before
+ * the benchmark takes much memory. */
 enum { GOALS_MOST = 32 };
 size_t processes_measure(const char *build, struct goal *goal);
 size_t waits_measure(const char *build, struct goal *goal);

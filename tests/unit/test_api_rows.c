@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: rows chance */
-/* The public API of rows, scales and effects, in both headers, and the simple functions. */
+/* The public API of rows, scales and effects. */
 #include "domino_float.h"
 #include "support.h"
 #include <float.h>
@@ -194,40 +194,9 @@ TEST(scales_and_precisions)
 
 /* ---- Effects ---- */
 
-static void text_same(const char *text, const char *wide)
-{
-    assert_int_equal(!text, !wide);
-    if (text)
-        assert_string_equal(text, wide);
-}
-
-static void effect_same(const struct dom_effect *e, const struct domq_effect *eq)
-{
-    text_same(e->name, eq->name), text_same(e->adds, eq->adds), text_same(e->help, eq->help);
-    text_same(e->source, eq->source), text_same(e->plan, eq->plan);
-    text_same(e->dissipates, eq->dissipates);
-    assert_true(e->needs == eq->needs && !e->equations == !eq->equations);
-    for (int i = 0; e->equations && (i == 0 || e->equations[i - 1]); i++)
-        text_same(e->equations[i], eq->equations[i]);
-    for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++) {
-        const struct dom_effect_argument d = e->argument[i];
-        const struct domq_effect_argument q = eq->argument[i];
-        text_same(d.name, q.name);
-        if (!d.name)
-            break;
-        text_same(d.unit, q.unit), text_same(d.meaning, q.meaning), text_same(d.or_file, q.or_file);
-        SAME(lowest), SAME(highest), SAME(usual);
-        assert_true(d.optional == q.optional && d.whole == q.whole);
-    }
-}
-
-/* Checks that each effect has its number and its name, and that the law without effects has a description. */
+/* Checks that each effect has its number and its name. */
 TEST(effects)
 {
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        effect_same(dom_effect((enum dom_effect_name)k), domq_effect((enum dom_effect_name)k));
-    effect_same(&dom_energy_balance, &domq_energy_balance);
-    effect_same(&dom_equation_of_motion, &domq_equation_of_motion);
 #define NAMED(effect)                                                                                        \
     assert_ptr_equal(dom_effect(DOM_EFFECT_##effect), &dom_effect_##effect);                                 \
     assert_ptr_equal(domq_effect(DOM_EFFECT_##effect), &domq_effect_##effect);                               \
@@ -241,23 +210,16 @@ TEST(effects)
 TEST(laws)
 {
     struct dom_train t = dom_train_default();
-    struct domq_train tq = domq_train_default();
-    assert_true(!dom_first_effect(&t) && !domq_first_effect(&tq));
+    assert_ptr_equal(dom_first_effect(&t), NULL);
     assert_ptr_equal(dom_law(&t), &dom_energy_balance);
-    assert_ptr_equal(domq_law(&tq), &domq_energy_balance);
 #define LAW(effect, member, status)                                                                          \
-    t.member = tq.member = dom_effect_##effect.argument[0].highest;                                          \
+    t.member = dom_effect_##effect.argument[0].highest;                                                      \
     assert_ptr_equal(dom_first_effect(&t), dom_effect_##effect.cancels ? NULL : &dom_effect_##effect);       \
-    assert_ptr_equal(domq_first_effect(&tq), domq_effect_##effect.cancels ? NULL : &domq_effect_##effect);   \
     assert_ptr_equal(dom_law(&t),                                                                            \
                      dom_effect_##effect.dissipates ? &dom_equation_of_motion : &dom_energy_balance);        \
-    assert_ptr_equal(domq_law(&tq),                                                                          \
-                     domq_effect_##effect.dissipates ? &domq_equation_of_motion : &domq_energy_balance);     \
-    t.member = tq.member = 0;
+    t.member = 0;
     DOM_DYNAMICS(LAW)
 }
-
-/* ---- The simple functions ---- */
 
 TEST(simple)
 {
