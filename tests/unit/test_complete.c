@@ -31,7 +31,7 @@ static void keep(const char *word, void *context)
 /* Returns true if the parser accepts the line as it is. */
 static bool parses(const char *line)
 {
-    return line_preview(&session, line, strlen(line), "", NULL) == PREVIEW_WHOLE;
+    return line_preview(&session, line, strlen(line), "", NULL);
 }
 
 /* Returns true if the parser accepts the line as the beginning of a longer one. */

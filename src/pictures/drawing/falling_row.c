@@ -3,7 +3,7 @@
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "session/row_change.h"
+#include "session/row.h"
 #include "train/falling.h"
 #include "train/train.h"
 #include <ctype.h>

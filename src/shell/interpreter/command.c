@@ -9,14 +9,14 @@
 
 const char *topic_names(const void *context, int k)
 {
-    const char *name = command_names(context, k);
-    for (int i = 0; !name && command_at(i); i++)
-        k--;
+    const int commands = command_count();
+    if (k < commands)
+        return command_names(context, k);
     /* Some names belong to both a command and a parameter, such as 'fuel'. They have been listed already. */
-    for (const struct parameter *p = session_parameters; !name && p->name; p++)
-        if (!command_find(p->name) && k-- == 0)
-            name = p->name;
-    return name;
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (!command_find(p->name) && k-- == commands)
+            return p->name;
+    return NULL;
 }
 
 const char *topic_by_synonym(const char *word, int k)

@@ -150,8 +150,8 @@ struct command {
         WRITES_DATA,
         WRITES_PICTURES, /* in csv and json: the data of a picture */
         WRITES_FILMS,
-        WRITES_PAGES,     /* text that has data in csv and json, although it has no columns */
-        WRITES_SCRIPTS,   /* a script, to the file that is the command's first argument */
+        WRITES_PAGES,   /* text that has data in csv and json, although it has no columns */
+        WRITES_SCRIPTS, /* a script, to the file that is the command's first argument */
     } writes;
     /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_set_verdict). */
     const char *holds;
@@ -206,6 +206,7 @@ const char *topic_by_synonym(const char *word, int k);
 
 const struct command *command_find(const char *name);
 
+int command_count(void);
 /* Returns command number k, counted from 0, or NULL if there are no more. */
 const struct command *command_at(int k);
 

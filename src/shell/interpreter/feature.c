@@ -76,6 +76,11 @@ bool group_named(const char *word)
     return found;
 }
 
+int command_count(void)
+{
+    return every_count;
+}
+
 const struct command *command_at(int k)
 {
     return k >= 0 && k < every_count ? every[k] : NULL;

@@ -148,8 +148,8 @@ void line_stream(struct session *session, FILE *in, const char *name)
 
 /* ---- A line that is being typed ---- */
 
-enum preview line_preview(struct session *session, const char *line, size_t length, const char *tail,
-                          struct offer *offer)
+bool line_preview(struct session *session, const char *line, size_t length, const char *tail,
+                  struct offer *offer)
 {
     struct run_context run_context = session->run_context;
     struct query query = session_query(session);
@@ -161,7 +161,7 @@ enum preview line_preview(struct session *session, const char *line, size_t leng
     int size = asprintf(&whole, "%.*s%s", (int)length, line, tail);
     if (size < 0 || !text_make(&text, whole, (size_t)size)) {
         free(size < 0 ? NULL : whole);
-        return PREVIEW_WRONG;
+        return false;
     }
     run_context.note = NULL;
     query.run_context = &run_context;
@@ -173,17 +173,13 @@ enum preview line_preview(struct session *session, const char *line, size_t leng
                        .offer = offer};
     if (offer)
         offer->cursor = text.line + strlen(text.line) - 1;
-    enum preview preview = PREVIEW_WHOLE;
+    bool good = true;
     for (const char *begin = text.line, *end;; begin = end + 1) {
         r.at = begin = skip_blanks(begin);
         end = text_end(begin, ";");
-        preview = PREVIEW_WHOLE;
         problem_begin(&problem, NULL);
-        if (begin != end && !command_parse(&r, &question))
-            preview = question.command && problem.column >= text_column(&text, text.line + strlen(text.line))
-                          ? PREVIEW_OPEN
-                          : PREVIEW_WRONG;
-        else if (begin != end && *r.at == '>') {
+        good = begin == end || command_parse(&r, &question);
+        if (good && begin != end && *r.at == '>') {
             r.at = skip_blanks(r.at + 1 + (r.at[1] == '>'));
             offer_kind(&r, OFFER_FILE);
         }
@@ -193,5 +189,5 @@ enum preview line_preview(struct session *session, const char *line, size_t leng
     }
     text_free(&text);
     free(whole);
-    return preview;
+    return good;
 }

@@ -30,19 +30,13 @@ void run_command_at(struct session *session, struct reader *line);
 /* The character that marks the cursor. No name, value or operator contains this character. */
 #define PREVIEW_CURSOR "\001"
 
-enum preview {
-    PREVIEW_WRONG,
-    PREVIEW_OPEN, /* the command is correct so far, but incomplete */
-    PREVIEW_WHOLE,
-};
-
 /*
- * Parses a line that is not complete yet and judges its last command. The line consists of `length` bytes of
- * the text `line`, followed by the text `tail`. If `offer` is NULL, also computes and checks the values in
- * the line. If `offer` is not NULL, stores in *offer where the names of commands are and, if `tail` ends with
- * PREVIEW_CURSOR, what may be typed at the cursor.
+ * Parses a line that is not complete yet, and returns true if its last command is right. The line consists of
+ * `length` bytes of the text `line`, followed by the text `tail`. If `offer` is NULL, also computes and
+ * checks the values in the line. If `offer` is not NULL and `tail` ends with PREVIEW_CURSOR, stores in *offer
+ * what may be typed at the cursor.
  */
-enum preview line_preview(struct session *session, const char *line, size_t length, const char *tail,
-                          struct offer *offer);
+bool line_preview(struct session *session, const char *line, size_t length, const char *tail,
+                  struct offer *offer);
 
 #endif

@@ -24,7 +24,7 @@ struct completion {
 
 static bool accepted(const struct completion *c, const char *word)
 {
-    return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL) != PREVIEW_WRONG;
+    return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL);
 }
 
 /* Emits a candidate for the last word. After "2*rm", for example, the name "rmax" gives the candidate

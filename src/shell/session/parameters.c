@@ -164,22 +164,6 @@ bool lengths_check(const struct state *state, struct problem *problem)
     return good;
 }
 
-static void parameter_put(struct state *state, const struct assigned *a)
-{
-    const struct parameter *p = a->parameter;
-    if (p->share)
-        state->scene.length[p->share] = a->length;
-    char *place = (char *)state + p->offset;
-    if (p->before)
-        p->before(state, a->value);
-    if (p->effect)
-        effect_put(&state->scene, p->which, a->value, a->others);
-    else if (p->words_only)
-        *(unsigned *)(void *)place = (unsigned)a->value;
-    else
-        *(domq_real *)(void *)place = a->value;
-}
-
 _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) == sizeof(unsigned) &&
                    sizeof(enum precision) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned int");
@@ -189,15 +173,24 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
     /* parameters that take only words, such as 'precision', are set first, because the range of tol depends
      * on the precision */
     for (int words = 1; words >= 0; words--)
-        for (int i = 0; i < count; i++) {
-            const struct assigned *a = &assigned[i];
+        for (const struct assigned *a = assigned; a < assigned + count; a++) {
             const struct parameter *p = a->parameter;
+            void *place = (char *)state + p->offset;
             if (p->words_only != (words == 1))
                 continue;
             if (!p->words_only && a->value != EFFECT_OFF && !(a->length.m > 0) &&
                 !parameter_check(state, p, 0, a->value, problem))
                 return false;
-            parameter_put(state, a);
+            if (p->share)
+                state->scene.length[p->share] = a->length;
+            if (p->before)
+                p->before(state, a->value);
+            if (p->effect)
+                effect_put(&state->scene, p->which, a->value, a->others);
+            else if (p->words_only)
+                *(unsigned *)place = (unsigned)a->value;
+            else
+                *(domq_real *)place = a->value;
         }
     scene_apply_lengths(&state->scene);
     for (int i = 0; i < count; i++) {
@@ -219,13 +212,15 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
     return state_assign(state, assigned, count, problem) && lengths_check(state, problem);
 }
 
-/* Fills the array `all` with the values that were given and the usual ones. Fails if a required value is
- * missing, or if an effect cannot be turned off because another effect needs it. */
-static bool values_complete(const struct scene *scene, const struct parameter *p, const domq_real *value,
-                            int given, domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem)
+bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,
+                   const struct typed_length *length, struct problem *problem)
 {
+    struct state next = *state;
+    domq_real all[DOM_EFFECT_ARGUMENTS] = {0};
     const struct domq_effect_argument *a;
     const bool off = value[0] == EFFECT_OFF, usual = off || value[0] == EFFECT_ON;
+    if (value[0] == EFFECT_ON && parameter_get(state, p) != EFFECT_OFF)
+        return true; /* 'set NAME on' does not change an effect that is already on */
     for (int i = 0; (a = parameter_argument(p, i)) != NULL; i++) {
         if (i >= given && !a->optional && !usual)
             return problem_error(problem, "%s, the %s, is missing; enter, for example, 'set %s %s%s%s'",
@@ -233,25 +228,11 @@ static bool values_complete(const struct scene *scene, const struct parameter *p
                                  a->unit);
         all[i] = i < given && !usual ? value[i] : a->usual;
     }
-    if (!off)
-        return true;
-    all[0] = EFFECT_OFF;
-    for (int k = 0; k < EFFECT_COUNT; k++)
-        if (scene->effect[k].on && effect_needs(k, p->which))
+    all[0] = off ? EFFECT_OFF : all[0];
+    for (int k = 0; off && k < EFFECT_COUNT; k++)
+        if (state->scene.effect[k].on && effect_needs(k, p->which))
             return problem_error(problem, "'set %s' needs the %s; first enter 'set %s off'",
                                  effect_at(k)->name, p->name, effect_at(k)->name);
-    return true;
-}
-
-bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,
-                   const struct typed_length *length, struct problem *problem)
-{
-    struct state next = *state;
-    domq_real all[DOM_EFFECT_ARGUMENTS] = {0};
-    if (value[0] == EFFECT_ON && parameter_get(state, p) != EFFECT_OFF)
-        return true; /* 'set NAME on' does not change an effect that is already on */
-    if (!values_complete(&state->scene, p, value, given, all, problem))
-        return false;
     struct assigned assigned = {.parameter = p, .value = all[0], .others = all + 1};
     if (length)
         assigned.length = *length;
@@ -263,25 +244,24 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     return true;
 }
 
-/* Returns the rank of a parameter. Parameters with a lower rank are restored first. */
-static int rank(const struct state *state, const struct parameter *p)
-{
-    /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so those
-     * that need others, and not just a row, are the first. Effects that are on come last. */
-    const unsigned row = 1U << DOM_EFFECT_row;
-    if (p->effect)
-        return state->scene.effect[p->which].on ? 6 : p->effect->needs & ~row ? 0 : 2;
-    /* A parameter that takes only words, such as 'precision', comes before those that take numbers, because
-     * the range of tol depends on the precision. */
-    return !p->words_only ? 5 : p->setting ? 3 : 4;
-}
-
 const struct parameter *parameter_in_order(const struct state *state, int k)
 {
-    for (int at = 0; at <= 6; at++)
-        for (const struct parameter *p = session_parameters; p->name; p++)
-            if (rank(state, p) == at && k-- == 0)
+    /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so those
+     * that need others, and not just a row, are the first. Effects that are on come last. A parameter that
+     * takes only words, such as 'precision', comes before those that take numbers, because the range of tol
+     * depends on the precision. */
+    const unsigned row = 1U << DOM_EFFECT_row;
+    for (int rank = 0; rank <= 6; rank++)
+        for (const struct parameter *p = session_parameters; p->name; p++) {
+            const int at = !p->effect                         ? !p->words_only ? 5
+                                                                : p->setting   ? 3
+                                                                               : 4
+                           : state->scene.effect[p->which].on ? 6
+                           : p->effect->needs & ~row          ? 0
+                                                              : 2;
+            if (at == rank && k-- == 0)
                 return p;
+        }
     return NULL;
 }
 
@@ -315,41 +295,34 @@ static const char *value_word(const struct parameter *p, int i, domq_real value)
                                     : parameter_word(p, value);
 }
 
-/* Writes a path in double quotes. If the file is below the directory `folder` of the script, the path is
- * written relative to the script, beginning with "./". The script and the file can then be moved together. */
-static void save_name(const char *path, const char *folder, FILE *out)
-{
-    size_t length = folder ? strlen(folder) : 0;
-    bool below = length > 0 && strncmp(path, folder, length) == 0 && path[length] == '/';
-    fputs(below ? " \"." : " \"", out);
-    for (const char *c = below ? path + length : path; *c; c++)
-        fputs(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, out);
-    putc('"', out);
-}
-
 static void save_value(const struct parameter *p, int i, domq_real value, FILE *out)
 {
-    const char *word = value_word(p, i, value), *unit = p->value[i].unit;
-    const struct quantity quantity = expression_unit(unit);
-    if (word)
-        fprintf(out, " %s", word);
-    else if (strcmp(unit, "m") == 0)
-        fprintf(out, " %s", length_write(value, "", (char[LENGTH_TEXT]){""}));
-    else
-        fprintf(out, " %s", quad_exact(value, WIDE_DIGITS, (char[WIDE_TEXT]){""}));
-    if (!word && strcmp(unit, "m") != 0 && !quantity_is_dimensionless(quantity) && !quantity.angle)
-        fprintf(out, " %s", unit_write(quantity, "*", (char[UNIT_TEXT]){""}));
+    const char *word = value_word(p, i, value);
+    const struct quantity unit = expression_unit(p->value[i].unit);
+    const bool is_length = strcmp(p->value[i].unit, "m") == 0,
+               has_unit = !word && !is_length && !quantity_is_dimensionless(unit) && !unit.angle;
+    fprintf(out, " %s%s%s",
+            word        ? word
+            : is_length ? length_write(value, "", (char[LENGTH_TEXT]){""})
+                        : quad_exact(value, WIDE_DIGITS, (char[WIDE_TEXT]){""}),
+            has_unit ? " " : "", has_unit ? unit_write(unit, "*", (char[UNIT_TEXT]){""}) : "");
 }
 
 void parameter_save(const struct state *state, const struct parameter *p, const char *folder, FILE *out)
 {
     const char *path = p->effect ? effect_file(&state->scene, p->which) : NULL;
     const struct typed_length *length = &state->scene.length[p->share];
-    const bool is_length = length->m > 0 && parameter_get(state, p) != EFFECT_OFF;
     fprintf(out, "set %s", p->name);
-    if (path)
-        save_name(path, folder, out);
-    else if (is_length)
+    if (path) {
+        /* If the file is below the directory of the script, its path is written relative to the script. The
+         * script and the file can then be moved together. */
+        const size_t size = folder ? strlen(folder) : 0;
+        const bool below = size > 0 && strncmp(path, folder, size) == 0 && path[size] == '/';
+        fputs(below ? " \"." : " \"", out);
+        for (const char *c = below ? path + size : path; *c; c++)
+            fputs(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, out);
+        putc('"', out);
+    } else if (length->m > 0 && parameter_get(state, p) != EFFECT_OFF)
         fprintf(out, " %s", length_write(length->m, length->unit, (char[LENGTH_TEXT]){""}));
     else
         save_value(p, 0, parameter_get(state, p), out);

@@ -2,7 +2,7 @@
 #include "session/undo.h"
 #include "language/names.h"
 #include "session/parameters.h"
-#include "session/row_change.h"
+#include "session/row.h"
 #include <stdlib.h>
 #include <string.h>
 
