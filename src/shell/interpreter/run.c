@@ -47,25 +47,19 @@ static bool run_function(struct session *session, const struct command *c, const
     return command_compute(c, query, answer, problem);
 }
 
-/* Keeps the rest of an answer for 'details', and prints it at once if the command ends with this word. */
-static void rest_keep(struct session *session, const struct command *c, const struct query *query,
-                      struct answer *answer, bool done)
+/* Keeps the answer for 'ans', and its rest for 'details'. Prints the rest at once if the command ends with
+ * this word. */
+static void answer_keep(struct session *session, const struct command *c, const struct query *query,
+                        struct answer *answer, const struct cell kept[ANSWER_CELLS])
 {
     char *text = answer->details.rest ? rest_end(answer->details.rest) : NULL;
-    if (!done || !c->columns) {
-        free(text);
-        return;
-    }
     if (text && query->given->details)
         fprintf(answer->out, "\n%s", text);
-    free(session->details);
-    session->details = text;
-}
-
-/* Keeps the answer for 'ans'. */
-static void answer_remember(struct session *session, const struct command *c, const struct query *query,
-                            const struct answer *answer, const struct cell kept[ANSWER_CELLS])
-{
+    if (c->columns) {
+        free(session->details);
+        session->details = text;
+    } else
+        free(text);
     if (answer->is_value || c->principal)
         session->ans.printed = answer->is_value;
     if (answer->is_value)
@@ -153,13 +147,14 @@ static bool run_command(struct session *session, const struct command *c, const 
     const char *unsaid = done && format->end ? format->end(&answer) : NULL;
     if (unsaid)
         session_note(session, "%s", unsaid);
-    rest_keep(session, c, query, &answer, done);
+    if (done)
+        answer_keep(session, c, query, &answer, kept);
+    else if (answer.details.rest)
+        free(rest_end(answer.details.rest));
     session->wrote = answer.progress.has_rows;
     if (*answer.made) /* copying an empty text would take a twentieth of the time of a short line */
         snprintf(session->made, sizeof session->made, "%s", answer.made);
     output->answered = output->answered || (done && c->columns) || answer.progress.wrote_text;
-    if (done)
-        answer_remember(session, c, query, &answer, kept);
     if (done && session->state.settings.timing && c->columns) {
         /* Programs may read csv, json and files, so the time must not appear there. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
@@ -211,41 +206,12 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
 /* At a terminal, says which file has been written, and what it contains. Scripts get no such message. */
 static void wrote_say(const struct session *session, const char *path)
 {
-    const char *made = session->made;
     struct stat file;
-    const char *const units[] = {"bytes", "kB", "MB", "GB"};
-    int unit = 0;
     if (session->source.stream || session->source.depth > 0 || !terminal_shows(stderr) ||
         stat(path, &file) != 0 || !S_ISREG(file.st_mode))
         return;
-    double size = (double)file.st_size;
-    for (; size >= 1000 && unit < 3; unit++)
-        size /= 1000;
     progress_end();
-    fprintf(io_stderr(), "wrote %s: %s%s%.*f %s\n", names_shown(path), made, *made ? ", " : "",
-            unit > 0 && size < 10, size, units[unit]);
-}
-
-/* The extension of the file determines the format of the answer. */
-static bool run_into(struct session *session, const struct command *c, const struct query *query,
-                     const char *path, bool appends, struct problem *problem)
-{
-    const struct extension *extension = extension_of(path);
-    const bool is_shown = extension->kind == EXTENSION_SHEET || extension->kind == EXTENSION_FILM;
-    const char *wrong = output_push(&session->output, path, appends, session->state.scene.compute.interrupt);
-    bool done = !wrong;
-    if (done) {
-        /* with format_table, a picture is drawn even after 'set output csv' */
-        session->output->format = is_shown ? &format_table : extension->format;
-        session->output->is_header = session_format(session)->is_header;
-        done = run_command(session, c, query, problem);
-        wrong = output_pop(&session->output, done);
-        if (!done)
-            return false;
-        if (!wrong)
-            wrote_say(session, path);
-    }
-    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
+    fprintf(io_stderr(), "wrote %s%s%s\n", names_shown(path), *session->made ? ": " : "", session->made);
 }
 
 /* The user may have forgotten the '>' before a file name. If an invalid command ends with a file name, as in
@@ -286,22 +252,28 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
                              "only one word can follow '>'; put a file name with blanks in double quotes");
     if (session->run_context.safe)
         return problem_error(problem, "a safe session cannot read or write files");
-    return extension_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
+    if (!extension_fits(c, path, problem))
+        return false;
+    const char *wrong = output_push(&session->output, path, appends, session->state.scene.compute.interrupt);
+    if (!wrong) {
+        /* The extension determines the format. With format_table, a picture is drawn even after 'set output
+         * csv'. */
+        const struct extension *extension = extension_of(path);
+        const bool is_shown = extension->kind == EXTENSION_SHEET || extension->kind == EXTENSION_FILM;
+        session->output->format = is_shown ? &format_table : extension->format;
+        session->output->is_header = session_format(session)->is_header;
+        const bool done = run_command(session, c, query, problem);
+        wrong = output_pop(&session->output, done);
+        if (!done)
+            return false;
+    }
+    if (wrong)
+        return problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
+    wrote_say(session, path);
+    return true;
 }
 
 /* ---- Commands ---- */
-
-/* Returns true if this command writes no answer to standard output. The json format then writes an object,
- * because a program may be waiting for an answer. With --shard, the outputs of all parts are concatenated
- * later, so only part 1 writes this object. */
-static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
-{
-    const struct shard *shard = &session->run_context.shard;
-    bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    /* 'source' has no answer of its own: the answers are those of the commands in its file. */
-    bool is_source = c->access.runs && c->argument[0].kind == ARGUMENT_FILE;
-    return is_first && (is_redirected || is_source || !session->wrote);
-}
 
 void run_command_at(struct session *session, struct reader *line)
 {
@@ -329,9 +301,15 @@ void run_command_at(struct session *session, struct reader *line)
         if (done && c->writes == WRITES_SCRIPTS)
             wrote_say(session, call.given.word[0]);
         arena_free(&call.given.memory);
-        /* After a command that changes the output format, no empty JSON object is written. */
-        bool is_same = session_format(session) == format;
-        if (done && is_same && format->done && is_silent(session, c, is_redirected))
+        /* A command that writes no answer to standard output gives an empty JSON object, because a program
+         * may be waiting for an answer; but not if it changes the output format. 'source' has no answer of
+         * its own. With --shard, the outputs of all parts are concatenated later, so only part 1 writes this
+         * object. */
+        const struct shard *shard = &session->run_context.shard;
+        const bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows),
+                   is_source = c->access.runs && c->argument[0].kind == ARGUMENT_FILE;
+        if (done && session_format(session) == format && format->done && is_first &&
+            (is_redirected || is_source || !session->wrote))
             format->done(session->output->out, c->name);
         if (is_step)
             undo_keep(&session->undo, &session->state, before, line->at,
