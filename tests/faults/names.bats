@@ -64,18 +64,3 @@ readable() { # WHAT NAME
         rm ./"$name"
     done
 }
-
-@test "folders, loops and names that are too long are errors with a reason" {
-    enter
-    mkdir folder && ln -s loop loop && touch file
-    for name in . .. / folder folder/ file/ file/x loop loop/x nowhere/x '' "folder/${long:0:256}" \
-        "$(printf 'folder/../%.0s' {1..500})x"; do
-        for call in 'fuel >' 'fuel >>' save source 'effect row'; do
-            soon "$DOMINO" -n --keep-going -e "$call $(quoted "$name"); print 42" >out 2>err && status=0 || status=$?
-            same "$call ${name:0:40}: status" 1 "$status"
-            readable "$call" "${name:0:40}"
-            same "$call ${name:0:40}: the session goes on" 42 "$(cat out)"
-        done
-    done
-    same 'no other file' 'err file folder loop out' "$(inside)"
-}

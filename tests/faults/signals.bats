@@ -61,7 +61,6 @@ every_file_command() { # SIGNAL
 @test "SIGTERM while files are written" { every_file_command TERM; }
 @test "SIGHUP while files are written" { every_file_command HUP; }
 @test "SIGALRM while files are written" { every_file_command ALRM; }
-@test "SIGXCPU while files are written" { ulimit -c 0 && every_file_command XCPU; }
 
 @test "exceeding the limit of processor time leaves no temporary file" {
     enter
@@ -110,8 +109,6 @@ save fifo
 END
     done
 }
-
-@test "eight sessions that end at once keep every line of the history" { prompt history_many 8 10; }
 
 @test "eight processes that append to one file do not mix their lines" {
     enter

@@ -158,13 +158,6 @@ END
     wrong 'source inner > y' "'log' does not work while answers go to 'y'; first enter 'log', then enter the command again with '>'"
 }
 
-@test "'log FILE answers' appends the answers alone" {
-    "$DOMINO" --keep-going -e 'set output csv; log t.csv answers; fuel; foo; fuel; log off; rmax' >out 2>&1 || true
-    same csv "$("$DOMINO" -e 'set output csv; fuel; fuel')" "$(cat t.csv)"
-    "$DOMINO" -e 'log t answers; pair 0.2' >out
-    same_file out t
-}
-
 @test "echo, and source of standard input" {
     same echo 'as it is: θ  1#' "$("$DOMINO" -e 'echo as it is: θ  1# # but this')"
     same 'quotes' 'a; b > c # d' "$("$DOMINO" -e 'echo "a; b > c # d" # e')"

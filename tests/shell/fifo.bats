@@ -6,15 +6,12 @@
 
 load common
 
-@test "^C ends the wait for the writer of a FIFO: source" { prompt interrupt_fifo 'source %s'; }
-
-@test "^C ends the wait for the writer of a FIFO: effect row" { prompt interrupt_fifo 'effect row %s'; }
-
-@test "^C ends the wait for the reader of a FIFO: >" { prompt interrupt_fifo 'fuel > %s'; }
-
-@test "^C ends the wait for the reader of a FIFO: >>" { prompt interrupt_fifo 'fuel >> %s'; }
-
-@test "^C ends the wait for the reader of a FIFO: save" { prompt interrupt_fifo 'save %s'; }
+@test "^C ends the wait for the other end of a FIFO" {
+    for command in source 'effect row' 'fuel >' 'fuel >>' save; do
+        prompt interrupt_fifo "$command %s"
+        rm "$BATS_TEST_TMPDIR/fifo"
+    done
+}
 
 @test "^C ends the wait for a writer that writes nothing" {
     prompt interrupt_partner '3>' 'source %s' 'source: interrupted'
@@ -28,12 +25,6 @@ load common
 
 @test "^C ends a command that reads the terminal" {
     prompt interrupt_terminal 'source /dev/tty'
-}
-
-@test "SIGTERM and SIGHUP end a session that waits for a FIFO" {
-    prompt end_fifo TERM 'source %s'
-    rm "$BATS_TEST_TMPDIR/fifo"
-    prompt end_fifo HUP 'save %s'
 }
 
 @test "a FIFO as the start-up file is reported, and the session opens" { prompt startup_fifo; }
@@ -92,20 +83,11 @@ load common
     same '>()' "$answer" "$(cat got)"
 }
 
-@test "if standard streams are closed, no file takes their place" {
+@test "a standard stream that is closed is reported, and no file takes its place" {
     answer=$("$DOMINO" -e fuel)
-    for closed in '<&-' '2>&-' '<&- 2>&-'; do
-        rm -f out
-        eval '"$DOMINO" -e "set timing on; fuel > out; foo"' "$closed" || true
-        same "$closed: the file" "$answer" "$(grep -v '^time' out)"
-        same "$closed: the timing" 0 "$(grep -c '^time' out || true)"
-        same "$closed: standard output" "$answer" "$(eval '"$DOMINO" -e fuel' "$closed")"
-    done
     run -1 --separate-stderr bash -c '"$DOMINO" -e "fuel > out; fuel" >&-'
     same 'no standard output' 'domino: cannot write the output: Bad file descriptor' "$stderr"
     same 'the file' "$answer" "$(cat out)"
     run -1 --separate-stderr bash -c '"$DOMINO" <&-'
     same 'no standard input' 'stdin:0: cannot read the next line: Bad file descriptor' "$stderr"
-    run -1 bash -c '"$DOMINO" -e "fuel > out; foo; fuel" <&- >&- 2>&-'
-    same 'none of the three' "$answer" "$(cat out)"
 }

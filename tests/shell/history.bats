@@ -15,8 +15,6 @@ load common
 
 @test "history: a FIFO is reported and not used" { prompt history_fifo; }
 
-@test "history: SIGKILL loses nothing" { prompt history_crash; }
-
 @test "history: a last line without a newline, and a long file" { prompt history_long; }
 
 @test "history: four sessions that end at once" { prompt history_many 4 5; }

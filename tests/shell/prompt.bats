@@ -32,14 +32,12 @@ same_at_the_prompt() { # FORMAT
 @test "TAB TAB lists all possible words" { prompt complete_list; }
 @test "TAB completes files where a file belongs" { prompt complete_files; }
 @test "TAB completes no files in a safe session" { prompt complete_safe; }
-@test "TAB completes a file name with blanks so that it can be used" { prompt complete_files_blank; }
-@test "TAB quotes a file name with '#', ';', '>' or quotes" { prompt complete_files_quoted; }
+@test "TAB quotes a file name with blanks, '#', ';', '>' or quotes" { prompt complete_files_quoted; }
 @test "^C on a half-typed line clears it" { prompt interrupt_typed; }
 @test "^C on an empty line says how to leave" { prompt interrupt_empty; }
 @test "^C in a history search ends the search" { prompt interrupt_search; }
 @test "^C stops a long computation" { prompt interrupt_computation; }
 @test "^C drops the rest of the line" { prompt interrupt_rest; }
-@test "^C stops a search that writes no rows" { prompt interrupt_silent; }
 @test "^C in a budget: the answer so far, with its interval" { prompt interrupt_budget; }
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
 @test "^C stops gnuplot while it draws an animation, and leaves no file" { prompt interrupt_animation; }
@@ -53,7 +51,6 @@ same_at_the_prompt() { # FORMAT
 @test "lesson: it waits for each command, and q, ^C, ^D and quit leave it" {
     TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
 }
-@test "what is missing is noted after set, and show, save, reset and undo work" { prompt missing; }
 @test "leaving with unsaved gaps needs a confirmation" { prompt unsaved; }
 @test "a backslash at the end continues the line below" { prompt backslash; }
 
@@ -62,9 +59,7 @@ same_at_the_prompt() { # FORMAT
 @test "start-up file: it runs, -n skips it" { prompt init_file; }
 @test "start-up file: an error says where it is, and the session opens" { prompt init_error; }
 @test "inputrc: \$if Domino" { prompt inputrc; }
-@test "inputrc: vi keys" { prompt inputrc_vi; }
 @test "letters: ASCII in an ASCII locale" { prompt ascii; }
-@test "letters: Greek on a UTF-8 terminal, but not in files, csv and json" { prompt letters; }
 @test "colour: on terminals with colours, but not in pipes" { prompt colour; }
 @test "colour: off with NO_COLOR, TERM=dumb, and without TERM" { prompt no_colour; }
 @test "progress: on stderr, for a terminal only" { prompt progress; }

@@ -124,7 +124,7 @@ END
 @test "a saved session can be sourced whatever effects are on" {
     "$DOMINO" -e 'save plain.dom'
     same 'nothing differs' "All parameters have their defaults, and no effect is on. 'show all' lists them." \
-        "$("$DOMINO" -e 'effect row 5; effect feet 0.5; effect error_floor 0.05; effect error_place 1 mm; source plain.dom' -e diff)"
+        "$("$DOMINO" -e 'effect row 5; effect feet 0.5; effect error_floor 0.05; effect error_place 1 mm; source plain.dom' -e show)"
 }
 
 # bats test_tags=rows

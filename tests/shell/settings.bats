@@ -150,11 +150,3 @@ END
         "$("$DOMINO" -e "effect row $root/examples/record.csv; set q 3; effect row 4; set s 0.3" | grep 'does not')"
 }
 
-@test "reset says which settings it leaves; in csv, json and scripts it prints nothing" {
-    same 'two settings' 'The model is reset. digits, timing stay as before;' "$("$DOMINO" -e 'set digits 9; set timing on; set s 0.3; reset' | grep -o '^.*;')"
-    same 'one' "The model is reset. digits stays as before; 'reset NAME' resets a setting." "$("$DOMINO" -e 'set digits 9; reset')"
-    same 'none' 0.4 "$("$DOMINO" -e 'set s 0.3; reset; print s')"
-    same 'a name' 6 "$("$DOMINO" -e 'set digits 9; reset digits; digits' | awk '/^digits/ { print $2 }')"
-    printf 'set digits 9\nreset\nprint s\n' >reset.dom
-    same 'a script' 0.4 "$("$DOMINO" -e 'source reset.dom')"
-}

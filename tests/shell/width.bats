@@ -46,14 +46,6 @@ load common
 }
 
 # bats test_tags=rows
-@test "width: a length is the width of domino 1, and 'set' says how wide the last one is" {
-    same 'wider' "40 cm is the width of domino 1, and domino 5 is 2.02 m wide; 'change all width 40 cm' sets all widths." \
-        "$("$DOMINO" -e 'set row 5; set width 40 cm')"
-    same 'all' 0.4 "$(json 'set row 5; set width 40 cm; change all width 40 cm; row' | values width | sort -u)"
-    same 'equal dominoes, a share, or no row' 42 "$("$DOMINO" -e 'set width 4 cm; set row 5; set r 1; set width 40 cm; set r 1.2; set width 0.7; print 42')"
-}
-
-# bats test_tags=rows
 @test "width: rows from files, in which a width of their own counts" {
     printf 'height (mm), thickness (mm), gap (mm), density (g/cm^3)\n48, 7, -, 0.7\n72, 10, 20, 0.7\n' >plain.csv
     printf 'height (mm), thickness (mm), gap (mm), density (g/cm^3), width (mm)\n48, 7, -, 0.7, 20\n72, 10, 20, 0.7, 20\n' >wide.csv

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/drawing/film.h"
-#include "answer/extension.h"
+#include "answer/format.h"
 #include "interpreter/feature.h"
 #include "io/io.h"
 #include "io/terminal.h"

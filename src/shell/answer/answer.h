@@ -45,9 +45,6 @@ struct layout {
     int digits;
     int column[ANSWER_COLUMNS]; /* the widths of the columns */
     int words;                  /* where the last column begins, or -1 if its words are below each row */
-    /* The terminal is too narrow for a table with columns side by side. Each row is therefore written as
-     * several lines, one for each of its cells. */
-    bool is_stacked;
     /* A typical row, for the header line. The alignment of each name in this line depends on the kind of cell
      * below it, and the first row may have unusual cells, such as empty ones. If `sample` is NULL, the first
      * row is used. */

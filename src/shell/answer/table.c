@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table format: tables that fit the terminal and use only characters that the terminal can show. */
+/* The table format: tables that fit a terminal of 80 columns or more, in characters that it can show. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "answer/wrap.h"
@@ -13,11 +13,9 @@ enum {
     NUMBER_MARGIN = 6, /* the width that a number needs besides its digits, for "-0." or "e-300" */
     ERROR_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
-    WORDS_LEAST = 30,   /* if the last column has less room, its words are below each row */
-    WORDS_SHORT = 12,   /* a last column of words that is no wider than this needs only its own width */
-    WORDS_INDENT = 8,   /* the indentation of the words below a row */
-    VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */
-    MEANING_LEAST = 20, /* if a meaning has less room than this, it goes below its key */
+    WORDS_LEAST = 30, /* if the last column has less room, its words are below each row */
+    WORDS_SHORT = 12, /* a last column of words that is no wider than this needs only its own width */
+    WORDS_INDENT = 8, /* the indentation of the words below a row */
     DIGITS_LEAST = 3
 };
 
@@ -63,29 +61,6 @@ static const char *table_text(const struct answer *a, struct measure measure, st
     return cell_text(cell, !has_error && digits > most ? most : digits, a->style.errors, text);
 }
 
-/* Returns the text with Greek letters and mathematical signs if the terminal can show them. */
-static const char *pretty(const struct answer *a, const char *text, char line[TEXT_LINE])
-{
-    enum { LETTERS = 7, LETTER = 4 /* the size of a letter in UTF-8, including the NUL byte */ };
-    static const char *const letters[LETTERS][2] = {
-        {"theta", "θ"}, {"omega", "ω"}, {"tau", "τ"}, {"sqrt", "√"}, {">=", "≥"}, {"<=", "≤"}, {"+/-", "±"}};
-    if (!a->layout.letters || strlen(text) >= TEXT_LINE)
-        return text;
-    char *end = line;
-    while (*text && end < line + TEXT_LINE - LETTER) {
-        int k = 0;
-        while (k < LETTERS && strncmp(text, letters[k][0], strlen(letters[k][0])) != 0)
-            k++;
-        if (k < LETTERS) {
-            end = stpcpy(end, letters[k][1]);
-            text += strlen(letters[k][0]);
-        } else
-            *end++ = *text++;
-    }
-    *end = '\0';
-    return line;
-}
-
 /* Writes text as printf("%*s") does, but counts columns rather than bytes. */
 static void field(FILE *out, const char *text, int width)
 {
@@ -128,31 +103,6 @@ static void rows_measure(struct answer *a)
     const int last = a->columns[i - 1].width;
     int least = last && last <= WORDS_SHORT ? last : WORDS_LEAST;
     l->words = l->width && l->width - at < least ? -1 : at;
-    l->is_stacked = l->width && at + (last <= WORDS_SHORT ? l->column[i - 1] : -2) > l->width;
-}
-
-/* Writes a row as one line for each column, because the terminal is too narrow for a table. */
-static void row_stacked(struct answer *a, const struct cell *cells)
-{
-    char text[CELL_TEXT], letters[TEXT_LINE];
-    int key_width = 0;
-    for (const struct column *c = a->columns; c->key; c++) {
-        int width = utf8_columns(c->key);
-        key_width = width > key_width ? width : key_width;
-    }
-    if (a->progress.has_rows)
-        putc('\n', a->out);
-    for (int i = 0; a->columns[i].key; i++) {
-        const struct column *c = &a->columns[i];
-        const char *value = table_text(a, a->layout.measure[i], cells[i], table_digits(a), text);
-        if (*value == '\0')
-            continue;
-        key_field(a, c->key, -key_width);
-        fputs("  ", a->out);
-        write_wrapped(a->out, pretty(a, value, letters), key_width + 2, a->layout.width);
-        const char *unit = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, a->layout.measure[i], text);
-        fprintf(a->out, "%s%s\n", *unit ? " " : "", unit);
-    }
 }
 
 enum line { KEYS, UNITS, VALUES };
@@ -160,7 +110,7 @@ enum line { KEYS, UNITS, VALUES };
 /* Writes the keys, the units or the values. If no column has a unit, the line of units is omitted. */
 static void row_line(struct answer *a, const struct cell *cells, enum line line)
 {
-    char text[ANSWER_COLUMNS][CELL_TEXT], letters[TEXT_LINE];
+    char text[ANSWER_COLUMNS][CELL_TEXT];
     const char *shown[ANSWER_COLUMNS];
     int words = a->layout.words, end = 0;
     for (int i = 0; a->columns[i].key; i++) {
@@ -174,14 +124,13 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
         return;
     for (int i = 0; i < end; i++) {
         const struct column *c = &a->columns[i];
-        const char *value = line == UNITS ? shown[i] : pretty(a, shown[i], letters);
         bool is_last = !c[1].key, is_left = cells[i].kind == CELL_WORD && (c->width || is_last);
         if (is_left && is_last) {
             if (words < 0 && line == VALUES)
                 fprintf(a->out, "\n%*s", WORDS_INDENT - 2, "");
             if (words >= 0 || line == VALUES) {
                 fputs("  ", a->out);
-                write_wrapped(a->out, value, words >= 0 ? words : WORDS_INDENT, a->layout.width);
+                write_wrapped(a->out, shown[i], words >= 0 ? words : WORDS_INDENT, a->layout.width);
             }
             continue;
         }
@@ -189,9 +138,9 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
         int wide = a->layout.column[i], width = ends_line ? 0 : is_left ? -wide : wide;
         fputs(i ? "  " : "", a->out);
         if (line == KEYS)
-            key_field(a, value, width);
+            key_field(a, shown[i], width);
         else
-            field(a->out, value, width);
+            field(a->out, shown[i], width);
     }
     putc('\n', a->out);
 }
@@ -200,43 +149,32 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
 
 static void row_lines(struct answer *a, const struct cell *cells)
 {
-    char text[CELL_TEXT], line[TEXT_LINE];
+    char text[CELL_TEXT];
     int key_width = 0, unit_width = 0, digits = table_digits(a), number = number_width(a, digits);
     const char *bold = a->layout.bold ? "\033[1m" : "", *end = a->layout.bold ? "\033[m" : "";
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         if (cells[i].kind == CELL_NONE)
             continue;
-        int key = utf8_columns(pretty(a, c->key, line));
+        int key = utf8_columns(c->key);
         int unit = (int)strlen(column_unit(a, c, measure_of(c->unit, cells[i].number), text));
         key_width = key > key_width ? key : key_width;
         unit_width = unit > unit_width ? unit : unit_width;
     }
-    if (a->layout.width && key_width + number + unit_width + 4 > a->layout.width)
-        number = a->layout.width - key_width - unit_width - 4;
-    int left = key_width + number + unit_width + 5;
-    bool meaning_below = a->layout.width && a->layout.width - left < MEANING_LEAST;
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         struct measure measure = measure_of(c->unit, cells[i].number);
         if (cells[i].kind == CELL_NONE)
             continue;
-        key_field(a, pretty(a, c->key, line), -key_width);
+        key_field(a, c->key, -key_width);
+        fprintf(a->out, "  %s", bold);
         const char *value = table_text(a, measure, cells[i], digits, text);
-        bool value_below = a->layout.width && utf8_columns(value) > number;
-        fprintf(a->out, "%s  %s", value_below ? "\n  " : "", bold);
-        field(a->out, pretty(a, value, line), number);
+        const int columns = utf8_columns(value), width = columns > number ? columns : number;
+        field(a->out, value, width);
         const char *unit = column_unit(a, c, measure, text);
-        const int indent = meaning_below ? VALUE_INDENT : left;
-        if (meaning_below || value_below || !*c->meaning) /* no blanks follow the unit */
-            fprintf(a->out, "%s%s%s", end, *unit ? " " : "", unit);
-        else {
-            fprintf(a->out, "%s ", end);
-            field(a->out, unit, -unit_width - 2);
-        }
-        if ((meaning_below || value_below) && *c->meaning)
-            fprintf(a->out, "\n%*s", indent, "");
-        write_wrapped(a->out, pretty(a, c->meaning, line), indent, a->layout.width);
+        fprintf(a->out, "%s%s", end, *unit || *c->meaning ? " " : ""); /* no blanks end the line */
+        field(a->out, unit, *c->meaning ? -unit_width - 2 : 0);
+        write_wrapped(a->out, c->meaning, key_width + width + unit_width + 5, a->layout.width);
         putc('\n', a->out);
     }
 }
@@ -246,10 +184,11 @@ static void row_lines(struct answer *a, const struct cell *cells)
 static void table_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)reason;
-    if (a->rows)
-        rows_measure(a);
-    for (enum line line = KEYS; a->rows && !a->layout.is_stacked && line <= UNITS; line++)
-        row_line(a, a->layout.sample ? a->layout.sample : cells, line);
+    if (!a->rows)
+        return;
+    rows_measure(a);
+    row_line(a, a->layout.sample ? a->layout.sample : cells, KEYS);
+    row_line(a, a->layout.sample ? a->layout.sample : cells, UNITS);
 }
 
 static void table_row(struct answer *a, const struct cell *cells, const char *reason)
@@ -257,19 +196,17 @@ static void table_row(struct answer *a, const struct cell *cells, const char *re
     (void)reason;                     /* answer_row writes the reason below the row */
     if (a->rows && !a->layout.digits) /* another part of the answer wrote the first row */
         rows_measure(a);
-    if (!a->rows)
-        row_lines(a, cells);
-    else if (a->layout.is_stacked)
-        row_stacked(a, cells);
-    else
+    if (a->rows)
         row_line(a, cells, VALUES);
+    else
+        row_lines(a, cells);
 }
 
 /* Writes a sentence. A '\n' at the beginning of the format adds a blank line above the sentence, and a '\n'
  * at the end adds a blank line below it. A '\n' at either end of an argument adds no blank line. */
 static void table_sentence(struct answer *a, const char *format, va_list arguments)
 {
-    char text[TEXT_LINE], shown[TEXT_LINE], line[TEXT_LINE];
+    char text[TEXT_LINE], shown[TEXT_LINE];
     vsnprintf(text, sizeof text, format, arguments);
     size_t length = strlen(text);
     bool above = *format == '\n',
@@ -280,7 +217,7 @@ static void table_sentence(struct answer *a, const char *format, va_list argumen
     if (above)
         putc('\n', a->out);
     field(a->out, "", indent);
-    write_wrapped(a->out, pretty(a, shown + indent, line), indent, a->layout.width);
+    write_wrapped(a->out, shown + indent, indent, a->layout.width);
     fputs(below ? "\n\n" : "\n", a->out);
 }
 

@@ -149,12 +149,6 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
 
 /* ---- Log ---- */
 
-static const char *log_names(const void *context, int k)
-{
-    (void)context;
-    return k == 0 ? "answers" : NULL;
-}
-
 /* Begins a log of the session, or ends it with 'off'. */
 static bool run_log(struct session *session, const struct arguments *given, struct answer *a,
                     struct problem *problem)
@@ -166,7 +160,7 @@ static bool run_log(struct session *session, const struct arguments *given, stru
                              "command again with '>'",
                              a->command, names_shown(session->output->path), a->command);
     if (strcmp(path, "off") != 0) {
-        wrong = log_begin(path, given->count > 1, session->state.scene.compute.interrupt);
+        wrong = log_begin(path, session->state.scene.compute.interrupt);
         session->has_log = session->has_log || !wrong;
     } else {
         log_end();
@@ -215,16 +209,10 @@ const struct command script_commands[] = {
      ANSWER(echo)},
     {.name = "log",
      .synonyms = "record transcript protocol journal file tee copy output",
-     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
-                  {.name = "answers",
-                   .kind = ARGUMENT_CHOICE,
-                   .optional = true,
-                   .noun = "option",
-                   .choices = log_names}},
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "append all commands and answers to FILE until 'log off'",
      .help = "'source FILE' can run the commands again, because answers, errors and lines that failed are "
-             "written as comments. 'log FILE answers' appends the answers alone, as csv or json if 'set "
-             "output' has chosen it. Write './off' for a file named off.",
+             "written as comments. Write './off' for a file named off.",
      .see = "save",
      .access.files = true,
      .act = run_log},

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands that set, reset and save the parameters of the session, undo changes, or end the session. */
-#include "answer/extension.h"
 #include "answer/format.h"
 #include "commands/tables.h"
 #include "io/output.h"
@@ -62,15 +61,6 @@ static bool height_likely(const struct query *query, struct problem *problem)
         quad_text(given->number[1], 10));
 }
 
-/* Returns the number of gaps that were changed individually and so no longer follow from s. */
-static size_t gaps_changed(const struct listed_row *row)
-{
-    size_t count = 0;
-    for (size_t k = 0; k < row->changes; k++)
-        count += isnan(row->change[k].to.gap) ? 0 : 1;
-    return count;
-}
-
 /* Returns the length that was typed for a share of the height, with its unit. */
 static struct typed_length length_typed(const struct arguments *given)
 {
@@ -87,43 +77,14 @@ static struct typed_length length_typed(const struct arguments *given)
     return length;
 }
 
-/* At the prompt, says why the scene has no answer yet. Another command may change that. */
-static void missing_say(const struct query *query, struct answer *a, const struct parameter *p)
+/* Says what in the row a change of a parameter leaves as it was. */
+static void row_say(const struct query *query, struct answer *a, const struct parameter *p)
 {
-    const struct scene *scene = &query->next->scene;
-    const bool has_row = scene->effect[DOM_EFFECT_row].on;
-    struct problem missing;
-    struct domq_angles angles;
-    struct scene_row row;
-    if (query->run_context->script || query->run_context->sourced || !answer_for_people(a))
-        return;
-    row.domino = NULL;
-    problem_begin(&missing, NULL);
-    if (lengths_check(query->next, &missing) && !has_row)
-        problem_status(&missing, scene, any_angles_find(&scene->train, &scene->compute, &angles));
-    else if (has_row && missing.kind == PROBLEM_NONE && scene_row_list(scene, &row, &missing))
-        scene_row_check(scene, &row, &missing);
-    free(row.domino);
-    if (missing.kind != PROBLEM_NONE)
-        answer_say(a, "This is set, but there is no answer yet: %s.", missing.text);
-    else if (!has_row && effect_exists(DOM_EFFECT_row) && p->effect &&
-             p->effect->needs >> DOM_EFFECT_row & 1 && scene->effect[p->which].on)
-        answer_say(a, "This is set, and counts once there is a row: enter 'set row N' or 'set row FILE'.");
-}
-
-/* Says what in the row a change of a parameter leaves as it was. A width given as a length is the width of
- * the first domino, but the user may have meant all dominoes. */
-static void row_say(const struct query *query, struct answer *a, const struct parameter *p,
-                    const struct typed_length *length)
-{
-    const struct scene *scene = &query->next->scene;
-    const struct listed_row *listed = &scene->listed;
+    const struct listed_row *listed = &query->next->scene.listed;
     const bool is_width = p->share == SHARE_width;
-    const size_t kept = p->share == SHARE_s ? gaps_changed(listed) : 0;
-    struct problem none;
-    struct scene_row row;
-    row.domino = NULL;
-    problem_begin(&none, NULL);
+    size_t kept = 0; /* gaps that were changed individually and so no longer follow from s */
+    for (size_t k = 0; k < listed->changes && p->share == SHARE_s; k++)
+        kept += isnan(listed->change[k].to.gap) ? 0 : 1;
     if (listed->domino && (p->of_row || (is_width && listed->domino->width > 0)))
         change_say(query, a, "%s does not change the row, whose %s come from %s%s.", p->name,
                    is_width ? "widths" : "dominoes", effect_setting(query->scene, DOM_EFFECT_row),
@@ -133,15 +94,6 @@ static void row_say(const struct query *query, struct answer *a, const struct pa
                    "s does not change the gaps that 'change', 'place' or 'improve' has set (%zu of %zu); "
                    "'set row N' makes a row from s and r.",
                    kept, listed->changes - 1);
-    else if (is_width && length->m > 0 && !listed->domino && scene_row_list(scene, &row, &none) &&
-             row.domino[row.row.count - 1].width != row.domino->width) {
-        const char *typed = length_write(length->m, length->unit, (char[LENGTH_TEXT]){""});
-        change_say(query, a,
-                   "%s is the width of domino 1, and domino %zu is %s wide; 'change all width %s' sets "
-                   "all widths.",
-                   typed, row.row.count, measured(row.domino[row.row.count - 1].width, "m", 3).text, typed);
-    }
-    free(row.domino);
 }
 
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)
@@ -165,10 +117,9 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
         answer_say(a, "%s precision has at most %d digits%s", any_arithmetic(precision).name, all,
                    precision == IN_QUAD ? "" : "; 'set precision quad' has more");
     if (!query->run_context->sourced)
-        row_say(query, a, p, &length);
+        row_say(query, a, p);
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         effect_say(query, a, p, before != EFFECT_OFF);
-    missing_say(query, a, p);
     return true;
 }
 
@@ -203,26 +154,13 @@ static bool run_redo(struct session *session, const struct arguments *given, str
     return step_make(session, false, a, problem);
 }
 
-/* Says which settings of the calculator keep values that are not the defaults. */
-static void kept_say(struct answer *a, const struct state *state)
-{
-    char kept[128] = "";
-    int count = 0;
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (p->setting && parameter_get(state, p) != parameter_fallback(state, p))
-            text_add(kept, sizeof kept, "%s%s", count++ ? ", " : "", p->name);
-    a->progress.wrote_text = count > 0 && answer_for_people(a);
-    if (a->progress.wrote_text)
-        answer_say(a, "The model is reset. %s %s as before; 'reset NAME' resets a setting.", kept,
-                   count == 1 ? "stays" : "stay");
-}
-
 static bool run_reset(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
     struct state *next = query->next;
     const struct parameter *p;
     bool done = true;
+    (void)a;
     if (given->variable) {
         variable_drop(&next->variables, given->word[0]);
         return true;
@@ -232,11 +170,8 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
         if (given->parameter ? p == given->parameter : !p->setting && !p->effect)
             done = parameter_set(next, p, &value, 1, NULL, problem) && done;
     }
-    if (given->parameter)
-        return done;
-    effects_reset(&next->scene);
-    if (!query->run_context->sourced)
-        kept_say(a, next);
+    if (!given->parameter)
+        effects_reset(&next->scene);
     return done;
 }
 
@@ -260,17 +195,12 @@ static bool save_allowed(const struct scene *scene, const char *path, struct pro
     const struct extension *extension = extension_of(path);
     const char *shown = names_shown(path), *row = scene->listed.path;
     struct stat file, row_file;
-    if (extension->kind == EXTENSION_DATA)
-        return problem_error(
-            problem,
-            "'%s' is the name of a data file, but 'save' writes a script; use a name such as "
-            "session.dom, or write the row with 'row > %s'",
-            shown, shown);
-    if (extension->kind == EXTENSION_SHEET || extension->kind == EXTENSION_FILM)
+    if (extension->kind >= EXTENSION_DATA)
         return problem_error(problem,
-                             "'%s' is the name of a picture, but 'save' writes a script; use a name such as "
-                             "session.dom",
-                             shown);
+                             "'%s' is the name of a %s, but 'save' writes a script; use a name such as "
+                             "session.dom%s",
+                             shown, extension->kind == EXTENSION_DATA ? "data file" : "picture",
+                             extension->kind == EXTENSION_DATA ? ", or write the row with 'row > FILE'" : "");
     if (row && stat(path, &file) == 0 && stat(row, &row_file) == 0 && S_ISREG(file.st_mode) &&
         file.st_dev == row_file.st_dev && file.st_ino == row_file.st_ino)
         return problem_error(problem,
@@ -349,17 +279,12 @@ const struct command session_commands[] = {
      .synonyms = "switch turn",
      .argument = A_SETTING,
      .summary = "the same as set",
-     .help = "Effects add to the paper's model: 'set friction 0.2', 'set slope 1 deg', 'set walls 1 "
-             "mm', 'set row 13', 'set row record.csv', 'set push 3', 'set placement 1 mm', "
-             "'set floor 0.4'. 'effects' lists all effects, and 'help friction' explains one. 'set "
-             "friction off' turns friction off; an effect that is off costs no computing time.",
-     .example = "set q hollow; set friction 0.2; rmax; set friction off",
      .see = "effects",
      .access.changes = true,
      .run = run_set},
     {.name = "show",
      .typed.shortest = "sh",
-     .synonyms = "list settings values parameter",
+     .synonyms = "list settings values parameter diff changes changed compare default",
      .argument = {{.name = "NAME",
                    .kind = ARGUMENT_PARAMETER,
                    .noun = "parameter",
@@ -378,26 +303,18 @@ const struct command session_commands[] = {
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "set the parameter NAME, or the whole model, to the default",
      .help = "Without NAME, 'reset' also turns off all effects. It does not change the settings of the "
-             "session, such as output and digits, or the variables, and says which settings it leaves. "
-             "'reset x' removes the variable x.",
+             "session, such as output and digits, or the variables. 'reset x' removes the variable x.",
      .example = "set s 0.3; reset s; print s",
      .see = "set show",
      .access.changes = true,
      .run = run_reset},
-    {.name = "diff",
-     .synonyms = "changes changed compare default settings",
-     .summary = "the same as show; in csv and json, what differs from the defaults",
-     .see = "show",
-     .rows = true,
-     .columns = show_columns,
-     .run = run_diff},
     {.name = "undo",
      .synonyms = "back revert restore previous",
      .summary = "undo the last change",
      .help = "A change is a command that changed a parameter, an effect, the row or a variable. A file that "
              "was sourced counts as one change. The last 100 changes can be undone, one after the other.",
      .example = "set s 0.3; undo; print s",
-     .see = "redo diff reset",
+     .see = "redo show reset",
      .sweep.refusal = "it computes nothing",
      .columns = step_columns,
      .act = run_undo},

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands 'show' and 'diff', which print the parameters, effects and variables of the session as a
- * table. */
+/* The command 'show', which prints the parameters, effects and variables of the session as a table. */
 #include "commands/tables.h"
-#include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include <string.h>
@@ -87,63 +85,10 @@ static void variable_row(struct answer *a, const struct variable *v)
                  cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'"));
 }
 
-/* Leaves out columns that do not fit on a narrow terminal. The last column stays, because its text is
- * wrapped. */
-static void columns_fit(struct answer *a)
-{
-    static const char *const first[] = {"default", "range", "unit", NULL};
-    int width = terminal_width(a->out), needed = 0;
-    for (const struct column *c = a->columns; c[1].key; c++)
-        needed += c->width + 2;
-    for (int i = 0; width && first[i] && needed > width; i++) {
-        for (const struct column *c = a->columns; c->key; c++)
-            needed -= strcmp(c->key, first[i]) == 0 ? c->width + 2 : 0;
-        answer_leave_out(a, first[i]);
-    }
-}
-
-/* ---- show, diff and let ---- */
-
-enum listed { LIST_ALL, LIST_PARAMETERS, LIST_CHANGED, LIST_VARIABLES };
-
 static bool is_changed(const struct query *query, const struct parameter *p)
 {
     return parameter_get(query->state, p) != parameter_fallback(query->state, p) ||
            (query->scene->length[p->share].m > 0 && parameter_is_number(p));
-}
-
-/* Prints the parameter or variable that the arguments name. Without a name, prints what `listed` selects, and
- * all variables. */
-static bool list(const struct query *query, struct answer *a, enum listed listed)
-{
-    const struct arguments *given = query->given;
-    const struct variables *variables = &query->state->variables;
-    const bool people = answer_for_people(a);
-    struct column *columns = answer_columns(a, show_columns);
-    struct shown shown;
-    /* If the answer is for people, the first of two passes only finds the widths of the columns. */
-    for (int pass = people ? 0 : 1; pass < 2; pass++) {
-        if (people && pass == 1)
-            columns_fit(a);
-        for (const struct parameter *p = session_parameters; p->name; p++) {
-            if (given->parameter || given->variable ? p != given->parameter
-                : listed == LIST_ALL                ? false
-                : listed == LIST_PARAMETERS         ? p->effect != NULL
-                                                    : listed == LIST_VARIABLES || !is_changed(query, p))
-                continue;
-            shown_make(query, p, people, &shown);
-            for (int i = 0; pass == 0 && columns[i + 1].key; i++)
-                column_fit(&columns[i], shown.cell[i].word);
-            if (pass == 1)
-                answer_row(a, shown.cell, NULL);
-        }
-    }
-    if (given->variable)
-        variable_row(a, given->variable);
-    else if (!given->parameter)
-        for (size_t i = 0; i < variables->count; i++)
-            variable_row(a, &variables->list[i]);
-    return true;
 }
 
 const char *show_names(const void *context, int k)
@@ -154,33 +99,51 @@ const char *show_names(const void *context, int k)
     return k == count ? "all" : k < count ? parameter_names(context, k) : NULL;
 }
 
-/* In csv and json, 'show' is for programs and always has the same rows. */
-bool run_show(const struct query *query, struct answer *a, struct problem *problem)
-{
-    if (query->given->count > 0)
-        return list(query, a, LIST_ALL);
-    return answer_for_people(a) ? run_diff(query, a, problem) : list(query, a, LIST_PARAMETERS);
-}
-
 bool show_variables(const struct query *query, struct answer *a)
 {
+    const struct variables *variables = &query->state->variables;
     a->rows = true;
-    if (query->state->variables.count > 0)
-        return list(query, a, LIST_VARIABLES);
-    answer_say(a, "No variable is defined; 'let x = 0.9*rmax' defines one.");
+    answer_columns(a, show_columns);
+    for (size_t i = 0; i < variables->count; i++)
+        variable_row(a, &variables->list[i]);
+    if (variables->count == 0)
+        answer_say(a, "No variable is defined; 'let x = 0.9*rmax' defines one.");
     return true;
 }
 
-bool run_diff(const struct query *query, struct answer *a, struct problem *problem)
+/* Without a name, the answer for people has what differs from the defaults. In csv and json, it is for
+ * programs and always has the same rows. */
+bool run_show(const struct query *query, struct answer *a, struct problem *problem)
 {
     (void)problem;
-    const struct parameter *p = session_parameters;
-    const size_t changes = row_changes_count(&query->scene->listed);
-    while (p->name && !is_changed(query, p))
-        p++;
-    if (p->name || query->state->variables.count > 0)
-        list(query, a, LIST_CHANGED);
-    else
+    const struct arguments *given = query->given;
+    const struct variables *variables = &query->state->variables;
+    const bool people = answer_for_people(a), is_named = given->parameter || given->variable,
+               is_short = people && !given->count;
+    const size_t changes = is_short ? row_changes_count(&query->scene->listed) : 0;
+    struct column *columns = answer_columns(a, show_columns);
+    struct shown shown;
+    bool is_empty = !is_named && variables->count == 0;
+    /* If the answer is for people, the first of two passes only finds the widths of the columns. */
+    for (int pass = people ? 0 : 1; pass < 2; pass++)
+        for (const struct parameter *p = session_parameters; p->name; p++) {
+            if (is_named        ? p != given->parameter
+                : is_short      ? !is_changed(query, p)
+                : !given->count ? p->effect != NULL
+                                : false)
+                continue;
+            is_empty = false;
+            shown_make(query, p, people, &shown);
+            for (int i = 0; pass == 0 && columns[i + 1].key; i++)
+                column_fit(&columns[i], shown.cell[i].word);
+            if (pass == 1)
+                answer_row(a, shown.cell, NULL);
+        }
+    if (given->variable)
+        variable_row(a, given->variable);
+    for (size_t i = 0; !is_named && i < variables->count; i++)
+        variable_row(a, &variables->list[i]);
+    if (is_empty)
         answer_say(a, "All parameters have their defaults, and no effect is on. 'show all' lists them.");
     if (changes > 0)
         answer_say(a, "%zu value%s of the row %s been changed; 'row' lists the row.", changes,

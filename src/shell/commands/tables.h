@@ -18,7 +18,6 @@ bool definition_bind(const struct question *question, const struct query *query,
 extern const struct column show_columns[];
 bool run_show(const struct query *query, struct answer *a, struct problem *problem);
 const char *show_names(const void *context, int k); /* a names_list: the parameters and "all" */
-bool run_diff(const struct query *query, struct answer *a, struct problem *problem);
 
 bool run_print(const struct query *query, struct answer *a, struct problem *problem);
 /* Prints the variable that the arguments name, or all variables if they name none. */

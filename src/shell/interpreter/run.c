@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "answer/extension.h"
 #include "answer/format.h"
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"

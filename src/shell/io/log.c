@@ -11,7 +11,6 @@
 static struct log {
     struct target target;
     FILE *file;
-    bool is_plain;    /* the file gets the answers alone, not the commands, and not as comments */
     bool in_line;     /* the last line in the file is incomplete so far */
     bool in_sequence; /* the last character belongs to a control sequence: ESC, '[', numbers and a letter */
     const char *waiting; /* commands that have not been written yet, or NULL */
@@ -20,7 +19,7 @@ static struct log {
 
 static void commands_write(bool failed)
 {
-    if (current->waiting && !current->is_plain)
+    if (current->waiting)
         fprintf(current->file, "%s%.*s\n", failed ? "# " : "", current->waiting_length, current->waiting);
     current->waiting = NULL;
 }
@@ -36,19 +35,19 @@ static void log_copy(const char *bytes, size_t count)
         l->in_sequence = *c == '\033' || (l->in_sequence && (*c < '@' || *c == '['));
         if (is_control)
             continue;
-        if (!l->is_plain && !l->in_line && *c != '\n')
+        if (!l->in_line && *c != '\n')
             fputs("# ", l->file);
         l->in_line = *c != '\n';
         putc(*c, l->file);
     }
 }
 
-const char *log_begin(const char *path, bool is_plain, const volatile sig_atomic_t *interrupt)
+const char *log_begin(const char *path, const volatile sig_atomic_t *interrupt)
 {
     struct log *l = malloc(sizeof *l);
     if (!l)
         return strerror(ENOMEM);
-    *l = (struct log){.is_plain = is_plain};
+    *l = (struct log){.waiting = NULL};
     const char *wrong = target_begin(&l->target, path, false, current ? &current->target : NULL);
     if (!wrong) {
         io_stdout_flush(); /* the answers before this command do not belong in the log */
@@ -66,8 +65,8 @@ const char *log_begin(const char *path, bool is_plain, const volatile sig_atomic
         return wrong;
     }
     log_end();
-    fprintf(l->file, "%s%s", l->in_line ? "\n" : "",
-            is_plain ? "" : "# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n");
+    fprintf(l->file, "%s# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n",
+            l->in_line ? "\n" : "");
     l->in_line = false;
     current = l;
     io_copy = log_copy;
@@ -110,7 +109,7 @@ void log_commands(const char *commands, size_t length, bool at_once)
 
 void log_message(const char *text, bool failed)
 {
-    if (!current || current->is_plain)
+    if (!current)
         return;
     commands_write(failed);
     fprintf(current->file, "# %s\n", text);

@@ -74,10 +74,9 @@ void output_flush(struct output *output);
 
 /* ---- The log ---- */
 
-/* Begins a log, which is appended to its file. If `is_plain` is true, the file gets the answers alone. If
- * there is already a log, it ends. If the file cannot be written, returns the reason. Otherwise returns
- * NULL. */
-const char *log_begin(const char *path, bool is_plain, const volatile sig_atomic_t *interrupt);
+/* Begins a log, which is appended to its file. If there is already a log, it ends. If the file cannot be
+ * written, returns the reason. Otherwise returns NULL. */
+const char *log_begin(const char *path, const volatile sig_atomic_t *interrupt);
 
 /* Writes the buffered text of the log into its file. If the file cannot be written, ends the log and returns
  * the reason. Otherwise returns NULL. */

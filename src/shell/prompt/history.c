@@ -68,37 +68,28 @@ void history_load(struct session *session)
         history_fails(session, strerror(reason));
 }
 
-/* Opens the history file at its end. Makes the file and its folders if they are missing; typed lines are
- * private. Returns -1 and sets errno on failure. */
-static int file_open(void)
-{
-    int reason = 0;
-    for (char *c = strchr(history_file + 1, '/'); c; c = strchr(c + 1, '/')) {
-        *c = '\0';
-        if (mkdir(history_file, 0700) != 0 && errno != EEXIST && !reason)
-            reason = errno;
-        *c = '/';
-    }
-    const int file = open(history_file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600);
-    errno = errno == ENOENT && reason ? reason : errno; /* why a folder could not be made */
-    return file;
-}
-
-/* Appends a line to the file, in one write, because other sessions may append lines at the same time. If the
- * whole line cannot be written, appends nothing. Returns an error number, or 0. */
+/* Appends a line to the file, in one write, because other sessions may append lines at the same time. Makes
+ * the file and its folders if they are missing; typed lines are private. If the whole line cannot be written,
+ * appends nothing. Returns an error number, or 0. */
 static int file_add(const char *text)
 {
     struct stat status;
     char *line = NULL;
-    const int file = file_open();
+    int no_folder = 0; /* why a folder could not be made */
+    for (char *c = strchr(history_file + 1, '/'); c; c = strchr(c + 1, '/')) {
+        *c = '\0';
+        if (mkdir(history_file, 0700) != 0 && errno != EEXIST && !no_folder)
+            no_folder = errno;
+        *c = '/';
+    }
+    const int file = open(history_file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600);
     if (file < 0)
-        return errno;
+        return errno == ENOENT && no_folder ? no_folder : errno;
     /* A session that was killed may have left a line without a newline. */
     const bool is_ready = fstat(file, &status) == 0 &&
                           asprintf(&line, "%s%s\n", io_ends_in_line(history_file) ? "\n" : "", text) >= 0;
-    const bool is_written = is_ready && io_write(file, line, strlen(line), NULL);
-    const int reason = is_written ? 0 : errno;
-    if (is_ready && !is_written)
+    const int reason = is_ready && io_write(file, line, strlen(line), NULL) ? 0 : errno;
+    if (is_ready && reason)
         (void)!ftruncate(file, status.st_size);
     if (is_ready)
         free(line);
