@@ -67,7 +67,7 @@ same_at_the_prompt() { # FORMAT
 @test "watch works only at the prompt, and says so" {
     wrong 'watch s 0.1 0.9: rmax' 'works only at the prompt of a terminal .* lists the answers'
     wrong 'watch s 0.9 0.1: rmax' 'FROM must be less than TO'
-    wrong 'watch s' "enter, for example, 'watch s : rmax'"
+    wrong 'watch s' "enter, for example, 'watch s 0.1 0.9 : rmax'"
     wrong 'watch s 0.1 0.9:' "the answer is missing after ':'"
 }
 @test "^Z while gnuplot draws: the picture is finished, then the program stops" { prompt suspend_drawing; }
