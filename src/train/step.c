@@ -121,42 +121,31 @@ static const struct column walk_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Computes the events of a walk again, with the options of the query. An event that has been reached stays
+/* Finds the events of the walk with the options of the query. Begins a new walk, and sets *begun to true,
+ * unless the session already has a walk with the present parameters. An event that has been reached stays
  * reached. */
-static bool walk_again(const struct query *query, struct walk *w)
-{
-    struct walk again = *w;
-    const bool is_event = w->count > 0 && w->theta == w->events[w->event].theta;
-    again.compute = query->scene->compute;
-    again.tol = again.compute.tol;
-    again.verdict = any_cycle_events(&again.train, &again.compute, again.events, &again.count);
-    again.theta = is_event ? again.events[w->event].theta : w->theta;
-    const bool is_same = again.verdict == w->verdict && again.count == w->count;
-    *w = again;
-    return is_same;
-}
-
-/* Begins a new walk and sets *begun to true, unless the session already has a walk with the present
- * parameters. */
 static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
                        struct walk *w, bool *begun)
 {
-    *begun = false;
-    if (walk_now(query))
-        return true;
-    if (w->count > 0)
+    const struct walk before = *w;
+    const bool is_event = w->count > 0 && w->theta == w->events[w->event].theta;
+    *begun = !walk_now(query) && !(query->reference && w->count > 0 && walk_is_of(w, query->scene));
+    if (*begun && w->count > 0)
         answer_say(answer, "The parameters have changed, so the steps begin again at the launch.");
-    *w = (struct walk){.train = query->scene->train,
-                       .compute = query->scene->compute,
-                       .tol = query->scene->compute.tol,
-                       .cycle = 1};
+    if (*begun)
+        *w = (struct walk){.cycle = 1};
+    w->train = query->scene->train;
+    w->compute = query->scene->compute;
+    w->tol = w->compute.tol;
     /* The sentences print six digits, which have to be right whatever the session's tolerance. */
-    w->compute.tol = quad_smaller(
-        w->compute.tol, quad_larger(any_arithmetic(w->compute.precision).tol_floor, (domq_real)1e-9));
+    w->compute.tol =
+        quad_smaller(w->tol, quad_larger(any_arithmetic(w->compute.precision).tol_floor, (domq_real)1e-9));
     w->verdict = any_cycle_events(&w->train, &w->compute, w->events, &w->count);
-    *begun = true;
-    return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
-           query_status(query, problem, w->verdict);
+    if (w->verdict != DOM_OK && w->verdict != DOM_STOPS && w->verdict != DOM_NO_FUEL)
+        return query_status(query, problem, w->verdict);
+    if (!*begun && is_event)
+        w->theta = w->events[w->event].theta;
+    return *begun || (w->verdict == before.verdict && w->count == before.count);
 }
 
 static bool walk_answer(const struct query *query, struct answer *a, struct problem *problem,
@@ -268,11 +257,7 @@ static bool walk_move(const struct query *query, struct answer *a, struct proble
 {
     struct walk walk = *query->walk;
     bool begun;
-    if (query->reference && walk.count > 0 && walk_is_of(&walk, query->scene) && !walk_again(query, &walk))
-        return false;
-    struct query now = *query;
-    now.walk = &walk;
-    bool done = walk_ready(&now, a, problem, &walk, &begun);
+    bool done = walk_ready(query, a, problem, &walk, &begun);
     if (done && (move == MOVE_NOT || walk.verdict == DOM_NO_FUEL))
         done = walk_answer(query, a, problem, &walk);
     else if (done)

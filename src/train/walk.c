@@ -32,16 +32,12 @@ bool walk_is_of(const struct walk *walk, const struct scene *scene)
                    a->fuel == b->fuel;
 }
 
-static bool same_compute(const struct walk *walk, const struct any_compute *compute)
-{
-    return walk->tol == compute->tol && walk->compute.precision == compute->precision &&
-           walk->compute.method == compute->method;
-}
-
 const struct walk *walk_now(const struct query *query)
 {
     const struct walk *walk = query->walk;
-    return walk->count > 0 && walk_is_of(walk, query->scene) && same_compute(walk, &query->scene->compute)
+    const struct any_compute *compute = query_compute(query);
+    return walk->count > 0 && walk_is_of(walk, query->scene) && walk->tol == compute->tol &&
+                   walk->compute.precision == compute->precision && walk->compute.method == compute->method
                ? walk
                : NULL;
 }
@@ -89,11 +85,10 @@ static struct measured angle_at(const struct place *p, domq_real theta)
     return angle_text(p->query, theta, 6);
 }
 
-/* Formats an angular velocity omega as text such as "10.3 rad/s". The argument is tau omega, which has no
- * unit. */
-static struct measured omega_at(const struct place *p, domq_real tau_omega)
+/* Formats an angular velocity omega as text such as "10.3 rad/s". The argument is tau^2 omega^2. */
+static struct measured omega_at(const struct place *p, domq_real omegasq)
 {
-    struct measured text = angle_text(p->query, tau_omega / p->units.tau, 6);
+    struct measured text = angle_text(p->query, quad(sqrt)(omegasq) / p->units.tau, 6);
     text_add(text.text, sizeof text.text, "/s");
     return text;
 }
@@ -114,32 +109,25 @@ static void say_launch(const struct place *p)
     enum dom_status found = any_barrier_find(&w->train, &w->compute, &b);
     if (any_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS))
         return;
-    domq_real omega = quad(sqrt)(l.omegasq);
-    const char *inertia = p->has_losses ? "A(0)" : "J(0)";
-    answer_detail(
-        p->answer,
-        "Hit and launch, theta = 0. Domino 1 turns at %s and hits the head, domino 0, which is %s tall. "
-        "After that all dominoes move as one train, and the head turns at %s: %s omega(0) = (%s - "
-        "%s) omega_1(theta_c), %s%s = %.6g (22; c4), (24; c6).",
-        omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
-        omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
-        p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
-    if (p->has_losses)
-        answer_detail(p->answer,
-                      "A(0) = sum r^(-(q+1) i) S_i %stheta_i' takes the place of J(0) in the equation of "
-                      "motion. S_i is "
-                      "the fraction of the torque that reaches domino i.",
-                      p->is_rounded ? "i(theta_i) " : "");
-    if (p->is_rounded)
-        answer_detail(p->answer,
-                      "i(theta) is the inertia of a domino about its line of contact with the floor, "
-                      "divided by its inertia with sharp edges.");
-    answer_detail(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s is left.",
-                  (double)(100 * p->state->lost / p->state->before),
-                  p->has_losses   ? ""
-                  : p->is_rounded ? " (the share i(0)/J(0))"
-                                  : " (the share 1/J(0))",
-                  energy_at(p, l.kinetic).text);
+    const char *inertia = p->has_losses ? "A(0)" : "J(0)", *of_head = p->is_rounded ? "i(0)" : "1";
+    answer_detail(p->answer,
+                  "Hit and launch, theta = 0. Domino 1 turns at %s and hits the head, domino 0, which is %s "
+                  "tall. After that all dominoes move as one train, and the head turns at %s: %s omega(0) = "
+                  "(%s - %s) omega_1(theta_c), with %s/%s = %.6g (22; c4), (24; c6).",
+                  omega_at(p, l.omegasq / (l.velocity_ratio * l.velocity_ratio)).text,
+                  measured(p->units.height, "m", 6).text, omega_at(p, l.omegasq).text, inertia, inertia,
+                  of_head, inertia, of_head, (double)(1 / (1 - l.velocity_ratio)));
+    if (p->has_losses || p->is_rounded)
+        answer_detail(p->answer, "%s%s%s",
+                      p->has_losses ? "A(0) takes the place of J(0) in the equation of motion." : "",
+                      p->has_losses && p->is_rounded ? " " : "",
+                      p->is_rounded
+                          ? "i(theta) is the inertia of a domino about its line of contact with the "
+                            "floor, divided by its inertia with sharp edges."
+                          : "");
+    answer_detail(p->answer, "The collision takes %.4g %% of the kinetic energy%s%s%s; %s is left.",
+                  (double)(100 * p->state->lost / p->state->before), p->has_losses ? "" : " (the share ",
+                  p->has_losses ? "" : of_head, p->has_losses ? "" : "/J(0))", energy_at(p, l.kinetic).text);
     if (b.theta_m == 0)
         answer_detail(p->answer, "There is no barrier: the potential energy of the train decreases "
                                  "from the start (26; c8).");
@@ -157,20 +145,14 @@ static void say_launch(const struct place *p)
 static void say_top(const struct place *p)
 {
     const struct domq_state *s = p->state;
-    if (p->has_losses)
-        answer_detail(p->answer,
-                      "The tilt that is hardest to pass, theta_m = %s: the potential energy has risen by %s, "
-                      "%s has taken %s, and a kinetic energy of %s is left. From here on, the train "
-                      "gains more energy than it loses (26; c8).",
-                      angle_at(p, s->theta).text, energy_at(p, s->climbed).text, losses_of(&p->walk->train),
-                      energy_at(p, s->friction_work).text, energy_at(p, s->kinetic).text);
-    else
-        answer_detail(
-            p->answer,
-            "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
-            "by %s. The kinetic energy that is left, %s, is the margin. From here on, the potential "
-            "energy decreases (26; c8).",
-            angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
+    answer_detail(
+        p->answer,
+        "%s, theta_m = %s: the potential energy has risen by %s%s%s%s%s, and a kinetic energy of %s "
+        "is left. From here on, the train gains more energy than it loses (26; c8).",
+        p->has_losses ? "The tilt that is hardest to pass" : "Top of the barrier", angle_at(p, s->theta).text,
+        energy_at(p, s->climbed).text, p->has_losses ? ", " : "",
+        p->has_losses ? losses_of(&p->walk->train) : "", p->has_losses ? " has taken " : "",
+        p->has_losses ? energy_at(p, s->friction_work).text : "", energy_at(p, s->kinetic).text);
 }
 
 static void say_fall(const struct place *p)
@@ -214,7 +196,7 @@ static void say_hit(const struct place *p)
                   "%s; the cycle has released the fuel P = %s (25; c7), and has lasted %s.",
                   measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
                   p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
-                  omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
+                  omega_at(p, s->omegasq).text, energy_at(p, -s->climbed).text,
                   measured(s->time * p->units.tau, "s", 6).text);
     if (p->has_losses)
         answer_detail(p->answer, "Of this energy, %s has taken %s.", losses_of(&p->walk->train),
@@ -226,49 +208,9 @@ static void say_hit(const struct place *p)
         measured(s->time * next.tau, "s", 6).text);
 }
 
-static void say_between(const struct place *p)
+static double rounded(domq_real x, double step)
 {
-    answer_detail(
-        p->answer, "Between two events, at theta = %s: the train %s, and the head turns at %s (21; c3).",
-        angle_at(p, p->state->theta).text, p->state->acceleration < 0 ? "slows down" : "gathers speed",
-        omega_at(p, quad(sqrt)(p->state->omegasq)).text);
-}
-
-/* Prints the event in a sentence that needs no numbers but the heights of dominoes. */
-static void event_say(const struct place *p)
-{
-    const struct walk *w = p->walk;
-    const struct domq_event *e = &w->events[w->event];
-    const struct walk_units next = walk_units(p->query, w->cycle + 1);
-    char text[200] = "";
-    if (w->theta != e->theta && w->event + 1 < w->count) {
-        answer_say(p->answer, "Cycle %d, between the %s and the %s: the train %s.", w->cycle,
-                   dom_event_text(e->kind), dom_event_text(e[1].kind),
-                   p->state->acceleration < 0 ? "slows down" : "gathers speed");
-        return;
-    }
-    if (e->kind == DOM_EVENT_LAUNCH)
-        snprintf(text, sizeof text, "domino 1 hits the head, which is %s tall, and all move as one train.",
-                 measured(p->units.height, "m", 6).text);
-    else if (e->kind == DOM_EVENT_TOP)
-        snprintf(text, sizeof text, "the top of the barrier; from here on the train gains energy.");
-    else if (e->kind == DOM_EVENT_DETACH)
-        snprintf(text, sizeof text, "domino %zu detaches from domino %zu and comes to rest.", e->domino,
-                 e->domino - 1);
-    else if (e->kind == DOM_EVENT_STOP)
-        snprintf(text, sizeof text, "the train stops below the top of its barrier; 'why' explains it.");
-    else
-        snprintf(text, sizeof text,
-                 "the head hits the next domino, which is %s tall; 'step' begins its cycle.",
-                 measured(next.height, "m", 6).text);
-    answer_say(p->answer, "Cycle %d, event %d of %d: %s", w->cycle, w->event + 1, w->count, text);
-}
-
-/* Adds a term such as " + 0.0012" to the ledger, unless the term is 0. */
-static void ledger_add(char *text, size_t size, domq_real term, int decimals)
-{
-    if (term != 0)
-        text_add(text, size, " %c %.*f", term < 0 ? '-' : '+', decimals, fabs((double)term));
+    return round((double)x / step) * step;
 }
 
 /* Prints the energies of the cycle as a sum: before - lost + gained - rubbed = kinetic. The loss is written
@@ -277,51 +219,75 @@ static void ledger_add(char *text, size_t size, domq_real term, int decimals)
 static void ledger_say(const struct place *p)
 {
     const struct domq_state *s = p->state;
-    const domq_real unit = p->units.energy, before = s->before * unit, kinetic = s->kinetic * unit,
-                    gained = -s->climbed * unit, rubbed = s->friction_work * unit;
+    const domq_real unit = p->units.energy, before = s->before * unit,
+                    term[] = {-s->climbed * unit, -s->friction_work * unit, s->kinetic * unit};
     domq_real least = before;
     for (int i = 0; i < 3; i++) {
-        const domq_real term = quad(fabs)((domq_real[]){kinetic, gained, rubbed}[i]);
-        least = term > before / 1000000 && term < least ? term : least;
+        const domq_real size = quad(fabs)(term[i]);
+        least = size > before / 1000000 && size < least ? size : least;
     }
     const int decimals = (int)fmax(0, 2 - floor(log10((double)least)));
-    if (!(before > 0) || decimals > 15)
+    const double step = pow(10, -decimals), gained = rounded(term[0], step), rubbed = rounded(term[1], step),
+                 kinetic = rounded(term[2], step), lost = rounded(before, step) + gained + rubbed - kinetic;
+    if (!(before > 0) || decimals > 15 || fabs(lost - (double)(s->lost * unit)) >= 3 * step)
         return;
-    const domq_real step = quad(pow)(10, (domq_real)-decimals);
-#define ROUNDED(x) (quad(floor)((x) / step + (domq_real)0.5) * step)
-    const domq_real lost = ROUNDED(before) + ROUNDED(gained) - ROUNDED(rubbed) - ROUNDED(kinetic);
     char sum[200] = "";
-    ledger_add(sum, sizeof sum, -lost, decimals);
-    ledger_add(sum, sizeof sum, ROUNDED(gained), decimals);
-    ledger_add(sum, sizeof sum, -ROUNDED(rubbed), decimals);
-#undef ROUNDED
-    if (quad(fabs)(lost - s->lost * unit) < 3 * step)
-        answer_say(p->answer, "Kinetic energy, before - lost%s%s: %.*f%s = %.*f %s.",
-                   gained < 0   ? " - climbed"
-                   : gained > 0 ? " + gained"
+    for (int i = 0; i < 2; i++)
+        if ((i ? rubbed : gained) != 0)
+            text_add(sum, sizeof sum, " %c %.*f", (i ? rubbed : gained) < 0 ? '-' : '+', decimals,
+                     fabs(i ? rubbed : gained));
+    answer_say(p->answer, "Kinetic energy, before - lost%s%s: %.*f - %.*f%s = %.*f %s.",
+               s->climbed > 0   ? " - climbed"
+               : s->climbed < 0 ? " + gained"
                                 : "",
-                   rubbed > 0 ? " - rubbed" : "", decimals, (double)before, sum, decimals, (double)kinetic,
-                   p->units.energy_unit);
+               s->friction_work > 0 ? " - rubbed" : "", decimals, (double)before, decimals, lost, sum,
+               decimals, kinetic, p->units.energy_unit);
 }
 
-void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
+void walk_say(const struct query *query, const struct walk *w, const struct domq_state *state,
               struct answer *answer)
 {
     static void (*const say[])(const struct place *) = {
         [DOM_EVENT_LAUNCH] = say_launch, [DOM_EVENT_DETACH] = say_fall, [DOM_EVENT_TOP] = say_top,
         [DOM_EVENT_STOP] = say_stop,     [DOM_EVENT_HIT] = say_hit,
     };
-    const struct domq_event *e = &walk->events[walk->event];
+    const struct domq_event *e = &w->events[w->event];
     const struct place place = {.query = query,
-                                .walk = walk,
+                                .walk = w,
                                 .state = state,
                                 .answer = answer,
-                                .units = walk_units(query, walk->cycle),
-                                .has_losses = domq_law(&walk->train)->dissipates != NULL,
-                                .is_rounded = walk->train.rho != 0};
-    event_say(&place);
+                                .units = walk_units(query, w->cycle),
+                                .has_losses = domq_law(&w->train)->dissipates != NULL,
+                                .is_rounded = w->train.rho != 0};
+    const domq_real height =
+        e->kind == DOM_EVENT_HIT ? walk_units(query, w->cycle + 1).height : place.units.height;
+    const char *speed = state->acceleration < 0 ? "slows down" : "gathers speed";
+    char text[200] = "";
+    if (w->theta != e->theta) {
+        answer_say(answer, "Cycle %d, between the %s and the %s: the train %s.", w->cycle,
+                   dom_event_text(e->kind), dom_event_text(e[1].kind), speed);
+        ledger_say(&place);
+        answer_detail(answer,
+                      "Between two events, at theta = %s: the train %s, and the head turns at %s (21; c3).",
+                      angle_at(&place, state->theta).text, speed, omega_at(&place, state->omegasq).text);
+        return;
+    }
+    if (e->kind == DOM_EVENT_DETACH)
+        snprintf(text, sizeof text, "domino %zu detaches from domino %zu and comes to rest.", e->domino,
+                 e->domino - 1);
+    else
+        snprintf(text, sizeof text,
+                 e->kind == DOM_EVENT_LAUNCH
+                     ? "domino 1 hits the head, which is %s tall, and all move as one train."
+                 : e->kind == DOM_EVENT_TOP ? "the top of the barrier; from here on the train gains energy."
+                 : e->kind == DOM_EVENT_STOP
+                     ? "the train stops below the top of its barrier; 'why' explains it."
+                     : "the head hits the next domino, which is %s tall; 'step' begins "
+                       "its cycle.",
+                 measured(height, "m", 6).text);
+    answer_say(answer, "Cycle %d, event %d of %d: %s", w->cycle, w->event + 1, w->count, text);
     ledger_say(&place);
-    (walk->theta == e->theta ? say[e->kind] : say_between)(&place);
+    say[e->kind](&place);
 }
 
 bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta)
