@@ -1,10 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The arguments of 'sweep': a grid, and the answers at its points. */
 #include "language/quad.h"
 #include "sweeps/sweeps.h"
+#include "train/train.h"
+#include <string.h>
 
 static const char form[] = "for each parameter, enter NAME FROM TO N or NAME VALUE, VALUE, ...";
 
-/* ---- Parsing ---- */
+struct sweep_parsed {
+    struct axis_parsed {
+        const struct parameter *parameter;
+        struct value_parsed {
+            struct item item;
+            struct value_parsed *next;
+        } * first;    /* the value FROM, or a linked list of all values if the axis is a list */
+        size_t count; /* the number of values in a list, or 0 if the axis has the form FROM TO N */
+        struct item to, steps;
+        const char *log_at; /* points to the word 'log' in the command, or is NULL */
+    } axis[ASSIGNED_MAX];
+    int axes;
+    size_t listed; /* the number of values in all lists */
+    struct question answer[ANSWER_COLUMNS];
+    size_t answers;
+    const char *typed; /* the answers as they were typed */
+};
+
+/* ---- Parsing a grid ---- */
 
 /* Parses one value. If the value is missing, the message calls it `name`. */
 static bool value_parse(struct reader *r, const struct parameter *p, const char *name, struct item *item)
@@ -63,9 +84,8 @@ static bool axis_parse(struct reader *r, struct axis_parsed *axis)
     return true;
 }
 
-static bool axes_parse(struct reader *r, struct grid_parsed *grid)
+static bool axes_parse(struct reader *r, struct sweep_parsed *grid)
 {
-    *grid = (struct grid_parsed){.axes = 0};
     while (!reader_ends(r) || *r->at == ',') {
         const struct parameter *p = parameter_parse(r, form);
         if (!p)
@@ -92,14 +112,82 @@ static bool axes_parse(struct reader *r, struct grid_parsed *grid)
                                      "example, 'sweep s 0.1 0.9 9 : rmax'");
 }
 
-bool grid_parse(struct reader *r, struct grid_parsed *grid)
+bool sweep_parse_grid(struct reader *r, struct question *q)
 {
+    struct sweep_parsed *s = q->parsed = reader_memory(r, sizeof *s);
     const char *no_unit = r->no_unit;
     r->no_unit = "sg"; /* after N, 's' and 'g' are parameters, not seconds and grams */
     r->stops = ":,";
-    bool is_good = axes_parse(r, grid);
+    bool is_good = s && axes_parse(r, s);
     r->stops = NULL;
     r->no_unit = no_unit;
+    return is_good;
+}
+
+/* ---- Parsing the answers ---- */
+
+/* A names_list (see names.h) of the commands that can be swept. */
+static const char *sweepable_names(const void *context, int k)
+{
+    const struct command *c;
+    (void)context;
+    for (int i = 0; (c = command_at(i)) != NULL; i++)
+        if (c->columns && !c->sweep.refusal && k-- == 0)
+            return c->name;
+    return NULL;
+}
+
+/* Parses a command or an expression. The name of the question does not include the word 'print'. */
+static bool answer_parse(struct reader *r, struct question *q)
+{
+    const char *begin = r->at;
+    q->key = -1;
+    const struct command *c = q->command = command_read_inner(r, sweepable_names);
+    if (!c)
+        return false;
+    if (c->sweep.refusal)
+        return problem_error(r->problem, "'%s' cannot be swept: %s", c->name, c->sweep.refusal);
+    if (!c->columns)
+        return problem_error(r->problem, "'%s' has no answer; sweep a command that has one, such as 'rmax'",
+                             c->name);
+    if (c->is_print)
+        begin = skip_blanks(r->at);
+    bool is_good = question_parse(r, q);
+    q->name = question_name(r, begin, r->at);
+    return is_good;
+}
+
+bool sweep_parse_answers(struct reader *r, struct question *q)
+{
+    struct sweep_parsed *s = q->parsed;
+    r->at = skip_blanks(r->at + 1);
+    reader_place(r, r->at);
+    const char *begin = r->at;
+    if (reader_ends(r))
+        return problem_error(
+            r->problem, "the command after ':' is missing; enter, for example, 'sweep s 0.1 0.9 9 : rmax'");
+    r->stops = ",";
+    bool is_good = answer_parse(r, &s->answer[0]);
+    s->answers = 1;
+    /* In a list, each answer is one number. */
+    if (is_good && *r->at == ',') {
+        r->at = begin;
+        is_good = question_parse_any(r, &s->answer[0], true);
+    }
+    while (is_good && *r->at == ',') {
+        r->at = skip_blanks(r->at + 1);
+        reader_place(r, r->at);
+        if (s->answers == ANSWER_COLUMNS)
+            is_good = problem_error(r->problem, "there are more than %d answers", ANSWER_COLUMNS);
+        else if (reader_ends(r))
+            is_good = problem_error(
+                r->problem,
+                "the answer after ',' is missing; enter, for example, 'sweep r 1 2 9 : rmax, fuel'");
+        else
+            is_good = question_parse_any(r, &s->answer[s->answers++], true);
+    }
+    s->typed = s->answers > 1 ? question_name(r, begin, r->at) : s->answer[0].name;
+    r->stops = NULL;
     return is_good;
 }
 
@@ -141,21 +229,54 @@ static bool axis_bind(const struct axis_parsed *parsed, const struct text *text,
                          name, axis->count, quad_text(axis->from, 10), quad_text(axis->to, 10));
 }
 
-bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
-               domq_real *listed, struct grid *grid, struct problem *problem)
+bool sweep_bind(const struct question *q, const struct query *query, struct arguments *given,
+                struct problem *problem)
 {
     const size_t most = 1000000000000;
-    *grid = (struct grid){.points = 1};
+    const struct sweep_parsed *parsed = q->parsed;
+    /* the values of the grid's lists are stored after the sweep */
+    struct sweep *s = arguments_take(given, sizeof *s + parsed->listed * sizeof(domq_real), query, problem);
+    if (!s)
+        return false;
+    domq_real *listed = (domq_real *)(s + 1);
+    *s = (struct sweep){
+        .grid.points = 1, .answer = parsed->answer, .answers = parsed->answers, .typed = parsed->typed};
     for (int i = 0; i < parsed->axes; i++) {
-        struct axis *axis = &grid->axis[grid->axes++];
-        if (!axis_bind(&parsed->axis[i], text, query, listed, axis, problem))
+        struct axis *axis = &s->grid.axis[s->grid.axes++];
+        if (!axis_bind(&parsed->axis[i], q->text, query, listed, axis, problem))
             return false;
         listed += parsed->axis[i].count;
-        if (axis->count > most / grid->points)
+        if (axis->count > most / s->grid.points)
             return problem_error(problem, "the grid has more than %zu points; enter a smaller N", most);
-        grid->points *= axis->count;
+        s->grid.points *= axis->count;
     }
     return true;
+}
+
+bool curve_bind(const struct question *q, const struct query *query, struct arguments *given,
+                struct problem *problem)
+{
+    const domq_real from = given->number[0], to = given->number[1], n = given->number[2];
+    struct {
+        struct sweep sweep;
+        struct question question;
+    } *c = arguments_take(given, sizeof *c, query, problem);
+    if (!c)
+        return false;
+    c->question = (struct question){.command = &growths_command, .key = -1, .text = q->text};
+    c->sweep = (struct sweep){
+        .grid = {.axis = {{.parameter = parameter_find("s"), .count = (size_t)n, .from = from, .to = to}},
+                 .axes = 1,
+                 .points = (size_t)n},
+        .answer = &c->question,
+        .answers = 1,
+        .typed = "curve"};
+    problem->place = 0;
+    return n > 1 || from == to ||
+           problem_error(
+               problem,
+               "one value of s cannot cover %g to %g; N must be at least 2, for example 'curve 0.1 0.9 5'",
+               (double)from, (double)to);
 }
 
 /* ---- Values ---- */

@@ -4,175 +4,359 @@
 #include "interpreter/question.h"
 #include "language/text.h"
 #include "parallel/workers.h"
-#include "sweeps/point.h"
-#include "train/train.h"
+#include "sweeps/sweeps.h"
 #include <stdlib.h>
 #include <string.h>
 
-struct sweep_parsed {
-    struct grid_parsed grid;
-    struct point_question question;
-    const char *typed; /* the answers as they were typed */
+enum { SWEEP_REASON = 256 };
+
+/* Counts two kinds of points: points without any answer, and points with a reason why a value is missing. A
+ * point without an answer also has a reason, so it is in both counts. */
+struct tally {
+    size_t without_answer, with_reason;
+    size_t first; /* index of the first point that has a reason */
+    char reason[SWEEP_REASON];
 };
 
-struct sweep {
-    struct grid grid;
-    const struct point_question *question;
-    const char *typed;
+/* The columns of a sweep: the parameters of the grid, then the columns of the answer. */
+struct sweep_columns {
+    struct column column[ANSWER_COLUMNS];
+    const char *key[ANSWER_COLUMNS]; /* key in the answer; NULL for a parameter of the grid */
+    /* The unit may change from point to point. Cells whose unit is not that of the first point are empty. */
+    bool is_fixed[ANSWER_COLUMNS];
+    /* new names, such as "rmax.s", for columns of the answer whose key is also the name of a parameter of the
+     * grid */
+    char renamed[ASSIGNED_MAX][40];
+    struct column answer[ANSWER_COLUMNS]; /* one column for each question in a list */
+    char unit[ANSWER_COLUMNS][UNIT_TEXT]; /* the units of expressions in a list */
 };
 
-/* The sweep that 'curve' stands for. */
-struct curve {
-    struct sweep sweep;
-    struct point_question question;
+/* The data of one worker. All workers use the same grid, question and query, and do not change them. */
+struct sweeper {
+    const struct sweep *sweep;
+    const struct grid *grid;   /* that of the sweep */
+    const struct query *query; /* the state of the session, which each point copies and changes */
+    const char *command;       /* the name of the command that does the sweep, for messages */
+    /* query->run_context without --shard, because the answer at a point is not divided */
+    struct run_context run_context;
+    bool styled; /* true if the grid changes the precision or the tolerance */
+    /* Receives this worker's part of the sweep. It is also the template from which the answer at each point
+     * is made. */
+    struct answer answer;
+    struct sweep_columns columns;
+    struct cell sample[ANSWER_COLUMNS]; /* a sample row of the sweep, set by sample_find */
+    struct tally tally;
+    /* The values of the parameters at the point that is being computed. */
+    struct assigned assigned[ASSIGNED_MAX];
+    struct cell value[ASSIGNED_MAX];
+    struct answer *to;         /* receives the rows: &answer, or NULL to discard them */
+    bool answered;             /* true if the answer at this point has at least one row */
+    char reason[SWEEP_REASON]; /* why a value is missing, or "" */
+    struct problem problem;
 };
 
-/* ---- Parsing ---- */
+/* ---- Columns ---- */
 
-bool sweep_parse_grid(struct reader *r, struct question *q)
+/* Adds a column unless there is no room for it; *n counts it in any case. A column with the name of a
+ * parameter of the grid gets another name. */
+static void column_add(struct sweeper *w, int *n, struct column column, const char *key, bool is_fixed)
 {
-    struct sweep_parsed *s = q->parsed = reader_memory(r, sizeof *s);
-    return s && grid_parse(r, &s->grid);
-}
-
-/* A names_list (see names.h) of the commands that can be swept. */
-static const char *sweepable_names(const void *context, int k)
-{
-    const struct command *c;
-    (void)context;
-    for (int i = 0; (c = command_at(i)) != NULL; i++)
-        if (c->columns && !c->sweep.refusal && k-- == 0)
-            return c->name;
-    return NULL;
-}
-
-/* Parses a command or an expression. The name of the question does not include the word 'print'. */
-static bool answer_parse(struct reader *r, struct question *q)
-{
-    const char *begin = r->at;
-    q->key = -1;
-    const struct command *c = q->command = command_read_inner(r, sweepable_names);
-    if (!c)
-        return false;
-    if (c->sweep.refusal)
-        return problem_error(r->problem, "'%s' cannot be swept: %s", c->name, c->sweep.refusal);
-    if (!c->columns)
-        return problem_error(r->problem, "'%s' has no answer; sweep a command that has one, such as 'rmax'",
-                             c->name);
-    if (c->is_print)
-        begin = skip_blanks(r->at);
-    bool is_good = question_parse(r, q);
-    q->name = question_name(r, begin, r->at);
-    return is_good;
-}
-
-/* If 'with' follows the last answer alone, as in "rmax, fuel with d 0.1", it applies to all of them. The name
- * of the last column then does not repeat it. */
-static void with_share(struct reader *r, struct point_question *first, struct point_question *last)
-{
-    bool is_shared = last != first && last->question.with;
-    int depth = 0;
-    for (const struct point_question *q = first; q != last; q = q->next)
-        is_shared = is_shared && !q->question.with;
-    for (struct point_question *q = first; q != last && is_shared; q = q->next)
-        q->question.with = last->question.with;
-    const char *name = last->question.name, *end = name;
-    while (is_shared && *end && (depth > 0 || strncmp(end, " with ", 6) != 0)) {
-        depth += (*end == '(') - (*end == ')');
-        end++;
-    }
-    if (is_shared)
-        last->question.name = question_name(r, name, end);
-}
-
-/* Parses a list of answers. Each of them is a command that has a principal number, or COMMAND.KEY, or an
- * expression. */
-static bool list_parse(struct reader *r, struct point_question *s)
-{
-    struct point_question *const first = s;
-    while (question_parse_any(r, &s->question, true)) {
-        if (*r->at != ',') {
-            with_share(r, first, s);
-            return true;
+    struct sweep_columns *c = &w->columns;
+    const int k = (*n)++;
+    if (k + 1 >= ANSWER_COLUMNS)
+        return;
+    for (int i = 0; key && i < w->grid->axes; i++)
+        if (strcmp(key, c->column[i].key) == 0) {
+            snprintf(c->renamed[i], sizeof *c->renamed, "%s.%s", w->sweep->answer->command->name, key);
+            column.key = c->renamed[i];
         }
-        r->at = skip_blanks(r->at + 1);
-        reader_place(r, r->at);
-        s->next = reader_memory(r, sizeof *s);
-        if (!s->next)
+    c->is_fixed[k] = is_fixed;
+    c->column[k] = column;
+    c->key[k] = key;
+    c->column[k + 1].key = NULL;
+}
+
+/* Returns true if the unit of a column may change from point to point. */
+static bool unit_varies(const struct question *q, int column)
+{
+    return q->command->is_print ||
+           (q->command->in_joules && strcmp(q->command->columns[column].unit, "mgh/2") == 0);
+}
+
+/* Returns the unit of a column of the answer to a question. */
+static const char *unit_at(const struct question *q, int column, const struct query *at)
+{
+    struct call call;
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    if (!unit_varies(q, column))
+        return q->command->columns[column].unit;
+    bool good = question_bind(q, at, &call, &ignored);
+    const char *unit = command_unit(q->command, column, good ? call.query.scene : at->scene);
+    arena_free(&call.given.memory);
+    return unit;
+}
+
+/* Returns the unit of the answer to a question of a list. An expression is evaluated at the first point or,
+ * if it has no value there, with the parameters of the session. */
+static const char *unit_measured(const struct sweeper *w, const struct question *q, const struct query *at,
+                                 char unit[UNIT_TEXT])
+{
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    struct quantity value = {.value = 0};
+    if (q->key >= 0)
+        return unit_at(q, q->key, at);
+    return question_measure(q, at, &value, unit, &ignored) ||
+                   question_measure(q, w->query, &value, unit, &ignored)
+               ? unit
+               : "";
+}
+
+/* Returns the columns of the answer at a point, without those for the parameters of the grid. */
+static const struct column *answered_columns(const struct sweeper *w)
+{
+    return w->sweep->answers > 1 ? w->columns.answer : w->sweep->answer->command->columns;
+}
+
+/* Returns the name of the parameter that a column of the answer only repeats, or "". An argument may give
+ * another value for this parameter, as 0.4 does for s in 'rmax 0.4'. */
+static const char *repeated_by(const struct question *q)
+{
+    const char *echo = q->command->sweep.echo;
+    for (int i = 0; echo && i < q->count; i++)
+        if (q->command->argument[i].parameter && strcmp(q->command->argument[i].parameter, echo) == 0)
+            return "";
+    return echo ? echo : "";
+}
+
+/* Stores the values of the parameters at point k in w->assigned and w->value. */
+static void point_values(struct sweeper *w, size_t k)
+{
+    for (int i = w->grid->axes - 1; i >= 0; i--) {
+        const struct axis *axis = &w->grid->axis[i];
+        w->assigned[i] =
+            (struct assigned){.parameter = axis->parameter, .value = axis_value(axis, k % axis->count)};
+        w->value[i] = axis_cell(axis, w->assigned[i].value);
+        k /= axis->count;
+    }
+}
+
+/* Makes *at the query at point k. */
+static bool point_query(struct sweeper *w, size_t k, struct state *state, struct query *at,
+                        struct problem *problem)
+{
+    point_values(w, k);
+    bool good = query_with(w->query, w->assigned, w->grid->axes, state, at, problem);
+    at->run_context = &w->run_context;
+    state->settings.threads = 1; /* a point uses one thread, because whole points are computed in parallel */
+    return good;
+}
+
+/* Makes the columns of the sweep. Two kinds of columns of the answer are left out: columns that only repeat a
+ * parameter of the grid, and columns that take a long time to compute (sweep.echo and sweep.slow_column of
+ * struct command). Fails if there are too many columns. */
+static bool sweeper_columns(struct sweeper *w, struct problem *problem)
+{
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    struct state state;
+    struct query at;
+    if (!point_query(w, 0, &state, &at, &ignored))
+        at = *w->query;
+    const struct question *q = w->sweep->answer;
+    struct sweep_columns *c = &w->columns;
+    int n = 0;
+    for (int i = 0; i < w->grid->axes; i++) {
+        const struct parameter *p = w->grid->axis[i].parameter;
+        column_add(w, &n, (struct column){p->name, p->value->unit, "", 0}, NULL, false);
+    }
+    for (size_t k = 0; k < w->sweep->answers && w->sweep->answers > 1; k++, q++) {
+        c->answer[k] = (struct column){q->name, unit_measured(w, q, &at, c->unit[k]), "", 0};
+        column_add(w, &n, c->answer[k], q->name, unit_varies(q, q->key));
+    }
+    for (int k = 0; w->sweep->answers == 1 && q->command->columns[k].key; k++) {
+        struct column column = q->command->columns[k];
+        const char *slow = q->command->sweep.slow_column, *repeated = repeated_by(q);
+        const bool is_fixed = unit_varies(q, k) && !q->command->is_print;
+        bool is_left_out = slow && strcmp(slow, column.key) == 0;
+        for (int i = 0; i < w->grid->axes; i++)
+            is_left_out = is_left_out || (strcmp(column.key, repeated) == 0 &&
+                                          strcmp(column.key, w->grid->axis[i].parameter->name) == 0);
+        if (is_fixed)
+            column.unit = unit_at(q, k, &at);
+        if (!is_left_out)
+            column_add(w, &n, column, column.key, is_fixed);
+    }
+    return n < ANSWER_COLUMNS ||
+           problem_error(problem,
+                         "a row of this sweep would have more than %d columns; sweep fewer parameters",
+                         ANSWER_COLUMNS - 1);
+}
+
+/* ---- Rows ---- */
+
+/* Stores the reason for a missing value, unless the point already has a reason. */
+static void reason_keep(struct sweeper *w, const char *reason)
+{
+    if (reason && !*w->reason)
+        snprintf(w->reason, sizeof w->reason, "%.*s", (int)sizeof w->reason - 1, reason);
+}
+
+static void row_write(struct sweeper *w, const struct cell *row, const char *reason)
+{
+    reason_keep(w, reason);
+    if (!w->to)
+        return;
+    /* In csv and json every row has a reason, which may be "". */
+    answer_row(w->to, row, w->to->style.format->for_people ? NULL : reason ? reason : "");
+    if (*w->to->late_reason)
+        reason_keep(w, w->to->late_reason);
+    w->to->late_reason[0] = '\0'; /* the sweep reports the reason itself */
+}
+
+/* A callback that receives a row of the answer at a point and writes it as a row of the sweep. The columns of
+ * the answer and their units may differ from point to point. A cell whose unit is not that of its column
+ * stays empty. */
+static void row_take(struct answer *a, const struct cell *cells, const char *reason)
+{
+    struct sweeper *w = a->sink.context;
+    struct sweep_columns *c = &w->columns;
+    struct cell row[ANSWER_COLUMNS];
+    char other[SWEEP_REASON];
+    const int values = w->grid->axes;
+    memcpy(row, w->value, (size_t)values * sizeof *row);
+    for (int j = values; c->column[j].key; j++) {
+        int i = 0;
+        while (a->columns[i].key && strcmp(a->columns[i].key, c->key[j]) != 0)
+            i++;
+        row[j] = (struct cell){.kind = CELL_NONE};
+        if (!a->columns[i].key)
+            continue;
+        const char *unit = a->columns[i].unit, *head = c->column[j].unit;
+        if (!c->is_fixed[j])
+            c->column[j].unit = unit;
+        else if (cells[i].kind != CELL_NONE && strcmp(unit, head) != 0) {
+            if (!reason)
+                snprintf(other, sizeof other, "%s is %s%s here, but %s%s at the first point",
+                         c->column[j].key, *unit ? "in " : "a plain number", unit,
+                         *head ? "in " : "a plain number", head);
+            reason = reason ? reason : other;
+            continue;
+        }
+        row[j] = cells[i];
+    }
+    if (!w->to && !w->answered)
+        memcpy(w->sample, row, sizeof row);
+    w->answered = true;
+    row_write(w, row, reason);
+}
+
+/* ---- Points ---- */
+
+/* Asks all questions of a list at one point and writes the answers as one row. If a question has no answer at
+ * this point, its cell is empty. If a question fails with an error, sets w->problem and returns false. */
+static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a)
+{
+    struct cell cells[ANSWER_COLUMNS];
+    struct column columns[ANSWER_COLUMNS];
+    char reason[sizeof w->reason] = "", unit[ANSWER_COLUMNS][UNIT_TEXT];
+    size_t n = 0;
+    memcpy(columns, w->columns.answer, sizeof columns);
+    a->columns = columns;
+    for (; n < w->sweep->answers; n++) {
+        const struct question *q = &w->sweep->answer[n];
+        struct quantity value;
+        cells[n] = (struct cell){.kind = CELL_NONE};
+        problem_begin(&w->problem, w->command);
+        if (unit_varies(q, q->key))
+            columns[n].unit = strcpy(unit[n], "");
+        if (question_measure(q, at, &value, unit[n], &w->problem))
+            cells[n] = cell_computed(value.value);
+        else if (w->problem.kind != PROBLEM_NO_ANSWER)
             return false;
-        s = s->next;
-        if (reader_ends(r))
-            return problem_error(
-                r->problem,
-                "the answer after ',' is missing; enter, for example, 'sweep r 1 2 9 : rmax, fuel'");
+        else if (!*reason)
+            snprintf(reason, sizeof reason, "%.*s", (int)sizeof reason - 1, w->problem.text);
     }
-    return false;
+    return answer_row(a, cells, *reason ? reason : NULL);
 }
 
-bool sweep_parse_answers(struct reader *r, struct question *q)
+/* Evaluates the question at point k. Writes the rows of the answer to w->to, unless this pointer is NULL. If
+ * the question fails with an error, sets w->problem and returns false. */
+static bool point_answer(struct sweeper *w, size_t k)
 {
-    struct sweep_parsed *s = q->parsed;
-    r->at = skip_blanks(r->at + 1);
-    reader_place(r, r->at);
-    const char *begin = r->at;
-    if (reader_ends(r))
-        return problem_error(
-            r->problem, "the command after ':' is missing; enter, for example, 'sweep s 0.1 0.9 9 : rmax'");
-    r->stops = ",";
-    bool is_good = answer_parse(r, &s->question.question);
-    s->typed = s->question.question.name;
-    if (is_good && *r->at == ',') {
-        r->at = begin;
-        is_good = list_parse(r, &s->question);
-        s->typed = question_name(r, begin, r->at);
+    struct state state;
+    struct query at;
+    struct answer a = w->answer;
+    w->answered = false;
+    w->reason[0] = '\0';
+    problem_begin(&w->problem, w->command);
+    bool is_assigned = point_query(w, k, &state, &at, &w->problem);
+    if (w->styled) {
+        struct answer_style style = state_style(&state);
+        style.digits = a.style.digits; /* otherwise the width of a column would change from point to point */
+        style.format = a.style.format; /* a plot chooses the format itself */
+        a.style = style;
     }
-    r->stops = NULL;
-    return is_good;
-}
-
-bool sweep_bind(const struct question *q, const struct query *query, struct arguments *given,
-                struct problem *problem)
-{
-    const struct sweep_parsed *parsed = q->parsed;
-    /* the values of the grid's lists are stored after the sweep */
-    struct sweep *s =
-        arguments_take(given, sizeof *s + parsed->grid.listed * sizeof(domq_real), query, problem);
-    if (!s)
+    if (w->to)
+        w->to->style = a.style;
+    else
+        a.out = NULL;
+    a.columns = answered_columns(w);
+    a.sink.take = row_take;
+    a.sink.context = w;
+    bool done = is_assigned && (w->sweep->answers > 1 ? list_ask(w, &at, &a)
+                                                      : question_ask(w->sweep->answer, &at, &a, &w->problem));
+    if (!done && w->problem.kind != PROBLEM_NO_ANSWER)
         return false;
-    s->question = &parsed->question;
-    s->typed = parsed->typed;
-    return grid_bind(&parsed->grid, q->text, query, (domq_real *)(s + 1), &s->grid, problem);
+    if (!done || !w->answered) {
+        struct cell row[ANSWER_COLUMNS] = {{.kind = CELL_NONE}};
+        memcpy(row, w->value, (size_t)w->grid->axes * sizeof *row);
+        row_write(w, row, done ? "there is no answer at this point" : w->problem.text);
+    }
+    return true;
 }
 
-bool curve_bind(const struct question *q, const struct query *query, struct arguments *given,
-                struct problem *problem)
+/* Looks for a point with an answer among the first 256 points. If there is one, stores its first row in
+ * w->sample, and sets w->answered. If the question has an error, sets w->problem and returns false. */
+static bool sample_find(struct sweeper *w)
 {
-    const domq_real from = given->number[0], to = given->number[1], n = given->number[2];
-    struct curve *c = arguments_take(given, sizeof *c, query, problem);
-    if (!c)
+    enum { TRIED = 256 };
+    w->answered = false;
+    for (size_t k = 0; k < w->grid->points && k < TRIED && !w->answered; k++)
+        if (!point_answer(w, k))
+            return false;
+    return true;
+}
+
+/* These two are callbacks of struct workers. On an error, the first stores it in w->problem and returns
+ * false. The second adds the tally of a worker to that of the sweep. */
+static bool point_write(void *sweeper, size_t k, FILE *out)
+{
+    struct sweeper *w = sweeper;
+    w->to = &w->answer;
+    w->to->out = out;
+    w->to->sink.point = k;
+    w->to->columns = w->columns.column; /* row_take changes the units, so each worker has its own columns */
+    if (k > 0)
+        w->to->progress.has_rows = w->to->progress.is_open = true;
+    if (!point_answer(w, k))
         return false;
-    c->question.question = (struct question){.command = &growths_command, .key = -1, .text = q->text};
-    c->sweep = (struct sweep){
-        .grid = {.axis = {{.parameter = parameter_find("s"), .count = (size_t)n, .from = from, .to = to}},
-                 .axes = 1,
-                 .points = (size_t)n},
-        .question = &c->question,
-        .typed = "curve"};
-    problem->place = 0;
-    return n > 1 || from == to ||
-           problem_error(
-               problem,
-               "one value of s cannot cover %g to %g; N must be at least 2, for example 'curve 0.1 0.9 5'",
-               (double)from, (double)to);
+    w->tally.without_answer += !w->answered;
+    if (*w->reason && w->tally.with_reason++ == 0) {
+        w->tally.first = k;
+        memcpy(w->tally.reason, w->reason, sizeof w->reason);
+    }
+    return true;
 }
 
-struct sweep_shape sweep_shape(const struct arguments *given)
+static void sweeper_merge(void *sweeper, const void *worker)
 {
-    const struct sweep *s = given->bound;
-    size_t answers = 1;
-    for (const struct point_question *q = s->question->next; q; q = q->next)
-        answers++;
-    return (struct sweep_shape){&s->grid, s->question->question.command, s->typed, answers};
+    struct tally *all = &((struct sweeper *)sweeper)->tally;
+    const struct tally *t = &((const struct sweeper *)worker)->tally;
+    if (t->with_reason > 0 && (all->with_reason == 0 || t->first < all->first)) {
+        all->first = t->first;
+        memcpy(all->reason, t->reason, sizeof all->reason);
+    }
+    all->with_reason += t->with_reason;
+    all->without_answer += t->without_answer;
 }
 
 /* ---- The answer ---- */
@@ -204,7 +388,7 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
     bool by_point = true;
-    if ((a->style.errors || a->style.format->for_people) && !point_probe(w))
+    if ((a->style.errors || a->style.format->for_people) && !sample_find(w))
         return point_failed(w, problem);
     a->columns = w->columns.column;
     a->csv.has_reasons = true;
@@ -245,8 +429,8 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
     struct sweeper *w = calloc(1, sizeof *w);
     if (!w)
         return query_status(query, problem, DOM_NO_MEMORY);
+    w->sweep = s;
     w->grid = &s->grid;
-    w->question = s->question;
     w->query = query;
     w->command = problem->command;
     w->run_context = *query->run_context;

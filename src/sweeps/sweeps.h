@@ -86,28 +86,6 @@ struct grid {
     size_t points; /* the product of the counts of all axes */
 };
 
-struct grid_parsed {
-    struct axis_parsed {
-        const struct parameter *parameter;
-        struct value_parsed {
-            struct item item;
-            struct value_parsed *next;
-        } * first;    /* the value FROM, or a linked list of all values if the axis is a list */
-        size_t count; /* the number of values in a list, or 0 if the axis has the form FROM TO N */
-        struct item to, steps;
-        const char *log_at; /* points to the word 'log' in the command, or is NULL */
-    } axis[ASSIGNED_MAX];
-    int axes;
-    size_t listed; /* the number of values in all lists */
-};
-
-/* Parses a grid up to the ':'. */
-bool grid_parse(struct reader *reader, struct grid_parsed *grid);
-
-/* Evaluates a parsed grid in the state of a query. `listed` has room for the values of all lists. */
-bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
-               domq_real *listed, struct grid *grid, struct problem *problem);
-
 /* Returns value number k of an axis, counted from 0. */
 domq_real axis_value(const struct axis *axis, size_t k);
 
@@ -115,8 +93,15 @@ struct cell axis_cell(const struct axis *axis, domq_real value);
 
 /* ---- Sweeps ---- */
 
+struct sweep {
+    struct grid grid;
+    const struct question *answer; /* what is evaluated at each point */
+    size_t answers;                /* if there are several answers, each is one number and has one column */
+    const char *typed;             /* the answers as they were typed */
+};
+
 /* Callbacks of the arguments GRID and ': ANSWER'. They parse the grid, parse the list of requested answers
- * after the ':', and bind both. */
+ * after the ':', and bind both to a struct sweep. */
 bool sweep_parse_grid(struct reader *reader, struct question *question);
 bool sweep_parse_answers(struct reader *reader, struct question *question);
 bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
@@ -124,15 +109,5 @@ bool sweep_bind(const struct question *question, const struct query *query, stru
 /* The argument N of 'curve FROM TO N', which is a sweep over s of what growths_command answers. */
 bool curve_bind(const struct question *question, const struct query *query, struct arguments *given,
                 struct problem *problem);
-
-struct sweep_shape {
-    const struct grid *grid;
-    const struct command *command; /* the command that is swept, or the first one of a list */
-    const char *typed;             /* the answers as they were typed */
-    size_t answers;                /* the number of answers; if there are several, each has one column */
-};
-
-/* Returns the grid and the answers of a sweep whose arguments have been bound. */
-struct sweep_shape sweep_shape(const struct arguments *given);
 
 #endif

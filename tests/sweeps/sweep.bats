@@ -281,15 +281,6 @@ END
     [[ $(head -n 1 part) = 0.501,0.001,* ]]
 }
 
-# bats test_tags=rows,chance,planning
-@test "examples/cluster: the parts of a sweep of 'improve' over several seeds add up to the whole" {
-    # Rows of three with precise gaps all fall, which needs no search.
-    sed 's/placement 5 mm/placement 0.01 mm/; s/row 11/row 3/; s/ 20 20 / 4 4 /' "$root/examples/cluster/improve.dom" >scene.dom
-    for part in 1 2 3; do "$DOMINO" --shard $part/3 -f scene.dom; done >parts
-    "$DOMINO" -f scene.dom | cmp - parts
-    same 'a line for each seed' '1 2 3 4' "$(sed 1d parts | cut -d, -f1 | paste -sd ' ')"
-}
-
 @test "examples/cluster: the tasks of a job array of Slurm add up to the whole" {
     for SLURM_ARRAY_TASK_ID in $(seq 11); do
         export SLURM_ARRAY_TASK_ID SLURM_ARRAY_TASK_COUNT=11
@@ -380,12 +371,6 @@ END
     done
     [[ $("$DOMINO" -n -e 'sweep mass 0, 10 g : why') == *'fuel is in J here, but in mgh/2 at the first point.' ]]
     [[ $("$DOMINO" -n -e 'sweep s 0.4 0.6 2 : if(s > 0.5, 1 m, 2), rmax') == *'is in m here, but a plain number at the first point.' ]]
-}
-
-@test "'with' after the last of several answers applies to all of them" {
-    same both "$(json 'set d 0.1; sweep s 0.2 0.4 3 : rmax, fuel')" "$(json 'sweep s 0.2 0.4 3 : rmax, fuel with d 0.1')"
-    same 'each its own' "$(json 'sweep s 0.2 0.4 3 : (rmax with d 0.2), (fuel with d 0.1)' | cut -d : -f 4-)" \
-        "$(json 'sweep s 0.2 0.4 3 : rmax with d 0.2, fuel with d 0.1' | cut -d : -f 4-)"
 }
 
 @test "sweep: the reason of an empty cell is that of the command" {

@@ -15,7 +15,7 @@ static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, 
 
 struct points {
     const struct plot_rows *rows;
-    struct sweep_shape shape;
+    const struct sweep *sweep;
     int column;  /* index of the first plotted column */
     size_t none; /* the number of points where a value is missing */
 };
@@ -29,7 +29,7 @@ static double value_at(const struct points *p, size_t k)
 static size_t missing_at(const struct points *p, size_t k)
 {
     size_t missing = 0;
-    for (size_t i = 0; i < p->shape.answers; i++)
+    for (size_t i = 0; i < p->sweep->answers; i++)
         missing += isnan(p->rows->row[k].number[p->column + (int)i]) != 0;
     return missing;
 }
@@ -37,14 +37,14 @@ static size_t missing_at(const struct points *p, size_t k)
 /* Returns the index of the principal column of the answer or, if there is none, of the first column. */
 static int column_find(const struct points *p)
 {
-    const struct command *c = p->shape.command;
+    const struct command *c = p->sweep->answer->command;
     const char *key = c->principal ? c->principal : c->columns[0].key;
     char renamed[64];
     snprintf(renamed, sizeof renamed, "%s.%s", c->name, key);
-    for (int i = p->shape.grid->axes; i < ANSWER_COLUMNS && *p->rows->key[i]; i++)
+    for (int i = p->sweep->grid.axes; i < ANSWER_COLUMNS && *p->rows->key[i]; i++)
         if (strcmp(p->rows->key[i], key) == 0 || strcmp(p->rows->key[i], renamed) == 0)
             return i;
-    return p->shape.grid->axes;
+    return p->sweep->grid.axes;
 }
 
 static void axis_label(const struct axis *a, struct chart_axis *to)
@@ -60,8 +60,8 @@ static void axis_label(const struct axis *a, struct chart_axis *to)
 /* Returns true if the values of an axis, or their logarithms on a logarithmic axis, are evenly spaced. */
 static bool is_even(const struct points *p, int axis)
 {
-    const struct axis *a = &p->shape.grid->axis[axis];
-    size_t stride = axis == 0 ? p->shape.grid->axis[1].count : 1;
+    const struct axis *a = &p->sweep->grid.axis[axis];
+    size_t stride = axis == 0 ? p->sweep->grid.axis[1].count : 1;
     double before = (double)NAN;
     for (size_t i = 1; i < a->count; i++) {
         double from = p->rows->row[(i - 1) * stride].number[axis], to = p->rows->row[i * stride].number[axis];
@@ -77,8 +77,8 @@ static bool is_even(const struct points *p, int axis)
  */
 static const char *value_name(const struct points *p)
 {
-    const struct command *c = p->shape.command;
-    return c->is_print ? p->shape.typed : c->principal ? c->principal : c->columns[0].key;
+    const struct command *c = p->sweep->answer->command;
+    return c->is_print ? p->sweep->typed : c->principal ? c->principal : c->columns[0].key;
 }
 
 static void label(char *to, size_t size, const char *name, const char *unit)
@@ -90,16 +90,16 @@ static void label(char *to, size_t size, const char *name, const char *unit)
 static void curves_draw(struct chart *chart, const struct points *p, int over)
 {
     const struct plot_rows *rows = p->rows;
-    const struct grid *grid = p->shape.grid;
+    const struct grid *grid = &p->sweep->grid;
     size_t second = grid->axes == 1 ? 1 : grid->axis[1].count, along = grid->axis[over].count;
     size_t values = grid->points / along, step = over == 0 ? second : 1, turn = over == 0 ? 1 : second;
-    bool several = p->shape.answers > 1, is_one = true;
-    for (size_t k = 1; k < p->shape.answers; k++)
+    bool several = p->sweep->answers > 1, is_one = true;
+    for (size_t k = 1; k < p->sweep->answers; k++)
         is_one = is_one && strcmp(rows->unit[p->column + (int)k], rows->unit[p->column]) == 0;
     axis_label(&grid->axis[over], &chart->x);
     label(chart->y.label, sizeof chart->y.label, several ? "" : value_name(p),
           is_one ? rows->unit[p->column] : "");
-    for (size_t k = 0; k < values * p->shape.answers; k++) {
+    for (size_t k = 0; k < values * p->sweep->answers; k++) {
         const int column = p->column + (several ? (int)k : 0);
         const struct plot_row *row = &rows->row[several ? 0 : k * turn];
         const char *name = rows->key[column] + (strncmp(rows->key[column], "print ", 6) == 0 ? 6 : 0);
@@ -119,7 +119,7 @@ static void curves_draw(struct chart *chart, const struct points *p, int over)
 
 static void map_draw(struct chart *chart, const struct points *p)
 {
-    const struct grid *grid = p->shape.grid;
+    const struct grid *grid = &p->sweep->grid;
     const struct plot_row *first = p->rows->row, *last = first + p->rows->count - 1;
     struct chart_axis *axis[AXES] = {&chart->x, &chart->y};
     size_t cells[AXES] = {grid->axis[0].count, grid->axis[1].count};
@@ -144,12 +144,12 @@ static void map_draw(struct chart *chart, const struct points *p)
 static bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
                             struct problem *problem)
 {
-    struct points p = {.rows = rows, .shape = sweep_shape(query->given)};
-    const struct grid *grid = p.shape.grid;
+    struct points p = {.rows = rows, .sweep = query->given->bound};
+    const struct grid *grid = &p.sweep->grid;
     const struct axis *axis = grid->axis;
     if (rows->count == 0)
         return problem_no_answer(problem, "the sweep has no points to draw");
-    const bool several = p.shape.answers > 1;
+    const bool several = p.sweep->answers > 1;
     size_t missing = 0;
     p.column = several ? grid->axes : column_find(&p);
     for (size_t k = 0; k < rows->count; k++) {
@@ -170,10 +170,10 @@ static bool plot_sweep_draw(const struct query *query, const struct plot_rows *r
                              "a map needs evenly spaced numbers on both axes; to get curves instead, enter "
                              "at most %d values for one of the parameters",
                              FAMILY);
-    if (missing == rows->count * p.shape.answers)
+    if (missing == rows->count * p.sweep->answers)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
                                  rows->count);
-    snprintf(chart->title, sizeof chart->title, "%.95s against %s%s%s", p.shape.typed,
+    snprintf(chart->title, sizeof chart->title, "%.95s against %s%s%s", p.sweep->typed,
              axis[0].parameter->name, two ? " and " : "", two ? axis[1].parameter->name : "");
     if (p.none > 0)
         snprintf(chart->note, sizeof chart->note, "%zu of %zu points %s.", p.none, rows->count,
@@ -193,21 +193,21 @@ static bool plot_sweep_rows(const struct query *query, struct answer *a, struct 
     if (query->given->count < 2 || !query->given->bound)
         return problem_error(
             problem, "'plot sweep' needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'");
-    const struct sweep_shape shape = sweep_shape(query->given);
-    if (chart && shape.grid->axes > AXES)
+    const struct sweep *sweep = query->given->bound;
+    if (chart && sweep->grid.axes > AXES)
         return problem_error(problem, "a picture can show one or two parameters, but this grid has %d",
-                             shape.grid->axes);
-    if (chart && shape.answers > 1 && (shape.grid->axes > 1 || shape.answers > FAMILY))
+                             sweep->grid.axes);
+    if (chart && sweep->answers > 1 && (sweep->grid.axes > 1 || sweep->answers > FAMILY))
         return problem_error(
             problem, "a picture can show up to %d answers against one parameter, or one answer against two",
             FAMILY);
-    if (chart && shape.command->rows)
+    if (chart && sweep->answer->command->rows)
         return problem_error(problem,
                              "'%s' answers with a table, but a picture needs one number for each point; use "
                              "a command such as 'verdict', or 'print EXPRESSION'",
-                             shape.command->name);
+                             sweep->answer->command->name);
     if (chart)
-        plot_rows_by_point(a->sink.context, shape.grid->points);
+        plot_rows_by_point(a->sink.context, sweep->grid.points);
     return run_sweep(query, a, problem);
 }
 
