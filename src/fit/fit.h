@@ -7,8 +7,8 @@
  *     gap (mm), dominoes, time (s)   how long a row of equal dominoes takes to fall
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
  *
- * fit_read.c reads the file, and fit_model.c computes the model's results. fit_solve.c finds the smallest sum
- * of squares. fit_answer.c writes the answer, and fit_chart.c draws it.
+ * fit.c reads the file and writes the answer, fit_solve.c finds the smallest sum of squares, and fit_chart.c
+ * draws it.
  */
 #ifndef FIT_H
 #define FIT_H
@@ -47,12 +47,6 @@ struct fit_data {
     bool intervals;
 };
 
-/* Reads the measurements. `rate` is in frames per second, or NaN if it is not known. Call fit_data_free
- * afterwards, even after a failure. */
-bool fit_read(const struct query *query, const char *name, double rate, struct fit_data *data,
-              struct problem *problem);
-void fit_data_free(struct fit_data *data);
-
 /* Returns true if each line of the file is about another row, and false if the times of a run share a clock.
  */
 static inline bool fit_has_rows(const struct fit_data *data)
@@ -83,18 +77,10 @@ struct fit {
     struct problem problem; /* why the last computation gave no answer */
 };
 
-/* Computes what the model predicts for each measurement if the unknowns have the values `value`. The clock of
- * each run starts where the hits agree best. Returns false and sets fit->problem if there is no answer. */
-bool fit_compute(struct fit *fit, const double *value);
-
 static inline bool fit_is_first(const struct fit *fit, size_t k)
 {
     return k == fit->data.run[fit->data.point[k].run].first;
 }
-
-/* Returns the standard error of measurement k. If no errors are known, all times of hits get the error 1, and
- * each speed or total time gets its own value as the error, so that all have the same relative error. */
-double fit_error(const struct fit *fit, size_t k);
 
 /* Finds the values of the unknowns for which the sum of squares is smallest. Also finds their standard
  * deviations and correlations. */
