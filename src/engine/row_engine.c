@@ -170,24 +170,7 @@ static enum dom_status run_row(const struct dom_row *row, const struct dom_compu
     return status;
 }
 
-/* ---- Runs for commands ---- */
-
-static enum dom_status run_once(const struct domq_row *row, const struct any_compute *compute,
-                                const struct engine_grain *grain, engine_visit *visit, void *context)
-{
-    struct engine_fall fall;
-    struct engine_row engine;
-    struct engine_box *box;
-    struct double_row made;
-    if (!double_row_make(row, compute, &made))
-        return DOM_NO_MEMORY;
-    enum dom_status status = row_convert(&made.row, &engine, &box);
-    if (status == DOM_OK)
-        status = status_of(engine_run(&engine, grain, compute->interrupt, NULL, visit, context, &fall));
-    free(box);
-    free(made.domino);
-    return status;
-}
+/* ---- Runs that are watched ---- */
 
 struct watch {
     struct unit unit;
@@ -241,25 +224,32 @@ static enum dom_status row_watch(const struct domq_row *row, const struct any_co
     const struct scene_engine *of_scene = row->engine->context;
     const struct engine_report *report = of_scene->report;
     const struct engine_grain grain = {.steps = report->steps, .tolerance = report->tolerance};
-    const struct dom_domino first = domino_in_double(row->domino);
-    struct watch w = {.unit = unit_of(&first, (double)row->g),
-                      .zero = report->zero,
+    struct watch w = {.zero = report->zero,
                       .times = times,
                       .left = count,
                       .feet = feet,
                       .visit = visit,
                       .context = context,
+                      .time = -report->zero,
                       .more = true};
-    w.time = -w.zero;
-    w.tilt = calloc(2 * row->count, sizeof *w.tilt);
-    if (!w.tilt)
-        return DOM_NO_MEMORY;
-    w.omega = w.tilt + row->count;
+    struct engine_fall fall;
+    struct engine_row engine;
+    struct engine_box *box = NULL;
+    struct double_row made;
     memset(feet, 0, row->count * sizeof *feet);
-    enum dom_status status = run_once(row, compute, &grain, watch_step, &w);
+    if (!double_row_make(row, compute, &made))
+        return DOM_NO_MEMORY;
+    w.unit = unit_of(made.domino, made.row.g);
+    w.tilt = calloc(2 * row->count, sizeof *w.tilt);
+    w.omega = w.tilt ? w.tilt + row->count : NULL;
+    enum dom_status status = w.tilt ? row_convert(&made.row, &engine, &box) : DOM_NO_MEMORY;
+    if (status == DOM_OK)
+        status = status_of(engine_run(&engine, &grain, compute->interrupt, NULL, watch_step, &w, &fall));
     /* The state no longer changes after the motion has ended. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
+    free(box);
+    free(made.domino);
     free(w.tilt);
     return status;
 }

@@ -240,7 +240,7 @@ static const struct column fit_columns[] = {
      "the correlation of friction and push; every pair of fitted parameters has a column", 0},
     {NULL, NULL, NULL, 0},
 };
-enum { THE_GAP, THE_DOMINOES, THE_RUN, THE_DOMINO, THE_MEASURED, FITTED, RESIDUAL, UNKNOWN };
+enum { COLUMN_GAP, COLUMN_DOMINOES, COLUMN_RUN, COLUMN_DOMINO, COLUMN_MEASURED, FITTED, RESIDUAL, UNKNOWN };
 
 /* What differs between the kinds of measurements: the columns that are not used, and how all are weighted. */
 static const struct {
@@ -297,11 +297,11 @@ static void rows_write(struct answer *a, const struct fit *f)
         if (!compared(f, k, &value, &fitted, &residual))
             continue;
         struct cell cell[ANSWER_COLUMNS] = {
-            [THE_GAP] = cell_real((domq_real)p->gap),
-            [THE_DOMINOES] = cell_count((domq_real)p->domino),
-            [THE_RUN] = cell_real((domq_real)f->data.run[p->run].number),
-            [THE_DOMINO] = cell_count((domq_real)p->domino),
-            [THE_MEASURED] = cell_real((domq_real)value),
+            [COLUMN_GAP] = cell_real((domq_real)p->gap),
+            [COLUMN_DOMINOES] = cell_count((domq_real)p->domino),
+            [COLUMN_RUN] = cell_real((domq_real)f->data.run[p->run].number),
+            [COLUMN_DOMINO] = cell_count((domq_real)p->domino),
+            [COLUMN_MEASURED] = cell_real((domq_real)value),
             [FITTED] = cell_narrow((domq_real)fitted, 4),
             [RESIDUAL] = cell_narrow((domq_real)residual, 2),
         };

@@ -44,6 +44,7 @@ struct worker {
     struct pool *pool;
     void *context;
     pthread_t thread;
+    bool is_caller; /* runs in the caller's thread, which shows progress */
 };
 
 /* ---- The pool; the caller of these functions holds the lock ---- */
@@ -87,7 +88,7 @@ static bool block_compute(const struct worker *me, size_t number, struct block *
         if (!job->point(me->context, job->first + from + k, out))
             b->last = me->context;
     progress_mute(was_muted);
-    if (job->progress) /* only the caller's thread shows progress, because the other threads are muted */
+    if (job->progress && me->is_caller)
         progress_show((double)from / (double)job->points);
     is_good = is_good && !(out && ferror(out));
     return !(out && fclose(out) != 0) && is_good;
@@ -122,28 +123,6 @@ static void *worker_run(void *worker)
     return NULL;
 }
 
-static void *thread_run(void *worker)
-{
-    progress_mute(true);
-    return worker_run(worker);
-}
-
-/* Runs all workers, the first one in the caller's thread. */
-static void pool_run(struct pool *p, struct worker *worker)
-{
-    unsigned begun = 1;
-    /* New threads inherit the signal mask. Signals are blocked until all threads have begun, so that signal
-     * handlers run only in the caller's thread. */
-    sigset_t before = io_block();
-    while (begun < p->job->count &&
-           pthread_create(&worker[begun].thread, NULL, thread_run, &worker[begun]) == 0)
-        begun++;
-    io_unblock(&before);
-    worker_run(&worker[0]);
-    for (unsigned k = 1; k < begun; k++)
-        pthread_join(worker[k].thread, NULL);
-}
-
 /* Computes all points of the pool's job. If some threads cannot be created, the other workers compute all. */
 static void workers_run(struct pool *pool)
 {
@@ -162,10 +141,21 @@ static void workers_run(struct pool *pool)
         io_stdout_flush();
     if (worker && contexts && pool->waiting) {
         for (unsigned k = 0; k < job->count; k++) {
-            worker[k] = (struct worker){.pool = pool, .context = contexts + k * job->size};
+            worker[k] =
+                (struct worker){.pool = pool, .context = contexts + k * job->size, .is_caller = k == 0};
             memcpy(worker[k].context, job->context, job->size);
         }
-        pool_run(pool, worker);
+        /* New threads inherit the signal mask. Signals are blocked until all threads have begun, so that
+         * signal handlers run only in the caller's thread. */
+        unsigned begun = 1;
+        sigset_t before = io_block();
+        while (begun < job->count &&
+               pthread_create(&worker[begun].thread, NULL, worker_run, &worker[begun]) == 0)
+            begun++;
+        io_unblock(&before);
+        worker_run(&worker[0]);
+        for (unsigned k = 1; k < begun; k++)
+            pthread_join(worker[k].thread, NULL);
         for (size_t k = 0; k < pool->window; k++)
             free(pool->waiting[k].text);
         for (unsigned k = 0; k < job->count && pool->status == DOM_OK && !pool->is_over && job->merge; k++)

@@ -41,14 +41,6 @@ UNITS = {"m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}, "
 WINDOWS = {of.name.removeprefix("DOM_WINDOW_").lower(): of for of in api.dom_window_of}
 
 
-def error_kind(name: str) -> int:
-    """Returns the number of a kind of error."""
-    kinds = [kind.name.removeprefix("DOM_ERROR_") for kind in api.dom_error_of if kind.name != "DOM_ERROR_COUNT"]
-    if name not in kinds:
-        raise ValueError(f"{name!r} is not a kind of error; use one of: {', '.join(kinds)}")
-    return kinds.index(name)
-
-
 class Row:
     """An immutable row of dominoes.
 
@@ -221,7 +213,7 @@ class Row:
             size, limits = error if isinstance(error, tuple) else (error, "normal")
             if limits not in ("normal", "uniform"):
                 raise ValueError(f"the error of {name} is 'normal' or 'uniform', not {limits!r}")
-            placement.error[error_kind(name)] = api.dom_random_error(size, limits == "uniform")
+            placement.error[number_of(name, ERRORS, "error")] = api.dom_random_error(size, limits == "uniform")
         return placement
 
     def placement(self, sigma: float = 0.0, *, rows: int = 1000, seed: int = 1,
@@ -243,7 +235,7 @@ class Row:
         of="all" finds the factor by which all errors may be multiplied.
         """
         budget, placement = api.dom_budget(), self._placement(errors, seed, rows)
-        kind = api.dom_error_of.DOM_ERROR_COUNT if of == "all" else error_kind(of)
+        kind = api.dom_error_of.DOM_ERROR_COUNT if of == "all" else number_of(of, ERRORS, "of")
         try:
             self._call(lib.dom_placement_budget, ctypes.byref(placement), kind, probability, ctypes.byref(budget))
         except DominoError as error:
