@@ -39,6 +39,7 @@ Design = record("Design", "s r steps feet length seconds safety row",
 COLUMNS = {"height": "m", "thickness": "m", "gap": "m", "mass": "kg", "lean": "m", "radius": "m", "width": "m"}
 UNITS = {"m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}, "kg": {"kg": 1.0, "g": 0.001, "t": 1000.0}}
 WINDOWS = {of.name.removeprefix("DOM_WINDOW_").lower(): of for of in api.dom_window_of}
+ERRORS = {kind.name.removeprefix("DOM_ERROR_"): kind for kind in api.dom_error_of if kind.name != "DOM_ERROR_COUNT"}
 
 
 class Row:
