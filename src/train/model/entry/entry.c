@@ -5,20 +5,12 @@
 #include "effects/effects.h"
 #include "entry/answers.h"
 #include "entry/method.h"
-#if !defined DOMF && !defined DOMQ
 #include "entry/study.h"
-#endif
 
 /* A question about a train. */
 struct question {
     struct request request;
     const struct method *method; /* the method for comparison that answers it, or NULL */
-    enum dom_status status;
-};
-
-/* A question about a row. */
-struct row_question {
-    struct row_request request;
     enum dom_status status;
 };
 
@@ -94,24 +86,24 @@ static struct question question_make(const struct dom_train *train, const struct
     return q;
 }
 
-static struct row_question row_question_make(const struct dom_row *row, const struct dom_compute *given)
+KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *given,
+                                             struct row_request *request)
 {
-    struct dom_compute compute = compute_or_default(given);
-    struct row_question q = {.request = {.domino = row->domino,
-                                         .count = row->count,
-                                         .g = row->g,
-                                         .push = row->push,
-                                         .release = row->release,
-                                         .effect = {DOM_DYNAMICS(ROW_VALUE)},
-                                         .boxes_above = row->boxes_above,
-                                         .floor = row->floor,
-                                         .tol = compute.tol,
-                                         .work = compute.work,
-                                         .interrupt = compute.interrupt},
-                             .status = dom_arithmetic()->bits == 0           ? DOM_NO_PRECISION
-                                       : IS_NEWER(row) || IS_NEWER(&compute) ? DOM_NEWER
-                                                                             : DOM_OK};
-    return q;
+    const struct dom_compute compute = compute_or_default(given);
+    *request = (struct row_request){.domino = row->domino,
+                                    .count = row->count,
+                                    .g = row->g,
+                                    .push = row->push,
+                                    .release = row->release,
+                                    .effect = {DOM_DYNAMICS(ROW_VALUE)},
+                                    .boxes_above = row->boxes_above,
+                                    .floor = row->floor,
+                                    .tol = compute.tol,
+                                    .work = compute.work,
+                                    .interrupt = compute.interrupt};
+    return dom_arithmetic()->bits == 0           ? DOM_NO_PRECISION
+           : IS_NEWER(row) || IS_NEWER(&compute) ? DOM_NEWER
+                                                 : DOM_OK;
 }
 
 /* Makes a question about a limit of growth. The search chooses r, so train->r need not be valid. */
@@ -248,9 +240,10 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *given, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    const struct row_question q = row_question_make(row, given);
-    if (q.status != DOM_OK || !row->engine)
-        return q.status == DOM_OK ? row_run(&q.request, times, visit, context, verdict) : q.status;
+    struct row_request request;
+    enum dom_status status = row_request_of(row, given, &request);
+    if (status != DOM_OK || !row->engine)
+        return status == DOM_OK ? row_run(&request, times, visit, context, verdict) : status;
 #if defined DOMF || defined DOMQ
     return DOM_NO_METHOD;
 #else
@@ -260,7 +253,7 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
             return DOM_NO_LEAN;
     if (row->release > 0 && isfinite(row->release)) {
         double touch;
-        const enum dom_status status = dom_row_touch(row, given, &touch);
+        status = dom_row_touch(row, given, &touch);
         if (status == DOM_OK && row->release > touch)
             *verdict = (struct dom_verdict){.end = DOM_ROW_SKEWED, .domino = 1, .seconds = DOM_NAN};
         if (status != DOM_OK || row->release > touch)
@@ -292,28 +285,22 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
                               const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
                               struct dom_verdict *verdict)
 {
-    const struct row_question q = row_question_make(row, compute);
-    return q.status != DOM_OK ? q.status
-           : row->engine      ? DOM_NO_METHOD
-                              : row_watch(&q.request, times, count, visit, context, verdict);
+    struct row_request request;
+    const enum dom_status status = row_request_of(row, compute, &request);
+    return status != DOM_OK ? status
+           : row->engine    ? DOM_NO_METHOD
+                            : row_watch(&request, times, count, visit, context, verdict);
 }
 
-#if !defined DOMF && !defined DOMQ /* entry/study.h */
+#if !defined DOMF && !defined DOMQ
 
 enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,
                            dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    struct row_question q = row_question_make(row, compute);
-    q.request.carries_on = true;
-    return q.status != DOM_OK ? q.status : row_run(&q.request, false, visit, context, verdict);
-}
-
-enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
-                               struct row_request *request)
-{
-    const struct row_question q = row_question_make(row, compute);
-    *request = q.request;
-    return q.status;
+    struct row_request request;
+    const enum dom_status status = row_request_of(row, compute, &request);
+    request.carries_on = true;
+    return status == DOM_OK ? row_run(&request, false, visit, context, verdict) : status;
 }
 
 #endif

@@ -4,6 +4,7 @@
 #define DOM_ENTRY_STUDY_H
 
 #include "geometry/request.h"
+#include "numerics/real.h"
 
 /* Runs a row. At a domino that would stop, the run does not end: the domino gets the energy that it needs. */
 enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,
@@ -11,7 +12,7 @@ enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *
 
 /* Finds the request for a row. Returns an error if the precision does not exist, or if the caller asks for
  * something that came with a later version. */
-enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
-                               struct row_request *request);
+KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
+                                             struct row_request *request);
 
 #endif
