@@ -9,7 +9,6 @@
 #include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "session.h"
-#include "sweeps/grid.h"
 #include <dirent.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -36,11 +35,20 @@ static unsigned pick(struct maker *m, unsigned n)
     return (*m->data++ + 37 * m->at++) % 256 % n;
 }
 
-#define PICK(m, list) (list)[pick(m, sizeof(list) / sizeof *(list))]
-
 static void put(const struct maker *m, const char *text)
 {
     fputs(text, m->line);
+}
+
+/* Writes one of several texts, which a '|' separates. */
+static void put_one(struct maker *m, const char *texts)
+{
+    unsigned n = 1;
+    for (const char *c = texts; *c; c++)
+        n += *c == '|';
+    for (unsigned k = pick(m, n); k > 0; k--)
+        texts = strchr(texts, '|') + 1;
+    fprintf(m->line, "%.*s", (int)strcspn(texts, "|"), texts);
 }
 
 /* Writes one name of a list, sometimes shortened or with one more letter. */
@@ -61,16 +69,12 @@ static void put_expression(struct maker *m, int depth);
 
 static void put_number(struct maker *m)
 {
-    static const char *const numbers[] = {
-        "0",          "1",        "2",     "3",      "0.5",    "0.1",   "1.5",    "0.999",
-        "1e-9",       "1e-12",    "7/48",  "10",     "100",    "1e6",   "1e9",    "1e30",
-        "1e39",       "1e308",    "1e400", "1e4000", "1e4932", "1e-39", "1e-320", "1e-4900",
-        "4294967295", "10000000", "0x10",  ".5",     "5.",     "1e",    "99",     "1.7976931348623157e308",
-        "3.4e38"};
     if (pick(m, 4))
         fprintf(m->line, "%u.%u", pick(m, 8) / 4, pick(m, 256));
     else
-        put(m, PICK(m, numbers));
+        put_one(
+            m, "0|1|2|3|0.5|0.1|1.5|0.999|1e-9|1e-12|7/48|10|100|1e6|1e9|1e30|1e39|1e308|1e400|1e4000|1e4932|"
+               "1e-39|1e-320|1e-4900|4294967295|10000000|0x10|.5|5.|1e|99|1.7976931348623157e308|3.4e38");
 }
 
 static void put_call(struct maker *m, int depth)
@@ -104,7 +108,7 @@ static void put_value(struct maker *m, int depth)
         break;
     case 2:
         put(m, "ans.");
-        put_name(m, command_keys, command_find("where"));
+        put_name(m, command_keys, command_find("rmax"));
         break;
     case 3:
         put_name(m, parameter_names, NULL);
@@ -120,7 +124,6 @@ static void put_value(struct maker *m, int depth)
 
 static void put_expression(struct maker *m, int depth)
 {
-    static const char *const operators[] = {" + ", "-", "*", "/", "^", " - ", "\xe2\x88\x92", "\xc3\x97"};
     switch (depth > 4 ? 0 : pick(m, 8)) {
     case 1:
         put(m, "(");
@@ -129,7 +132,7 @@ static void put_expression(struct maker *m, int depth)
         break;
     case 2:
         put_expression(m, depth + 1);
-        put(m, PICK(m, operators));
+        put_one(m, " + |-|*|/|^| - |\xe2\x88\x92|\xc3\x97");
         put_expression(m, depth + 1);
         break;
     case 3:
@@ -144,30 +147,19 @@ static void put_expression(struct maker *m, int depth)
 /* ---- Arguments ---- */
 
 /* None of these names leads out of the folder, since they contain no '/' and no '~'. */
-static const char *const files[] = {"row.csv",
-                                    "\"row.csv\"",
-                                    "\"a \"\"b\"\".csv\"",
-                                    "s.dom",
-                                    "s.dom",
-                                    "a.txt",
-                                    "a.svg",
-                                    "\"a b.csv\"",
-                                    "a.csv",
-                                    "gone",
-                                    "-",
-                                    "a.gif",
-                                    "\"\x1b[31m\"",
-                                    "\"\xff\x9b.csv\"",
-                                    "\"\xe2\x80\xae.csv\"",
-                                    "\xce\xb8.csv"};
+static void put_file(struct maker *m)
+{
+    put_one(m,
+            "row.csv|\"row.csv\"|\"a \"\"b\"\".csv\"|s.dom|s.dom|a.txt|a.svg|\"a b.csv\"|a.csv|gone|-|a.gif|"
+            "\"\x1b[31m\"|\"\xff\x9b.csv\"|\"\xe2\x80\xae.csv\"|\xce\xb8.csv");
+}
 
 static void put_parameter_value(struct maker *m, const struct parameter *p)
 {
-    static const char *const of_effects[] = {"1 mm", "3", "row.csv", "\"a \"\"b\"\".csv\""};
     if (p && p->words && pick(m, 4))
         put_name(m, parameter_words, p);
     else if (p && p->effect && pick(m, 2))
-        put(m, PICK(m, of_effects));
+        put_one(m, "1 mm|3|row.csv|\"a \"\"b\"\".csv\"");
     else if (p && pick(m, 2)) {
         domq_real lowest = p->value->lowest, highest = p->value->highest;
         fprintf(m->line, "%.17g", (double)(lowest + (highest - lowest) * pick(m, 256) / 255));
@@ -218,8 +210,6 @@ static void put_wishes(struct maker *m, const struct argument *a)
 
 static void put_argument(struct maker *m, const struct argument *a, const struct parameter **named, int depth)
 {
-    static const char *const words[] = {"barrier", "\"a b\"", "\"", "\"\x1b[3m\"", "\xc2\x9b",
-                                        "\xff",    "x\ty",    "#",  "on"};
     switch (a->kind) {
     case ARGUMENT_VALUE_OF:
         put_parameter_value(m, parameter_find(a->parameter));
@@ -248,10 +238,10 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
         break;
     case ARGUMENT_WORD:
     case ARGUMENT_REST:
-        put(m, PICK(m, words));
+        put_one(m, "barrier|\"a b\"|\"|\"\x1b[3m\"|\xc2\x9b|\xff|x\ty|#|on");
         break;
     case ARGUMENT_FILE:
-        put(m, PICK(m, files));
+        put_file(m);
         break;
     case ARGUMENT_UNIT:
         put(m, pick(m, 8) ? "to " : "ti ");
@@ -297,24 +287,15 @@ static void put_command(struct maker *m, const struct command *c, int depth)
  * question. */
 static void put_form(struct maker *m)
 {
-    static const char *const heads[] = {"let x = ",
-                                        "x = ",
-                                        "let y = ",
-                                        "let f(s) = ",
-                                        "let f(a) = f(a)*",
-                                        "let k(a, b) = a*f(b) + ",
-                                        "k(1, ",
-                                        "f(",
-                                        "f(x) + ",
-                                        "let k(a,a) = ",
-                                        "? "};
     switch (pick(m, 4)) {
     case 0:
         put_name(m, parameter_names, NULL);
         put(m, pick(m, 4) ? " = " : " ? ");
         break;
     case 1:
-        put(m, PICK(m, heads));
+        put_one(
+            m, "let x = |x = |let y = |let f(s) = |let f(a) = f(a)*|let k(a, b) = a*f(b) + |k(1, |f(|f(x) + |"
+               "let k(a,a) = |? ");
         break;
     case 2:
         put(m, pick(m, 2) ? "undo; redo; " : "undo; undo; ");
@@ -328,41 +309,34 @@ static void put_form(struct maker *m)
 
 static void put_line(struct maker *m)
 {
-    static const char *const ends[] = {"\n", "\n", "\n", "\n", "\n", "\n",        "\n",   "\n",
-                                       "\n", "\n", "\n", "\n", "; ", " # what\n", "\r\n", " \\\n"};
     unsigned way = pick(m, 8);
     /* One line in eight is a setting, because settings affect all later lines. */
-    if (way == 0) {
-        static const char *const settings[] = {"set output json",       "set output csv",
-                                               "set output json",       "set precision float",
-                                               "set precision quad",    "set errors on",
-                                               "effect row 3",          "set angle deg",
-                                               "effect row row.csv",    "effect friction 0.2",
-                                               "effect walls 1 mm",     "effect floor 0.1",
-                                               "effect placement 1 mm", "set r 1e6; effect row 60",
-                                               "set s 1; set r 1",      "set h 1e9",
-                                               "set timing on"};
-        put(m, PICK(m, settings));
-    } else if (way == 1)
+    if (way == 0)
+        put_one(m,
+                "set output json|set output csv|set output json|set precision float|set precision quad|set "
+                "errors on|"
+                "effect row 3|set angle deg|effect row row.csv|effect friction 0.2|effect walls 1 mm|"
+                "effect floor 0.1|effect placement 1 mm|set r 1e6; effect row 60|set s 1; set r 1|set h 1e9|"
+                "set timing on");
+    else if (way == 1)
         put_form(m);
     else
         put_command(m, command_find(put_name(m, command_names, NULL)), 0);
     if (pick(m, 8) == 1) {
         put(m, pick(m, 2) ? " > " : " >> ");
-        put(m, PICK(m, files));
+        put_file(m);
     }
-    put(m, PICK(m, ends));
+    put_one(m, "\n|\n|\n|\n|\n|\n|\n|\n|\n|\n|\n|\n|; | # what\n|\r\n| \\\n");
 }
 
 /* Writes a command as a function. Every session begins with a few such lines, so that each command soon
  * occurs. */
 static void put_function(struct maker *m)
 {
-    static const unsigned counts[] = {1, 1, 2, 1, 0, 3};
     put(m, "print ");
     put_name(m, command_names, NULL);
     put(m, "(");
-    for (unsigned n = PICK(m, counts); n > 0; n--) {
+    for (unsigned n = pick(m, 4); n > 0; n--) {
         put_number(m);
         put(m, n > 1 ? "," : "");
     }

@@ -21,7 +21,6 @@ junk() { # PATTERN
 @test "unknown commands and parameters: the message names them, and says where the right ones are listed" {
     all_wrong stdin -e script <<'END'
 1|foo|^unknown command 'foo'.*'help'
-1|xyzzy|^unknown command 'xyzzy'.*'help'
 1|q 3|^'q' is a parameter; enter 'set q VALUE'
 1|sqrt 2|^'sqrt' is a function; write its arguments in parentheses, as in 'sqrt\(2\)'$
 8|4.8 cm in mm|'to' converts, as in '4.8 cm to mm'$
@@ -29,11 +28,9 @@ junk() { # PATTERN
 6|rmax hollow|^rmax: S at 'hollow': 'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 1|hollow|^'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 5|set hollow|^set: 'hollow' is a value of q; enter 'set q hollow', or
-3|  foo 1 2|^unknown command 'foo'.*'help'
 5|set foo 1|^set: unknown parameter 'foo'
 11|set s=0.4 1|^set: '1' .*too many.*set NAME VALUE
 6|show foo|^show: unknown parameter 'foo'
-7|reset foo|^reset: unknown parameter 'foo'
 6|help foo|^help: unknown (topic|command) 'foo'
 END
 }
@@ -42,20 +39,14 @@ END
 @test "missing and surplus arguments: the usage of the command" {
     all_wrong <<'END'
 4|set|^set: .*missing.*set NAME VALUE
-6|set s|^set: .*missing.*set NAME VALUE
 11|set s 0.4 1|^set: '1' .*too many.*set NAME VALUE
-8|show s r|^show: 'r' .*too many.*show \[NAME\]
 10|help set show|^help: 'show' .*too many.*help \[NAME\]
-6|quit now|^quit: 'now' .*too many.*usage: quit
 8|thetac 1|^thetac: '1' .*too many.*usage: thetac
-7|theta1|^theta1: .*missing.*theta1 T
 12|theta1 0.1 0.2|^theta1: '0.2' .*too many.*theta1 T
-10|rmax 0.3 0.4|^rmax: '0.4' .*too many.*rmax \[S\]
 14|curve 0.1 0.9|^curve: .*missing.*curve FROM TO N
 17|curve 0.1 0.9 5 6|^curve: '6' .*too many.*curve FROM TO N
 6|count|^count: .*missing.*count H \[R\]
 9|print 1 2|^print: '2' .*too many.*print VALUE
-5|save|^save: .*missing.*save FILE
 8|save a b|^save: 'b' .*too many.*save FILE
 6|fuel a b c d e f g h i j k l m n o p q r s t u|^fuel: 'a' .*too many.*usage: fuel
 END
@@ -81,22 +72,16 @@ END
 7 "0.4"
 END
     all_wrong <<'END'
-7|set s 1e5000|^set: s.*too large
 8|set s -1e5000|^set: s.*too large
-7|set s 1e-5000|^set: s.*too close to 0
 13|set h 1e4900/1e-90|^set: h.*not a finite number
 8|set s 1/0|^set: s.*division by zero
 9|set s 1 / (2 - 2)|^set: s.*division by zero
 7|set q wooden|^set: .*q.*'wooden'
 10|set fuel diesel|^set: unknown value of fuel 'diesel'.*exact.paper
 12|set output xml|^set: unknown value of output 'xml'.*table.csv.json
-11|set angle grad|^set: unknown value of angle 'grad'.*rad.deg
-12|set timing maybe|^set: unknown value of timing 'maybe'.*off.on
-8|theta1 nan|^theta1: T.*'nan' has no value
 6|rmax nan|^rmax: S.*'nan' has no value
 7|curve x 0.9 3|^curve: FROM.*'x' has no value
 15|curve 0.1 0.9 x|^curve: N.*'x' has no value
-7|count 1e5000|^count: H.*too large
 9|count 1 x|^count: R.*'x' has no value
 END
 }
@@ -112,9 +97,7 @@ s 0 1.0001 1e-06 \.\. 1( |$)
 s -0.4 1e300 1e-06 \.\. 1( |$)
 s 9e-7 1+1e-9 1e-06 \.\. 1( |$)
 r 0.9999 1.1e6 1 \.\. 1e\+06$
-r -1 1e300 1 \.\. 1e\+06$
 d 0 101 1e-12 \.\. 100( |$)
-d -1 1e300 1e-12 \.\. 100( |$)
 q 0 101 1e-06 \.\. 100
 tol -1e-3 1 1e-15 \.\. 0.1$
 h 0 1e10 1e-09 \.\. 1e\+09( |$)
@@ -123,7 +106,6 @@ digits 0 37 1 \.\. 36$
 digits -3 1e300 1 \.\. 36$
 END
     all_wrong <<'END'
-6|rmax 0|^rmax: S = 0 is out of range; S is a value of s, 1e-06 \.\. 1$
 6|rmax 2|^rmax: S = 2 is out of range; S is a value of s, 1e-06 \.\. 1$
 7|curve 0 1 3|^curve: FROM = 0 is out of range; FROM is a value of s, 1e-06 \.\. 1$
 11|curve 0.1 1.1 3|^curve: TO = 1.1 is out of range; TO is a value of s, 1e-06 \.\. 1$
@@ -131,9 +113,7 @@ END
 15|curve 0.1 0.9 2.5|^curve: N = 2.5 .*integer in 1 \.\. [0-9]+$
 15|curve 0.1 0.9 1e12|^curve: N = 1e\+12 .*integer in 1 \.\. [0-9]+$
 0|curve 0.1 0.9 1|^curve: one value of s .*at least 2, for example
-7|count 0|^count: H = 0 .*metres, larger than 0$
 7|count -112|^count: H = -112 .*metres, larger than 0$
-11|count 112 0.5|^count: R = 0.5 is out of range; R is a value of r, 1 \.\. 1e\+06$
 END
 }
 

@@ -34,13 +34,9 @@ END
 @test "messages suggest the right name after a misspelling, and list the candidates after an ambiguous abbreviation" {
     all_wrong <<'END'
 1|barier|^unknown command 'barier'; did you mean 'barrier'\?$
-1|brarier|^unknown command 'brarier'; did you mean 'barrier'\?$
 1|lauch|^unknown command 'lauch'; did you mean 'launch'\?$
 5|set outptu json|^set: unknown parameter 'outptu'; did you mean 'output'\?$
-6|show digts|^show: unknown parameter 'digts'; did you mean 'digits'\?$
-7|reset timng|^reset: unknown parameter 'timng'; did you mean 'timing'\?$
 6|help barier|^help: unknown topic 'barier'; did you mean 'barrier'\?$
-6|help digist|^help: unknown topic 'digist'; did you mean 'digits'\?$
 1|mu 0.2|^unknown command 'mu'; did you mean 'set friction MU'\?$
 1|separation 0.3|^unknown command 'separation'; did you mean 'set s VALUE'\?$
 5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$
@@ -51,17 +47,13 @@ END
 1|mu = 0.2|^unknown parameter 'mu'; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
 7|print gravity|'gravity' has no value; did you mean 'g'\?$
 35|echo x > /dev/null; animate speed 2 rad|animate: the value is a plain number
-12|set output jsno|^set: .*'jsno'; did you mean 'json'\?
 10|set fuel ecaxt|^set: .*'ecaxt'; did you mean 'exact'\?
-7|set q hollwo|^set: .*'hollwo'.*did you mean 'hollow'
 7|set q masive|^set: .*'masive'.*did you mean 'massive'
 7|print sqr(2)|^print:.*'sqr' has no value; did you mean 'sqrt'\?
-7|print baricr|^print:.*'baricr' has no value; did you mean 'barrier'\?
 7|print rmax.r_max_papr|^print:.*unknown key of rmax 'r_max_papr'; did you mean 'r_max_paper'\?
 1|b|^'b' is ambiguous: barrier, back, best, budget$
 1|the|^'the' is ambiguous: thetac, theta1$
 6|show t|^show: 't' is ambiguous: tol, threads, timing$
-5|set t 1|^set: 't' is ambiguous: tol, threads, timing$
 12|set timing o|^set: 'o' is ambiguous: off, on
 7|print rmax.r_|^print:.*'r_' is ambiguous: r_max, r_max_exact, r_max_paper
 END

@@ -22,14 +22,10 @@ shown() { # KEY COMMANDS
 
 @test "units: with and without a blank, products and powers" {
     all_worth <<'END'
-3|m|3 m
-0.003|m|3mm
 0.03|m|3 cm
-3000|m|3 km
 0.0762|m|3 in
 0.3048|m|1 ft
 0|m|12 in - 1 ft
-0.9144|m|1 yd
 0.009525|m|3/8 in
 -0.009525|m|-3/8in
 0.5|m|1/2 m
@@ -48,9 +44,7 @@ shown() { # KEY COMMANDS
 30|s|30 sec
 1|-|48 mm/h
 0|-|5 - max(4, min(5, 6))
-2|kg|2 kg
 0.01|kg|10 g
-0.01|kg|10g
 0.005|kg|(2 + 3) g
 2000|kg|2 t
 0.45359237|kg|1 lb
@@ -63,19 +57,15 @@ shown() { # KEY COMMANDS
 0.002|kg|min(1 kg, 2 g)
 5|-|5 g / 1 g
 9.81|m s^-2|g
-19.62|m s^-2|2*g
 0.0048929663608562693|s^2|h/g
 0.0048929663608562693|s^2|4.8 cm/g
 9.81|m^2 s^-2|1 m*g
 9.81|kg m s^-2|1 kg*g
 0.00981|kg m s^-2|1 g*g
-2|s|2 s
 0.002|s|2 ms
-2|rad|2 rad
 1.5707963267948966|rad|90 deg
 1.1|m|10 cm + 1 m
 250|-|10 m/4 cm
-5|m s^-1|5 m/s
 9.81|m s^-2|981 cm/s^2
 9.81|m s^-2|9.81 m*s^-2
 5|m^2|5m^2
@@ -98,10 +88,7 @@ END
 s|.5|0.5
 s|5e-1|0.5
 s|5.E-1|0.5
-s|+0.5|0.5
 s|1/2/2|0.25
-s|1e-6|1e-06
-s|1/2|0.5
 r|3/2|1.5
 d|7/48|0.14583333333333334
 q|solid|4
@@ -110,18 +97,13 @@ d|0.7/4.8|0.14583333333333334
 d|7 mm / 48 mm|0.14583333333333334
 d|7 mm/h|0.14583333333333334
 h|4.8 cm|0.048
-h|48mm|0.048
 h|1 ft|0.3048
 mass|10 g|0.01
-mass|2 oz|0.05669904625
 mass|600 kg/m^3 * 7 mm * 24 mm * 48 mm|0.0048384
-density|600 kg/m^3|600
 density|0.6 g/cm^3|600
-g|9.81 m/s^2|9.81
 g|981 cm/s^2|9.81
 g|2 * 4.905 m / (1 s)^2|9.81
 tol|10^-9|1e-9
-q|hollow|3
 q|7/2|3.5
 digits|2*4|8
 END
@@ -148,13 +130,9 @@ END
 @test "units of kinds that do not fit: the message names both kinds" {
     all_wrong <<'END'
 7|count 112 deg|^count: H is a length, not an angle
-7|count 3 s|^count: H is a length, not a time
 7|count 3 m^2|^count: H is a length, not in m\^2
-7|set s 0.3 rad|^set: s is a plain number, not an angle
 7|set r h|^set: r is a plain number, not a length
-7|set h 3 s|^set: h is a length, not a time
 0|set h 5|^set: a height of 5 without a unit would be 5 m, but the height is 4\.8 cm now; write 'set h 5 m'
-0|set h 1e-4|^set: a height of 0\.0001 without a unit would be 0\.1 mm
 7|set h 3 m/s|^set: h is a length, not in m s\^-1
 10|set mass 3 mm|^set: mass is a mass, not a length; enter a value such as '10 g'$
 7|set h 10 g|^set: h is a length, not a mass; enter a value such as '48 mm'$
@@ -166,31 +144,20 @@ END
 7|print sqrt(4 kg)|^print:.*sqrt of a value with this unit is not defined
 7|print max(1 kg, 2)|^print:.*max needs two values of the same kind
 7|set g 3 m|^set: g is in m s\^-2, not a length
-7|set q 1 m|^set: q is a plain number, not a length
-9|set tol 1 ms|^set: tol is a plain number, not a time
-12|set digits 3 m|^set: digits is a plain number, not a length
 8|theta1 0.1 m|^theta1: T is an angle, not a length
-8|theta1 h|^theta1: T is an angle, not a length
+8|theta1 0.1 rad * 1 rad|^theta1: T is an angle, not in rad\^2
 6|rmax 10 deg|^rmax: S is a plain number, not an angle
-9|pair    1 s|^pair: S is a plain number, not a time
 11|count 112 2 m|^count: R is a plain number, not a length
 7|curve 0.1 m 0.3 3|^curve: FROM = 2.08333[0-9]* is out of range; FROM is a value of s
 15|curve 0.1 0.3 3 s|^curve: N is a plain number, not a time
 11|print 1 m + 1 s|^print:.*a length and a time
 11|print 1 m + 1|^print:.*a length and a plain number
 8|print h+g|^print:.*a length and in m s\^-2
-11|print 1 s - 1 m|^print:.*a time and a length
 7|print sin(1 m)|^print:.*sin of a length
 7|print exp(1 deg)|^print:.*exp of an angle
-7|print ln(2 s)|^print:.*ln of a time
 7|print max(1 m, 1 s)|^print:.*max .* two
-9|print 2^(1 m)|^print:.*exponent
 13|print (2 m)^0.5|^print:.*exponent
 END
-}
-
-@test "the square of an angle is not an angle, and messages give its unit" {
-    wrong_at 8 'theta1 0.1 rad * 1 rad' '^theta1: T is an angle, not in rad\^2'
 }
 
 @test "angle: input and output" {
@@ -233,10 +200,10 @@ END
 }
 
 @test "angle deg: functions take degrees, and print answers in degrees" {
-    same 'sin(90)' 1 "$("$DOMINO" -e 'set angle deg; print sin(90)')"
-    same 'thetac' '36.8699 deg' "$("$DOMINO" -e 'set angle deg; print thetac')"
-    same 'atan(1)' '45 deg' "$("$DOMINO" -e 'set angle deg; print atan(1)')"
-    same 'sin(90 deg)' 1 "$("$DOMINO" -e 'print sin(90 deg)')"
+    all_print <<'END'
+set angle deg; print sin(90)|1
+set angle deg; print atan(1)|45 deg
+END
 }
 
 @test "a message suggests the right unit after a misspelling, and functions and units are help topics" {

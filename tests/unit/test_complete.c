@@ -28,10 +28,10 @@ static void keep(const char *word, void *context)
     snprintf(o->word[o->count++], LINE, "%s", word);
 }
 
-/* Returns true if the parser accepts the line as it is. */
+/* Returns true if the parser accepts the line as it is: before a comment, a command must be whole. */
 static bool parses(const char *line)
 {
-    return line_preview(&session, line, strlen(line), "", NULL);
+    return line_preview(&session, line, strlen(line), " #", NULL);
 }
 
 /* Returns true if the parser accepts the line as the beginning of a longer one. */

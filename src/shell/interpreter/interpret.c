@@ -178,8 +178,11 @@ bool line_preview(struct session *session, const char *line, size_t length, cons
         r.at = begin = skip_blanks(begin);
         end = text_end(begin, ";");
         problem_begin(&problem, NULL);
-        good = begin == end || command_parse(&r, &question);
-        if (good && begin != end && *r.at == '>') {
+        question.command = NULL;
+        const bool is_whole = begin == end || command_parse(&r, &question);
+        const int behind = text_column(&text, text.line + strlen(text.line));
+        good = is_whole || (question.command && problem.column >= behind);
+        if (is_whole && begin != end && *r.at == '>') {
             r.at = skip_blanks(r.at + 1 + (r.at[1] == '>'));
             offer_kind(&r, OFFER_FILE);
         }

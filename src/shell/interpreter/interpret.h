@@ -31,10 +31,10 @@ void run_command_at(struct session *session, struct reader *line);
 #define PREVIEW_CURSOR "\001"
 
 /*
- * Parses a line that is not complete yet, and returns true if its last command is right. The line consists of
- * `length` bytes of the text `line`, followed by the text `tail`. If `offer` is NULL, also computes and
- * checks the values in the line. If `offer` is not NULL and `tail` ends with PREVIEW_CURSOR, stores in *offer
- * what may be typed at the cursor.
+ * Parses a line that is not complete yet, and returns true if its last command is right so far. The line
+ * consists of `length` bytes of the text `line`, followed by the text `tail`. If `offer` is NULL, also
+ * computes and checks the values in the line. If `offer` is not NULL and `tail` ends with PREVIEW_CURSOR,
+ * stores in *offer what may be typed at the cursor.
  */
 bool line_preview(struct session *session, const char *line, size_t length, const char *tail,
                   struct offer *offer);
