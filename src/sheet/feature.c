@@ -1,27 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'sheet', which writes a page for a class that times a row of equal dominoes, and a page with
+ * the answers. */
 #include "interpreter/feature.h"
 #include "language/names.h"
+#include "language/quad.h"
+#include "language/text.h"
 #include "language/units.h"
+#include "pictures/drawing/falling_row.h"
 #include "pictures/picture/paper.h"
-#include "sheet/sheet.h"
+#include "session/parameters.h"
+#include <stdlib.h>
 #include <strings.h>
 
-static const struct column sheet_columns[] = {
-    {"gap", "m", "the gap between neighbouring dominoes; empty if the gaps differ", 0},
-    {"dominoes", "", "the number of dominoes", 0},
-    {"seconds", "s", "how long the row takes to fall, as 'fall' measures it", 0},
-    {NULL, NULL, NULL, 0},
+/* ---- The numbers ---- */
+
+enum { TRIALS = 4 };
+
+/* A row that the class can time. */
+struct trial {
+    double gap; /* in m */
+    size_t dominoes;
+    double seconds; /* NaN if the row does not fall to its end */
 };
 
-/* Returns a gap of two digits in the unit of the sheet, so that a class can measure it. */
-static double gap_round(const struct class_row *class, double gap)
-{
-    const double digit = pow(10, floor(log10(gap / class->size)) - 1) * class->size;
-    return digit * round(gap / digit);
-}
+struct class_row {
+    const struct query *query;
+    struct falling_row row;
+    const char *unit; /* the unit of lengths on the sheet, and its size in m */
+    double size;
+    struct trial trial[TRIALS]; /* the first one is the row of the session */
+    int trials;
+    struct trial rough; /* the row with more friction between the dominoes */
+    double friction;    /* that friction coefficient */
+};
 
-/* Runs a row like that of the session. If it does not fall, trial->seconds is NaN. */
-static bool trial_run(const struct query *query, struct trial *trial, domq_real friction,
+/* Runs a row like that of the session. */
+static bool trial_run(const struct query *query, struct trial *trial, double friction,
                       struct problem *problem)
 {
     struct state state;
@@ -31,7 +45,7 @@ static bool trial_run(const struct query *query, struct trial *trial, domq_real 
     const struct assigned assigned[] = {
         {.parameter = parameter_find("s"), .length = {.m = (domq_real)trial->gap}},
         {.parameter = parameter_find("row"), .value = (domq_real)trial->dominoes},
-        {.parameter = parameter_find("friction"), .value = friction},
+        {.parameter = parameter_find("friction"), .value = (domq_real)friction},
     };
     trial->seconds = (double)NAN;
     /* A gap or a friction that the scene cannot have is not an error of the user: this trial is left out. */
@@ -45,47 +59,23 @@ static bool trial_run(const struct query *query, struct trial *trial, domq_real 
            problem_status(problem, query->scene, DOM_INTERRUPTED);
 }
 
-/* Runs rows with other gaps, and one with twice as many dominoes. Keeps those that fall. */
-static bool trials_run(struct class_row *class, struct problem *problem)
+/* Returns a gap of two digits in the unit of the sheet, so that a class can measure it. */
+static double gap_round(const struct class_row *class, double gap)
 {
-    const struct query *query = class->query;
-    const struct trial first = class->trial[0];
-    const struct trial others[] = {{gap_round(class, 0.6 * first.gap), first.dominoes, 0},
-                                   {gap_round(class, 1.4 * first.gap), first.dominoes, 0},
-                                   {first.gap, 2 * first.dominoes, 0}};
-    bool good = true;
-    for (int k = 0; k < TRIALS - 1 && good; k++) {
-        struct trial *trial = &class->trial[class->trials];
-        *trial = others[k];
-        good = trial_run(query, trial, 0, problem);
-        class->trials += good && isfinite(trial->seconds);
-    }
-    const struct effect_state *friction = &query->scene->effect[DOM_EFFECT_friction];
-    class->rough = first;
-    class->friction = (friction->on ? (double)friction->value[0] : 0) + 0.2;
-    return good && trial_run(query, &class->rough, (domq_real) class->friction, problem);
+    const double digit = pow(10, floor(log10(gap / class->size)) - 1) * class->size;
+    return digit * round(gap / digit);
 }
 
-/* Chooses the unit in which the user gave a length, or else one that suits the largest domino. */
-static void unit_choose(struct class_row *class)
-{
-    const struct scene *scene = class->query->scene;
-    const char *typed =
-        *scene->length[SHARE_s].unit ? scene->length[SHARE_s].unit : scene->length[SHARE_d].unit;
-    const double tallest = class->row.stage.top;
-    const bool suits =
-        *typed && !scene->listed.domino && tallest < 2000 * (double)expression_unit(typed).value;
-    class->unit = suits ? typed : tallest < 0.2 ? "mm" : tallest < 2 ? "cm" : "m";
-    class->size = (double)expression_unit(class->unit).value;
-}
-
+/* Runs the row, rows with other gaps, and one with twice as many dominoes. Keeps those that fall. */
 static bool class_make(struct class_row *class, struct problem *problem)
 {
-    const struct scene *scene = class->query->scene;
+    const struct query *query = class->query;
+    const struct scene *scene = query->scene;
     const struct row_run *run = &class->row.run;
     const size_t count = run->scene.row.count;
-    if (count < 2)
-        return problem_no_answer(problem, "a sheet needs a row of at least two dominoes");
+    if (count < 2 || scene->train.r != 1 || scene->listed.domino || scene->listed.changes > 0)
+        return problem_no_answer(problem, "a sheet needs a row of at least two dominoes, all equal, with "
+                                          "equal gaps; 'plan' describes other rows");
     if (run->verdict.end != DOM_ROW_FALLS)
         return problem_no_answer(
             problem,
@@ -95,15 +85,223 @@ static bool class_make(struct class_row *class, struct problem *problem)
     if (!isfinite((double)run->verdict.seconds))
         return problem_no_answer(problem,
                                  "one domino almost stops, so the duration of the fall cannot be computed");
-    unit_choose(class);
-    class->is_equal = scene->train.r == 1 && !scene->listed.domino && scene->listed.changes == 0;
-    class->length = class->row.stage.right;
-    class->trial[class->trials++] =
-        (struct trial){class->is_equal ? (double)run->scene.domino[1].gap : (double)NAN, count,
-                       (double)run->verdict.seconds};
-    class->rough.seconds = (double)NAN;
-    return !class->is_equal || trials_run(class, problem);
+    /* The unit in which the user gave a length, or else one that suits the dominoes. */
+    const char *typed =
+        *scene->length[SHARE_s].unit ? scene->length[SHARE_s].unit : scene->length[SHARE_d].unit;
+    const double tall = class->row.stage.top;
+    const bool suits = *typed && tall < 2000 * (double)expression_unit(typed).value;
+    class->unit = suits ? typed : tall < 0.2 ? "mm" : tall < 2 ? "cm" : "m";
+    class->size = (double)expression_unit(class->unit).value;
+    const struct trial first = {(double)run->scene.domino[1].gap, count, (double)run->verdict.seconds},
+                       others[] = {{gap_round(class, 0.6 * first.gap), count, 0},
+                                   {gap_round(class, 1.4 * first.gap), count, 0},
+                                   {first.gap, 2 * count, 0}};
+    bool good = true;
+    class->trial[class->trials++] = class->rough = first;
+    for (int k = 0; k < TRIALS - 1 && good; k++) {
+        class->trial[class->trials] = others[k];
+        good = trial_run(query, &class->trial[class->trials], 0, problem);
+        class->trials += good && isfinite(class->trial[class->trials].seconds);
+    }
+    const struct effect_state *friction = &scene->effect[DOM_EFFECT_friction];
+    class->friction = (friction->on ? (double)friction->value[0] : 0) + 0.2;
+    return good && trial_run(query, &class->rough, class->friction, problem);
 }
+
+/* ---- Numbers as text ---- */
+
+/* Returns a length with at most four digits, in the unit of the sheet. */
+static struct words length_of(const struct class_row *class, double m)
+{
+    struct words length;
+    snprintf(length.text, sizeof length.text, m < 1e4 * class->size ? "%.4g %s" : "%.0f %s", m / class->size,
+             class->unit);
+    return length;
+}
+
+/* A stopwatch shows hundredths of a second. They are too coarse for a time below 0.1 s. */
+static struct words time_of(double seconds)
+{
+    struct words time;
+    snprintf(time.text, sizeof time.text,
+             seconds < 0.1   ? "%.2g s"
+             : seconds < 100 ? "%.2f s"
+                             : "%.0f s",
+             seconds);
+    return time;
+}
+
+static struct words speed_of(const struct class_row *class, double speed)
+{
+    struct words text;
+    snprintf(text.text, sizeof text.text, speed < 100 * class->size ? "%.3g %s/s" : "%.0f %s/s",
+             speed / class->size, class->unit);
+    return text;
+}
+
+/* Returns the number in a text of the sheet, so that what is computed from it agrees with the paper. */
+static double shown(struct words text)
+{
+    return strtod(text.text, NULL);
+}
+
+static double degrees(domq_real angle)
+{
+    return (double)(angle * 180 / QUAD_PI);
+}
+
+/* ---- The page for pupils ---- */
+
+/* Says how the class starts the row. */
+static void start_write(const struct class_row *class, FILE *out)
+{
+    const struct scene_row *scene = &class->row.run.scene;
+    const double tilt = degrees(scene_row_tilt(scene)),
+                 speed = 100 * (double)(scene->row.push * scene->domino->height);
+    const char *clock = "and stop it when the last domino lies on the table.";
+    char hold[120] = "";
+    if (isinf(scene->row.release))
+        snprintf(hold, sizeof hold, "Lean domino 1 against domino 2 (with a gap of %.40s, at %.3g degrees). ",
+                 length_of(class, class->trial[0].gap).text, tilt);
+    else if (scene->row.release > 0)
+        snprintf(hold, sizeof hold, "Hold domino 1 at a tilt of %.3g degrees. ", tilt);
+    if (row_run_tipped(&class->row.run, 0))
+        fprintf(
+            out,
+            "Tilt domino 1 slowly, until it tips over by itself. Start the clock when it hits domino 2, %s\n",
+            clock);
+    else if (speed > 0)
+        fprintf(out,
+                "%sPush the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. Start the "
+                "clock with the push, %s\n",
+                hold, speed, clock);
+    else
+        fprintf(out, "%sStart the clock when you let it go, %s\n", hold, clock);
+}
+
+/* The table of measurements is the file that 'fit' reads. */
+static void questions_write(const struct class_row *class, FILE *out)
+{
+    const struct trial *first = class->trial;
+    const struct domq_domino *d = class->row.run.scene.domino;
+    const struct effect_state *slope = &class->query->scene->effect[DOM_EFFECT_slope];
+    fprintf(out,
+            "# Set up\n%zu dominoes, each %s tall and %s thick, with gaps of %s. From the front of one "
+            "domino to the front of the next it is %s.\n",
+            first->dominoes, length_of(class, (double)d->height).text,
+            length_of(class, (double)d->thickness).text, length_of(class, first->gap).text,
+            length_of(class, first->gap + (double)d->thickness).text);
+    if (slope->on)
+        fprintf(out, "The floor slopes %s, by %.4g degrees.\n",
+                slope->value[0] > 0 ? "down in the direction of the fall" : "up in the direction of the fall",
+                fabs(degrees(slope->value[0])));
+    start_write(class, out);
+    fprintf(out,
+            "# Measure\nGuess first. The row will take _______ s.\nThen let each row fall three times. Set "
+            "it up anew each time.\n|gap (%s)|dominoes|trial 1 (s)|trial 2 (s)|trial 3 (s)|mean (s)\n",
+            class->unit);
+    for (int k = 0; k < class->trials; k++)
+        fprintf(out, "|%.4g|%zu||||\n", class->trial[k].gap / class->size, class->trial[k].dominoes);
+    int n = 1;
+    fprintf(out,
+            "# Questions\n%d. The row is %s long. How fast does it fall, length divided by time? _______ "
+            "%s/s\n",
+            n++, length_of(class, class->row.stage.right).text, class->unit);
+    if (class->trials > 1)
+        fprintf(out, "%d. Which gap gives the shortest time? _______\n", n++);
+    if (class->trial[class->trials - 1].dominoes > first->dominoes)
+        fprintf(out, "%d. Does a row of twice as many dominoes take twice as long? Why, or why not?\n", n++);
+    fprintf(
+        out,
+        "%d. Would rougher dominoes make the row faster or slower? Try it with paper between them.\n"
+        "%d. How far apart are your three times? Why do they differ?\n"
+        "# With the program\nType the times into a file class.csv, each on a line, with commas. Its first "
+        "line is: gap (%s), dominoes, time (s). In the session of this row, 'fit friction class.csv' "
+        "finds the friction between your dominoes.\n",
+        n, n + 1, class->unit);
+}
+
+/* ---- The answers ---- */
+
+static void times_write(const struct class_row *class, FILE *out)
+{
+    const struct row_run *run = &class->row.run;
+    const struct domq_domino *d = run->scene.domino;
+    const struct trial *first = class->trial, *last = &class->trial[class->trials - 1], *fastest = first;
+    bool is_narrowest = true;
+    fputs("# The times to expect\n", out);
+    for (const struct trial *t = first; t <= last; t++) {
+        fprintf(out, "%zu dominoes of %s with gaps of %s: %s\n", t->dominoes,
+                length_of(class, (double)d->height).text, length_of(class, t->gap).text,
+                time_of(t->seconds).text);
+        fastest = t->dominoes == first->dominoes && t->seconds < fastest->seconds ? t : fastest;
+    }
+    for (const struct trial *t = first; t <= last; t++)
+        is_narrowest = is_narrowest && fastest->gap <= t->gap;
+    const struct words length = length_of(class, class->row.stage.right), time = time_of(first->seconds);
+    fprintf(out,
+            "The clock runs from %s until the last domino lies on the floor.\n# Answers\n1. %s / %s = %s.",
+            row_run_tipped(run, 0)    ? "the hit of domino 1 on domino 2"
+            : run->scene.row.push > 0 ? "the push"
+                                      : "the release",
+            length.text, time.text, speed_of(class, shown(length) * class->size / shown(time)).text);
+    if (run->hits > 2)
+        fprintf(out, " At the end the front is faster: %s.",
+                speed_of(class, (first->gap + (double)d->thickness) /
+                                    (double)(run->fall[run->hits - 1].time - run->fall[run->hits - 2].time))
+                    .text);
+    int n = 2;
+    if (class->trials > 1)
+        fprintf(out, "\n%d. %s.%s", n++, length_of(class, fastest->gap).text,
+                is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
+    if (last->dominoes > first->dominoes)
+        fprintf(out,
+                "\n%d. It takes %.2f times as long. The start is slow, and there is only one start; later "
+                "the front has a constant speed.",
+                n++, shown(time_of(last->seconds)) / shown(time));
+    fprintf(out, "\n%d. Slower: with a friction coefficient of %.2g the row would %s%s.\n", n,
+            class->friction, isfinite(class->rough.seconds) ? "take " : "not even fall to its end",
+            isfinite(class->rough.seconds) ? time_of(class->rough.seconds).text : "");
+    fprintf(out,
+            "%d. A hand with a stopwatch is wrong by about 0.1 s; and no row is set up twice in the same "
+            "way.\n",
+            n + 1);
+}
+
+/* Lists the effects with which the program computed the times. */
+static void effects_write(const struct class_row *class, FILE *out)
+{
+    const struct scene *scene = class->query->scene;
+    char text[300] = "";
+    bool random = false;
+    for (int k = 0; k < EFFECT_COUNT; k++) {
+        if (!scene->effect[k].on || k == DOM_EFFECT_row)
+            continue;
+        const char *name = effect_at(k)->name;
+        const enum share share = parameter_find(name)->share;
+        random = random || effect_is_random(k);
+        text_add(text, sizeof text, "%s%s ", *text ? ", " : "", name);
+        const bool touches = k == DOM_EFFECT_release && isinf(class->row.run.scene.row.release);
+        if (strcmp(effect_at(k)->argument[0].unit, "rad") == 0 && !touches)
+            text_add(text, sizeof text, "%.4g deg", degrees(scene->effect[k].value[0]));
+        else if (share != SHARE_push && scene->length[share].m > 0)
+            text_add(text, sizeof text, "%s", length_of(class, (double)scene->length[share].m).text);
+        else
+            text_add(text, sizeof text, "%s", effect_setting(scene, k));
+    }
+    fputs("# What the program assumes\n", out);
+    if (*text)
+        fprintf(out, "The settings of the session: %s.\n", text);
+    else
+        fputs("No friction, no air, sharp edges, and a level floor.\n", out);
+    if (!scene->effect[DOM_EFFECT_friction].on)
+        fputs("Real dominoes rub against each other, and a real row is slower. 'fit' finds how much.\n", out);
+    if (random)
+        fputs("The times are those of the row without random errors.\n", out);
+    fprintf(out, "g = %.5g m/s^2\n", (double)class->row.run.scene.row.g);
+}
+
+/* ---- The command ---- */
 
 /* Writes the picture of the row and both pages to the destination of the answer. */
 static bool sheet_write(struct class_row *class, struct answer *a, struct problem *problem)
@@ -114,9 +312,10 @@ static bool sheet_write(struct class_row *class, struct answer *a, struct proble
     struct paper paper;
     bool good = paper_open(&paper);
     if (good) {
-        sheet_questions(class, paper.out);
-        fputs("\f\n", paper.out);
-        sheet_answers(class, paper.out);
+        questions_write(class, paper.out);
+        fprintf(paper.out, "\f\n# %s The answers\n", title);
+        times_write(class, paper.out);
+        effects_write(class, paper.out);
         good = paper_close(&paper);
     }
     for (size_t k = 0; k < stage->count; k++)
@@ -124,7 +323,7 @@ static bool sheet_write(struct class_row *class, struct answer *a, struct proble
     snprintf(stage->caption, CAPTION, "Name ____________________  Date ___________\nThe row, to scale:");
     if (!good) {
         problem_status(problem, class->query->scene, DOM_NO_MEMORY);
-    } else if (a->path && extension_of(a->path)->terminal) {
+    } else if (picture_is_filed(a)) {
         good = paper_draw(&paper, title, stage, a, interrupt, problem);
     } else {
         fprintf(a->out, "%s\n", title);
@@ -149,30 +348,34 @@ static bool run_sheet(const struct query *query, struct answer *a, struct proble
     if (!picture_ready(a, problem) || !falling_row_make(query, problem, false, &class.row))
         return false;
     bool good = class_make(&class, problem);
-    if (good && answer_for_people(a)) {
+    if (good && answer_for_people(a))
         good = sheet_write(&class, a, problem);
-    } else {
+    else
         for (int k = 0; k < class.trials && good; k++)
-            answer_row(a,
-                       ROW(cell_real((domq_real) class.trial[k].gap),
-                           cell_count((domq_real) class.trial[k].dominoes),
-                           cell_narrow((domq_real) class.trial[k].seconds, 4)),
-                       NULL);
-    }
+            answer_cells(a, cell_real((domq_real) class.trial[k].gap),
+                         cell_count((domq_real) class.trial[k].dominoes),
+                         cell_narrow((domq_real) class.trial[k].seconds, 4));
     falling_row_free(&class.row);
     return good;
 }
+
+static const struct column sheet_columns[] = {
+    {"gap", "m", "the gap between neighbouring dominoes", 0},
+    {"dominoes", "", "the number of dominoes", 0},
+    {"seconds", "s", "how long the row takes to fall, as 'fall' measures it", 0},
+    {NULL, NULL, NULL, 0},
+};
 
 static const struct command sheet_commands[] = {
     {.name = "sheet",
      .synonyms = "class school pupil teacher worksheet print measure experiment page pdf",
      .summary = "a page for a class that times the row, and a page with the answers",
      .help = "The first page has the row to scale, what to set up, blanks for measurements, and questions. "
-             "The second page has the answers, with the times to expect. If all dominoes and gaps are equal, "
-             "the class also times rows with other gaps and with twice as many dominoes, and 'fit' reads the "
-             "table. 'sheet > class.pdf' makes two pages for the printer (with gnuplot). The name of the "
-             "file can also end in .gp, for a script, or in .txt. In the terminal the sheet is text. csv and "
-             "json have the rows and the times.",
+             "The second page has the answers, with the times to expect. The dominoes and gaps must be "
+             "equal. The class also times rows with other gaps and with twice as many dominoes, and 'fit' "
+             "reads the times. 'sheet > class.pdf' makes two pages for the printer (with gnuplot). The name "
+             "of the file can also end in .gp, for a script, or in .txt. In the terminal the sheet is text. "
+             "csv and json have the rows and the times.",
      .example = NULL,
      .see = "fit draw fall row",
      .sweep.refusal = "it draws",
