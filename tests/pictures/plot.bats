@@ -7,7 +7,7 @@ load ../shell/common
 
 row='effect row 6; effect friction 0.1'
 
-plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3 7 : rmax'
+plots=(fall speed gaps 'placement 60' growth 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3 7 : rmax'
     energy climb omega inertia chain 'cost fuel')
 
 # bats test_tags=rows,chance,sweeps
@@ -48,15 +48,11 @@ climb|climb~over~the~barrier launch top energy~of~the~launch to~climb~its~barrie
 inertia|Inertia launch top hit J~(20;~c2)
 omega|Angular~velocity launch top hit tilt~of~the~head the~head,~48~mm~tall
 chain|Tilts launch top hit i~=~0,~the~head i~=~1 the~last
-growth|solid~dominoes hollow~dominoes reach:~r~=~1/s now:~s~=~0.4,~r~=~1.5 gap~over~height growth~r
-growth paper|solid,~the~paper's~fuel hollow,~the~paper's~fuel
-marginal|solid~pair hollow~pair hollow~train solid~train reach: now:
+growth|solid~pair hollow~pair hollow~train solid~train reach:~r~=~1/s now:~s~=~0.4,~r~=~1.5 gap~over~height growth~r
 sweep s 0.2 0.6 5 : rmax|rmax~against~s r_max s,~separation
 sweep q 3, 4 s 0.2 0.6 5 : rmax|q~=~3 q~=~4 r_max
 sweep s 0.2 0.6 9 d 0.1 0.3 7 : print 2*rmax|2\*rmax: d,~thickness~divided~by~height
 END
-    differ "the paper's fuel only on request" 0 "$("$DOMINO" -e 'plot growth paper' | grep -c "paper's")"
-    same "the paper's fuel only on request" 0 "$("$DOMINO" -e 'plot growth' | grep -c "paper's" || true)"
     "$DOMINO" -e 'set r 1.7; plot energy' | grep -q 'launch *stop'
     "$DOMINO" -e 'set q hollow; set s 0.54; set r 1.84; plot energy' | grep -q fall
     "$DOMINO" -e 'set angle deg; plot omega' | grep -q 'head in deg'
@@ -75,7 +71,7 @@ END
         same "$what: where lines are broken" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '=$\|^=')"
         "$DOMINO" -e "$row; plot $what" | tr -s ' \n' ' ' | grep -qF -- "$label"
     done <<'END'
-growth paper|A train below its curve keeps falling|growth r
+growth|A train below its curve keeps falling|growth r
 energy with q hollow s 0.54 r 1.84|Energy over a cycle: s = 0.54, r = 1.84, d = 0.1458, q = 3|energy, in units of m g h/2 of the head
 energy|Energy over a cycle: s = 0.4, r = 1.5, d = 0.1458, q = 4|energy, in units of m g h/2 of the head
 cost fuel|What accuracy costs: fuel at s = 0.4, r = 1.5, d = 0.1458, q = 4|relative error
@@ -83,9 +79,9 @@ sweep s 0.3 0.6 9 q 3 4 8 : rmax|rmax against s and q|q, mass exponent: 4 for so
 sweep s 0.3 0.6 9 d 0.1 0.3 7 : print barrier.margin|barrier.margin against s and d|barrier.margin
 sweep s 0.1 0.4 8 d 0.2 0.4 7 : print barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic|0*launch.kinetic against s and d|barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic
 END
-    "$DOMINO" -e 'plot growth paper > a.svg'
+    "$DOMINO" -e 'plot growth > a.svg'
     "$root/tests/pictures/labels" a.svg |
-        awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 480) }'
+        awk '/ solid train/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 480) }'
 }
 
 # bats test_tags=rows,chance,sweeps
@@ -153,30 +149,26 @@ END
 }
 
 # bats test_tags=rows,sweeps
-@test "plot growth, marginal: the data agree with curve, for solid and hollow dominoes" {
-    csv 'plot growth paper' >growth
-    csv 'plot marginal' >marginal
-    same keys s,solid,hollow,solid_paper,hollow_paper,reach "$(head -n 1 growth)"
-    same keys s,solid_pair,solid_train,hollow_pair,hollow_train,reach "$(head -n 1 marginal)"
-    same "without the paper's fuel" "$(cut -d, -f 1-3,6 growth)" "$(csv 'plot growth')"
+@test "plot growth: the data agree with curve, for solid and hollow dominoes" {
+    csv 'plot growth' >growth
+    same keys s,solid,hollow,solid_pair,hollow_pair,reach "$(head -n 1 growth)"
     for q in 4 3; do
-        [ $q = 4 ] && at=2 || at=3
         csv "set q $q; curve 0.02 0.98 9" | sed 1d >curve
         same "rows, $q" 9 "$(wc -l <curve)"
-        while IFS=, read -r s exact paper pair reach _; do
-            row() { awk -F, -v s="$s" -v i="$2" 'NR > 1 && $1 - s < 1e-9 && s - $1 < 1e-9 { print $i }' "$1"; }
-            close "$q $s exact" "$exact" "$(row growth $at)"
-            close "$q $s paper" "$paper" "$(row growth $((at + 2)))"
+        while IFS=, read -r s exact _ pair reach _; do
+            row() { awk -F, -v s="$s" -v i="$1" 'NR > 1 && $1 - s < 1e-9 && s - $1 < 1e-9 { print $i }' growth; }
+            close "$q $s exact" "$exact" "$(row $((6 - q)))"
             if [ -n "$pair" ]; then
-                close "$q $s pair" "$pair" "$(row marginal $((2 * at - 2)))"
+                close "$q $s pair" "$pair" "$(row $((8 - q)))"
             else
-                same "$q $s pair" '(nothing)' "$(row marginal $((2 * at - 2)))"
+                same "$q $s pair" '(nothing)' "$(row $((8 - q)))"
             fi
-            close "$q $s train" "$exact" "$(row marginal $((2 * at - 1)))"
-            close "$s reach" "$reach" "$(row growth 6)"
+            close "$s reach" "$reach" "$(row 6)"
         done <curve
     done
-    same 'rows are columns of their own in json' 's solid hollow reach' "$(json 'plot growth' | keys)"
+    same "the paper's fuel" "$(json 'set fuel paper; rmax 0.4' | values r_max_paper | head -n 1 | cut -c 1-12)" \
+        "$(csv 'set fuel paper; plot growth' | awk -F, '$1 == 0.4 { print $2 }' | cut -c 1-12)"
+    same 'rows are columns of their own in json' 's solid hollow solid_pair hollow_pair reach' "$(json 'plot growth' | keys)"
     same 'no bounds, which a picture does not have' "$(csv 'plot growth')" "$(csv 'set errors on; plot growth')"
 }
 
@@ -237,10 +229,10 @@ END
 # bats test_tags=rows,explain,engine,chance,sweeps
 @test "what cannot be plotted: an error in one line that says what to do, and no file" {
     wrong 'plot energy rmax' "'plot energy' takes no arguments"
-    wrong 'plot growth pair' "unknown word after 'plot growth' 'pair'; use one of: paper"
+    wrong 'plot growth pair' "'plot growth' takes no arguments"
     wrong 'draw > d.tex' "the file extension of 'd.tex' is unknown; use .svg, .png, .pdf, .gp or .txt"
     wrong 'plot growth > d.md' "the file extension of 'd.md' is unknown; use .svg"
-    wrong 'plot growth paper paper' 'one argument too many'
+    wrong 'plot cost rmax rmax' 'one argument too many'
     wrong 'plot cost' "needs the NAME of an answer: fuel, launch"
     wrong 'plot sweep' "needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'"
     wrong 'plot sweep s 0.1 0.3 3' "':' and a command are missing"

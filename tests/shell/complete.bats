@@ -87,8 +87,7 @@ animate speed 2 r|rate
 plot f|fit fall
 plot fall |(nothing)
 plot placement |(nothing)
-plot growth |paper
-plot growth paper |(nothing)
+plot growth |(nothing)
 plot sweep fr|friction
 plot sweep s 0.1 0.3 3 : rm|rmax
 plot energy |(nothing)
@@ -150,7 +149,7 @@ END
 @test "the words that completion offers are accepted as the next word" {
     local line word refused=''
     for line in draw 'draw forces' 'draw 0.3' 'draw 0.3 forces' 'plot chain' 'plot energy' 'plot growth' \
-        'plot gr' 'plot sweep' 'plot marginal' 'plot omega' 'cycle 3' 'effect friction' 'effect friction on' \
+        'plot gr' 'plot sweep' 'plot omega' 'cycle 3' 'effect friction' 'effect friction on' \
         'effect friction 0.2' 'effect row 5' 'set q' 'set output' 'set output csv' reset 'reset s' show; do
         for word in $("$DOMINO" -e "complete $line "); do
             run --separate-stderr "$DOMINO" -e "set output csv; set r 1.4; $line $word > /dev/null"
