@@ -2,10 +2,11 @@
 #include "interpreter/feature.h"
 #include "pictures/plots/plots.h"
 
-extern const struct command draw_commands[], plot_commands[];
+extern const struct command draw_commands[], film_commands[], plot_commands[];
 
 static const struct command_group groups[] = {
     {"The train in pictures", "pictures", draw_commands},
+    {"Films", "pictures", film_commands},
     {"Curves", "pictures", plot_commands},
     {NULL, NULL, NULL},
 };

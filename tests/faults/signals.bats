@@ -74,7 +74,7 @@ every_file_command() { # SIGNAL
 @test "SIGTERM while gnuplot draws leaves no file" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     enter
-    begin -e 'animate 2 > film.gif'
+    begin -e 'set row 20; animate > film.gif'
     until pgrep -P "$child" gnuplot >/dev/null; do kill -0 "$child"; done
     end_by 'the program' TERM
     same 'what is left' '(nothing)' "$(inside)"
@@ -85,7 +85,7 @@ every_file_command() { # SIGNAL
     enter
     local drawing
     for signal in USR1 KILL; do
-        begin -e 'animate 9 > film.gif'
+        begin -e 'set row 20; animate > film.gif'
         until drawing=$(pgrep -P "$child" gnuplot); do kill -0 "$child"; done
         end_by 'the program' "$signal"
         timeout 20 tail -s 0.01 --pid="$drawing" -f /dev/null || same "SIG$signal: gnuplot" 'is gone' "$(ps "$drawing")"

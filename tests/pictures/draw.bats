@@ -65,6 +65,7 @@ record="effect row \"$root/examples/record.csv\""
     for words in 'to scale' 'x \[h\]' '>next<' 'dots: contacts' 'arrows: the push'; do grep -q "$words" a.svg; done
 }
 
+# bats test_tags=rows
 @test "what cannot be drawn gives a one-line error that says what to do, and no file" {
     dir=$PWD
     cd "$dir" || false
@@ -80,20 +81,11 @@ record="effect row \"$root/examples/record.csv\""
     one_line "'a.gif' is the name of a film, which 'draw' cannot write; use .svg" 'draw > a.gif'
     one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
     one_line "cannot write 'none/a.gif'" 'animate > none/a.gif'
-    one_line "an animation can be shown only on a terminal; enter 'animate > film.gif' for a file" animate
+    one_line "an animation can be shown only on a terminal; enter 'animate > film.gif' for a file" 'set row 3; animate'
     one_line "'a.gif' can hold only one picture; '>' replaces it" 'animate >> a.gif'
-    for what in 0 2.5 10 1e7; do
-        one_line 'at this r, N is an integer in 1 .. 9, because one picture has no room for more cycles' "animate $what > a.gif"
-    done
-    one_line 'N is an integer in 1 .. 30, ' 'set r 1; animate 31 > a.gif'
-    one_line 'N is an integer in 1 .. 1, ' 'set s 0.1; set r 7; animate 2 > a.gif'
     one_line 'use .svg, .png' 'plot growth > a.gif'
-    for what in 'draw > a.svg' 'animate > a.gif'; do
-        one_line 'the fuel P is not positive' "set s 0.001; $what"
-        one_line 'r s = 3.6 > 1' "set r 9; $what"
-    done
-    r=$(json 'set precision quad; rmax' | values r_max)
-    one_line 'the margin is 0 within rounding' "set r $r; animate > a.gif"
+    one_line 'the fuel P is not positive' 'set s 0.001; draw > a.svg'
+    one_line 'r s = 3.6 > 1' 'set r 9; draw > a.svg'
     same 'nothing is left' '(nothing)' "$(ls)"
     # An existing file is not changed.
     echo old >a.gif
@@ -104,10 +96,11 @@ record="effect row \"$root/examples/record.csv\""
     [ -w full ] || one_line "cannot write 'full/a.gif'" 'animate > full/a.gif'
 }
 
+# bats test_tags=rows
 @test "without gnuplot, a one-line error says what to install, and the data are still available" {
     dir=$PWD
     mkdir "$dir/empty"
-    for what in 'plot chain > a.svg' 'draw > a.png' "animate > $dir/a.gif"; do
+    for what in 'plot chain > a.svg' 'draw > a.png' "set row 3; animate > $dir/a.gif"; do
         run -1 env PATH="$dir/empty" "$DOMINO" --keep-going -e "$what; print 1"
         [[ ${lines[0]} == *"pictures need gnuplot, which is not installed; run 'apt install gnuplot-nox'"* ]]
         same "$what: the session goes on" 1 "${lines[1]}"
@@ -310,21 +303,21 @@ END
     one_line 'speed is 0; it must be in the range 0.001 .. 1000' "$record; animate speed 0 > a.gif"
     one_line 'rate is 1000 frames per second; it must be in the range 1 .. 50 frames per second' "$record; animate rate 1000 > a.gif"
     one_line "at most 3000 are drawn; enter 'speed" "$record; animate speed 0.01 > a.gif"
-    one_line "'speed' and 'rate' are for rows; first enter 'set row N'" 'animate speed 2 > a.gif'
-    one_line "'quickly' is neither a value nor a word that fits here; usage: animate, animate slow" "$record; animate quickly > a.gif"
+    one_line "'quickly' is neither a value nor a word that fits here; usage: animate, animate speed" "$record; animate quickly > a.gif"
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 
+# bats test_tags=rows
 @test "GNUTERM in the environment changes no picture" {
     local expected gif
     energy() { "$DOMINO" -e 'plot energy > e.svg' && grep -v Produced e.svg; }
     expected=$(energy)
-    "$DOMINO" -e "animate 1 > $PWD/a.gif"
+    "$DOMINO" -e "set row 3; animate > $PWD/a.gif"
     gif=$(cksum <"$PWD/a.gif")
     for GNUTERM in x11 dumb png 'svg enhanced' 'no such terminal' ''; do
         export GNUTERM
         same "GNUTERM=$GNUTERM" "$expected" "$(energy)"
-        "$DOMINO" -e "animate 1 > $PWD/a.gif"
+        "$DOMINO" -e "set row 3; animate > $PWD/a.gif"
         same "GNUTERM=$GNUTERM" "$gif" "$(cksum <"$PWD/a.gif")"
     done
 }

@@ -82,7 +82,7 @@ draw 0.3 forces |train
 draw at |domino end
 draw forces |train
 draw train |forces
-animate |speed rate slow train tower
+animate |speed rate tower
 animate speed 2 r|rate
 plot f|fit fall
 plot fall |(nothing)

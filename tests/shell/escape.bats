@@ -119,11 +119,11 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     done
 }
 
-# bats test_tags=pictures
+# bats test_tags=rows,pictures
 @test "the name of a file is a name, not a command, for gnuplot too" {
     local name
     for name in '|touch P1;' '`touch P1`' "'.system('touch P1').'" '"' '~' '!x' '-' '|cat>P1' '%d' ' a ' '$HOME' 'a\b' '<x'; do
-        "$DOMINO" -e "draw > $(typed "$name.gp"); plot growth > $(typed "$name.svg"); animate 1 > $(typed "$name.gif")"
+        "$DOMINO" -e "draw > $(typed "$name.gp"); plot growth > $(typed "$name.svg"); set row 2; animate > $(typed "$name.gif")"
         gnuplot - <"./$name.gp"
         same "$name" %PDF- "$(head -c 5 "./$name.pdf")"
         same "$name" "$(printf '%s\n' "$name".{gif,gp,pdf,svg} | LC_ALL=C sort)" "$(LC_ALL=C ls)"
@@ -140,7 +140,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
 @test "no file with control characters in its name is written" {
     local name
     for name in $'a\e[31m' $'a\tb' $'a\u009bb' $'a\u202eb' $'\xffb' $'a\rb'; do
-        for line in 'verdict > "NAME"' 'verdict >> "NAME"' 'save "NAME"' 'draw > "NAME.svg"' 'animate 1 > "NAME.gif"'; do
+        for line in 'verdict > "NAME"' 'verdict >> "NAME"' 'save "NAME"' 'draw > "NAME.svg"' 'animate > "NAME.gif"'; do
             run -1 --separate-stderr "$DOMINO" --keep-going -e 'effect row 2' -e "${line/NAME/$name}"
             [[ $stderr == *'the name contains control characters'* ]] || same "$line" refused "$stderr"
             same "$line: nothing is written" '(nothing)' "$(ls)"

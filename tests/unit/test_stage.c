@@ -16,7 +16,7 @@ static enum dom_status setup_stage(const struct setup *setup, domq_real theta, s
 {
     const struct domq_train train = setup_train(setup);
     const struct any_compute compute = setup_compute(setup);
-    return stage_train(stage, &train, &compute, theta, 0);
+    return stage_train(stage, &train, &compute, theta);
 }
 
 enum { DOMINOES = 200 }; /* the largest number of dominoes on a stage */

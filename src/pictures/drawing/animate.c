@@ -1,14 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'animate', which makes a film of the falling row or of the train. */
+/* The command 'animate', which makes a film of the falling row, at the terminal or in a .gif file. */
+#include "answer/format.h"
 #include "interpreter/feature.h"
+#include "io/io.h"
+#include "io/terminal.h"
 #include "language/quad.h"
 #include "pictures/drawing/falling_row.h"
-#include "pictures/drawing/film.h"
+#include "pictures/options.h"
+#include "pictures/picture/screen.h"
 #include "train/falling.h"
 #include "train/walk.h"
+#include <math.h>
 #include <stdlib.h>
-
-/* ---- The row ---- */
+#include <string.h>
 
 enum { FRAMES_MOST = 3000 };
 /* The view follows the front if the largest domino or the tower is more than this many times as tall as the
@@ -18,35 +22,118 @@ enum { FRAMES_MOST = 3000 };
 /* Unless the user gives the speed, the motion in a film lasts at most this long, in s. */
 #define LONGEST 9
 
-struct row_film {
-    struct film film;
+/* The words of 'animate'. */
+enum { FILM_SPEED, FILM_RATE, FILM_TOWER };
+
+struct film {
+    const struct query *query;
+    struct problem *problem;
+    struct answer *out;
+    bool is_data; /* the frames are written as data, rather than drawn */
+    const struct options *options;
     struct falling_row row;
-    domq_real *time; /* time of each frame, in s */
-    domq_real speed; /* seconds of the fall that are shown in one second of the film */
-    bool follows;
+    domq_real *time;      /* time of each frame, in s */
+    domq_real speed;      /* seconds of the fall that are shown in one second of the film */
+    bool follows;         /* the view follows the front of the fall */
+    size_t frames, frame; /* the total number of frames, and the number written so far */
+    int delay;            /* time between two frames, in hundredths of a second */
+
+    /* At the terminal: */
+    FILE *screen; /* NULL for a file */
+    double next;  /* when the next frame is due, in s */
+    char *text;   /* the current frame */
+    size_t size;
+    bool is_stopped, failed;
+
+    /* For a file: */
+    struct picture picture; /* its script has a plot command for each frame */
+    struct sheet sheet;     /* the size of all frames, and the part of the stage that the next frame shows */
 };
 
-/* Moves the view along the row with the front of the fall. When the domino `head` (counted from 1) is hit,
- * this domino is in the middle, and by the time of the next hit, the next domino is. */
-static void follow_front(struct row_film *f, size_t head, double time)
+/* ---- At the terminal ---- */
+
+static void screen_show(const struct film *f)
 {
-    struct stage *stage = &f->row.stage;
-    const struct drawn *current = &stage->domino[head - 1], *next = current + (head < stage->count);
-    const double begun = falling_row_hit(&f->row, head - 1),
-                 until = head < stage->count ? falling_row_hit(&f->row, head) : begun;
-    film_follow(stage, current, next, until > begun ? (time - begun) / (until - begun) : 0);
+    fputs("\033[H", f->screen);
+    for (const char *line = f->text; *line;) {
+        const size_t n = strcspn(line, "\n");
+        fprintf(f->screen, "%.*s\033[K\r\n", (int)n, line);
+        line += n + (line[n] == '\n');
+    }
+    fprintf(f->screen, "%s\033[J",
+            f->is_stopped ? "(stopped: space continues, the right arrow shows the next frame, q ends)"
+                          : "(space stops, q ends)");
+    fflush(f->screen);
 }
 
-static bool row_frame(const struct domq_moment *m, void *context)
+/* Draws the frame into f->text. Returns false if memory runs out. */
+static bool frame_draw(struct film *f)
 {
-    struct row_film *f = context;
-    struct answer *a = f->film.is_data ? f->film.out : NULL;
-    char moment[SENTENCE], more[SENTENCE], speed[64] = "";
-    if (a) {
-        answer_cells(a, cell_real(m->time), cell_count((domq_real)m->head), cell_real(m->tilt[m->head - 1]));
-        return !answer_lost(a);
+    int width, height;
+    free(f->text);
+    f->text = NULL;
+    FILE *text = io_memory(&f->text, &f->size);
+    if (!text)
+        return false;
+    terminal_size(f->out->out, &width, &height);
+    width = width > PICTURE_LEAST_WIDTH ? width - 1 : PICTURE_LEAST_WIDTH;
+    height = height > PICTURE_LEAST_HEIGHT ? height - 1 : PICTURE_LEAST_HEIGHT;
+    const bool is_drawn = stage_text(&f->row.stage, display_of(f->out->out), width, height, text);
+    return fclose(text) == 0 && is_drawn && f->text;
+}
+
+/* Shows the frame, and handles keys until it is time for the next one: the space bar stops and continues the
+ * film, the right arrow shows the next frame, and 'q' ends the film. Returns false if the user has ended it.
+ */
+static bool frame_play(struct film *f)
+{
+    const double delay = f->delay / 100.0, now = terminal_clock();
+    f->next = fmax(f->next, now - delay) + delay; /* after a slow frame, wait anew */
+    screen_show(f);
+    for (;;) {
+        const int key =
+            screen_key(f->is_stopped ? 1 : f->next - terminal_clock(), f->query->scene->compute.interrupt);
+        if (key == KEY_END)
+            return false;
+        if (key == ' ' || key == KEY_BACK || key == KEY_RIGHT) {
+            f->is_stopped = key == KEY_RIGHT || f->is_stopped != (key == ' ');
+            f->next = terminal_clock();
+            screen_show(f);
+        }
+        if (key == KEY_RIGHT || (!f->is_stopped && terminal_clock() >= f->next))
+            return true;
     }
-    bool over = (double)m->time >= f->row.end;
+}
+
+/* ---- Frames ---- */
+
+/* Moves the view along the row with the front of the fall. When the domino `head` (counted from 1) is hit,
+ * this domino is near the middle, and by the time of the next hit, the next domino is. The size of the view
+ * suits these dominoes. It grows exponentially, and the place moves in proportion to it. */
+static void front_follow(struct film *f, size_t head, double time)
+{
+    struct stage *stage = &f->row.stage;
+    const struct drawn *from = &stage->domino[head - 1], *to = from + (head < stage->count);
+    const double begun = falling_row_hit(&f->row, head - 1),
+                 until = head < stage->count ? falling_row_hit(&f->row, head) : begun,
+                 share = until > begun ? fmin(fmax((time - begun) / (until - begun), 0), 1) : 0,
+                 more = to->height - from->height, growth = pow(to->height / from->height, share),
+                 way = fabs(more) > 1e-9 * from->height ? (growth - 1) * from->height / more : share;
+    stage->at = from->foot + way * (to->foot - from->foot);
+    stage->tall = 2.6 * from->height * growth;
+}
+
+static bool frame_visit(const struct domq_moment *m, void *context)
+{
+    struct film *f = context;
+    struct stage *stage = &f->row.stage;
+    char moment[SENTENCE], more[SENTENCE], speed[64] = "";
+    if (f->is_data) {
+        answer_cells(f->out, cell_real(m->time), cell_count((domq_real)m->head),
+                     cell_real(m->tilt[m->head - 1]));
+        return !answer_lost(f->out);
+    }
+    const bool over = (double)m->time >= f->row.end;
     falling_row_pose(&f->row, m);
     falling_row_moment(&f->row, m, moment);
     if (over)
@@ -55,77 +142,110 @@ static bool row_frame(const struct domq_moment *m, void *context)
         falling_row_summary(&f->row, more);
     if (!over && f->speed != 1)
         snprintf(speed, sizeof speed, " (%.30s times real speed)", measured(f->speed, "", 3).text);
-    snprintf(f->row.stage.caption, CAPTION, "%s\n%s%s", moment, more, speed);
+    snprintf(stage->caption, CAPTION, "%s\n%s%s", moment, more, speed);
     if (f->follows)
-        follow_front(f, m->head, (double)m->time);
-    return film_frame(&f->film, &f->row.stage);
+        front_follow(f, m->head, (double)m->time);
+    if (f->screen) {
+        f->failed = !frame_draw(f);
+        return !f->failed && frame_play(f);
+    }
+    fputs("unset label\nunset arrow\n", f->picture.script);
+    if (f->follows)
+        sheet_follow(&f->sheet, stage->at, stage->tall);
+    sheet_palette(&f->sheet, (int)(f->frame % 2), f->picture.script);
+    stage_script(stage, &f->sheet, f->picture.script);
+    progress_show((double)++f->frame / (double)f->frames);
+    return true;
 }
 
+/* ---- The film ---- */
+
 /* In a file, a long fall is shown faster, which keeps the file small. */
-static domq_real film_speed(const struct row_film *f, double seconds)
+static domq_real film_speed(const struct film *f, double seconds)
 {
-    const struct options *options = f->film.options;
-    const domq_real typed = options->has[FILM_SPEED] ? options->value[FILM_SPEED] : 1,
-                    speed = typed / (options->has[FILM_SLOW] ? SLOWER : 1);
-    const bool is_file = f->film.is_data || f->film.out->path;
-    if (options->has[FILM_SPEED] || options->has[FILM_SLOW] || !is_file || !(seconds > LONGEST))
-        return speed;
-    return round_digits((domq_real)(seconds / LONGEST), 2, true);
+    const bool is_file = f->is_data || f->out->path;
+    if (f->options->has[FILM_SPEED])
+        return f->options->value[FILM_SPEED];
+    return is_file && seconds > LONGEST ? round_digits((domq_real)(seconds / LONGEST), 2, true) : 1;
 }
 
 /* Fills f->time with the times of the frames. Infinity stands for the end of the motion. */
-static bool row_times(struct row_film *f)
+static bool times_find(struct film *f)
 {
-    struct film *film = &f->film;
     double begins = row_run_tipped(&f->row.run, 0) ? falling_row_hit(&f->row, 0) : 0;
     const domq_real speed = f->speed = film_speed(f, f->row.end - begins);
-    const double step = film->delay / 100.0 * (double)speed;
+    const double step = f->delay / 100.0 * (double)speed;
     if (!isfinite(f->row.end))
-        return row_status(film->query, film->problem, DOM_NO_MARGIN);
+        return row_status(f->query, f->problem, DOM_NO_MARGIN);
     double moving = ceil((f->row.end - begins) / step - 1e-9);
-    const double frames = moving + 1 + (film->is_data || !film->out->path ? 0 : HELD * 100 / film->delay);
+    const double frames = moving + 1 + (f->is_data || !f->out->path ? 0 : HELD * 100 / f->delay);
     if (frames > FRAMES_MOST)
         return problem_no_answer(
-            film->problem,
+            f->problem,
             "the film would have %.0f frames, but at most %d are drawn; enter 'speed %s', or a smaller rate",
             frames, FRAMES_MOST, measured(speed * (domq_real)(1.05 * frames / FRAMES_MOST), "", 3).text);
-    film->frames = (size_t)frames;
-    f->time = malloc(film->frames * sizeof *f->time);
-    for (size_t k = 0; k < film->frames && f->time; k++)
+    f->frames = (size_t)frames;
+    f->time = malloc(f->frames * sizeof *f->time);
+    for (size_t k = 0; k < f->frames && f->time; k++)
         f->time[k] = (domq_real)((double)k < moving ? begins + step * (double)k : HUGE_VAL);
-    return f->time || problem_status(film->problem, film->query->scene, DOM_NO_MEMORY);
+    return f->time || problem_status(f->problem, f->query->scene, DOM_NO_MEMORY);
 }
 
-static bool row_watch(struct film *film)
+static bool frames_watch(struct film *f)
 {
-    struct row_film *f = (struct row_film *)film;
-    enum dom_status status = falling_row_watch(&f->row, f->time, film->frames, row_frame, f);
-    return status == DOM_OK || row_status(film->query, film->problem, status);
+    enum dom_status status = falling_row_watch(&f->row, f->time, f->frames, frame_visit, f);
+    return status == DOM_OK || row_status(f->query, f->problem, status);
 }
 
-static bool animate_row(const struct film *film)
+/* Plays the film, and leaves the last frame on the terminal. */
+static bool film_play(struct film *f)
 {
-    struct row_film f = {.film = *film};
-    const struct options *options = film->options;
+    f->screen = screen_begin(f->out->out);
+    if (!f->screen)
+        return problem_error(
+            f->problem,
+            "an animation can be shown only on a terminal; enter 'animate > film.gif' for a file");
+    f->next = terminal_clock();
+    bool good = frames_watch(f);
+    screen_end();
+    if (good && (f->failed || dom_raised(f->query->scene->compute.interrupt)))
+        good = problem_error(f->problem, "%s", dom_status_text(f->failed ? DOM_NO_MEMORY : DOM_INTERRUPTED));
+    if (good && f->text)
+        fputs(f->text, f->out->out);
+    free(f->text);
+    return good;
+}
+
+/* Writes the film into a file. All frames have the same size. */
+static bool film_write(struct film *f)
+{
+    enum { FRAME_LEAST = 170, FRAME_MOST = 420 }; /* the minimum and maximum height of a frame, in pixels */
+    struct stage *stage = &f->row.stage;
     char verdict[SENTENCE];
-    struct stage *stage = &f.row.stage;
-    f.film.delay = (int)quad(round)(100 / (options->has[FILM_RATE] ? options->value[FILM_RATE] : 25));
-    if (!falling_row_make(film->query, film->problem, options->has[FILM_TOWER], &f.row))
-        return false;
-    if (film->is_data) {
-        struct column *column = answer_columns(film->out, film->out->columns);
-        column[0].meaning = "time of the frame, counted as in 'fall'";
-        column[1] = (struct column){"domino", "", "the last domino that was hit", 0};
-    }
-    falling_row_reach(&f.row, true);
-    /* Every frame reserves as many lines as this caption takes up. The longest caption has the verdict as its
-     * second line. */
-    falling_row_verdict(&f.row, verdict);
+    /* Every frame has room for the longest caption, whose second line is the verdict. */
+    falling_row_verdict(&f->row, verdict);
     snprintf(stage->caption, CAPTION, "1\n%s", verdict);
-    f.follows = stage->top > FOLLOWED * falling_row_smallest(&f.row);
-    bool done = row_times(&f) && film_make(&f.film, stage, row_watch);
-    free(f.time);
-    falling_row_free(&f.row);
+    snprintf(f->out->made, sizeof f->out->made, "%zu frames, %.3g s", f->frames,
+             (double)f->frames * f->delay / 100);
+    f->sheet = sheet_of(stage, FRAME_LEAST, FRAME_MOST);
+    return picture_begin(&f->picture, f->out, f->sheet.height, 0, f->delay,
+                         f->query->scene->compute.interrupt, f->problem) &&
+           picture_end(&f->picture, frames_watch(f), f->problem);
+}
+
+static bool film_make(struct film *f)
+{
+    const struct options *options = f->options;
+    f->delay = (int)quad(round)(100 / (options->has[FILM_RATE] ? options->value[FILM_RATE] : 25));
+    if (!falling_row_make(f->query, f->problem, options->has[FILM_TOWER], &f->row))
+        return false;
+    falling_row_reach(&f->row, true);
+    f->follows = f->row.stage.top > FOLLOWED * falling_row_smallest(&f->row);
+    const bool done = times_find(f) && (f->is_data     ? frames_watch(f)
+                                        : f->out->path ? film_write(f)
+                                                       : film_play(f));
+    free(f->time);
+    falling_row_free(&f->row);
     return done;
 }
 
@@ -134,52 +254,74 @@ static bool animate_row(const struct film *film)
 static const struct argument number_value = {.name = "the value", .kind = ARGUMENT_NUMBER},
                              any_value = {.name = "N", .kind = ARGUMENT_ANY};
 
-#define ALL_BUT(k) (~BIT(k))
-const struct option_list film_options = {
+static const struct option_list film_options = {
     .options =
         (const struct option[]){
-            [FILM_SPEED] = {"speed", &number_value, ALL_BUT(FILM_SPEED), .least = 0.001, .most = 1000},
-            [FILM_RATE] = {"rate", &any_value, ALL_BUT(FILM_RATE), .least = 1, .most = 50,
+            [FILM_SPEED] = {"speed", &number_value, BIT(FILM_RATE) | BIT(FILM_TOWER), .least = 0.001,
+                            .most = 1000},
+            [FILM_RATE] = {"rate", &any_value, BIT(FILM_SPEED) | BIT(FILM_TOWER), .least = 1, .most = 50,
                            .unit = " frames per second", .time = -1},
-            [FILM_SLOW] = {"slow", .beside = ALL_BUT(FILM_SLOW)},
-            [FILM_TRAIN] = {"train", .beside = ALL_BUT(FILM_TRAIN) & ALL_BUT(FILM_TOWER)},
-            [FILM_TOWER] = {"tower", .beside = BIT(FILM_SPEED) | BIT(FILM_RATE) | BIT(FILM_SLOW)},
-            [FILM_CYCLES] = {"", &any_value, .beside = ALL_BUT(FILM_CYCLES) & ALL_BUT(FILM_TOWER)},
+            [FILM_TOWER] = {"tower", .beside = BIT(FILM_SPEED) | BIT(FILM_RATE)},
             {.name = NULL},
         },
-    .usage = "usage: animate, animate slow, animate speed 0.5 rate 20, animate train 4, animate tower; '> "
-             "row.gif' writes a file",
+    .usage = "usage: animate, animate speed 0.5 rate 20, animate tower; '> row.gif' writes a file",
 };
 
-const struct column animate_columns[] = {
-    {"time", "s", "time of the frame, counted from the hit on the first head", 0},
-    {"cycle", "", "number of the cycle, from 1", 0},
-    {"theta", "rad", "tilt of the head", 0},
+static bool film_parse(struct reader *r, struct question *q)
+{
+    return options_parse(r, q, &film_options) != NULL;
+}
+
+static bool run_animate(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct film film = {.query = query,
+                        .problem = problem,
+                        .out = a,
+                        .is_data = !answer_for_people(a),
+                        .options = options_of(query)};
+    struct tower tower = {.change = NULL};
+    a->note = NULL;      /* no TRAIN_NOTE, because the film shows the row */
+    a->style.errors = 0; /* a picture shows no errors */
+    if (!film.is_data && !picture_ready(a, problem))
+        return false;
+    if (film.options->has[FILM_TOWER])
+        film.query = &tower.query;
+    const bool good =
+        (!film.options->has[FILM_TOWER] || tower_make(query, &tower, problem)) && film_make(&film);
+    free(tower.change);
+    return good;
+}
+
+static const struct column animate_columns[] = {
+    {"time", "s", "time of the frame, counted as in 'fall'", 0},
+    {"domino", "", "the last domino that was hit", 0},
+    {"theta", "rad", "tilt of this domino", 0},
     {NULL, NULL, NULL, 0},
 };
 
-bool run_animate(const struct query *query, struct answer *a, struct problem *problem)
-{
-    const struct options *options = options_of(query);
-    struct film film = {
-        .query = query, .problem = problem, .out = a, .is_data = !answer_for_people(a), .options = options};
-    bool row =
-        query->scene->effect[DOM_EFFECT_row].on && !options->has[FILM_TRAIN] && !options->has[FILM_CYCLES];
-    if ((options->has[FILM_SPEED] || options->has[FILM_RATE]) && !row && !options->has[FILM_TOWER])
-        return problem_error(
-            problem, "'speed' and 'rate' are for rows; first enter 'set row N', for example 'set row 10'");
-    if (!film.is_data && !picture_ready(a, problem))
-        return false;
-    if (row || options->has[FILM_TRAIN] || options->has[FILM_TOWER])
-        /* TRAIN_NOTE would be wrong for a row, and superfluous if the user asked for the train. */
-        a->note = NULL;
-    a->style.errors = 0; /* a picture shows no errors */
-    if (options->has[FILM_TOWER]) {
-        struct tower tower;
-        film.query = &tower.query;
-        const bool good = tower_make(query, &tower, problem) && animate_row(&film);
-        free(tower.change);
-        return good;
-    }
-    return row ? animate_row(&film) : animate_train(&film);
-}
+const struct command film_commands[] = {
+    {.name = "animate",
+     .synonyms = "picture image film movie video gif",
+     .argument = {{.name = "HOW",
+                   .kind = ARGUMENT_WORDS,
+                   .optional = true,
+                   .parse = film_parse,
+                   .bind = options_bind_argument}},
+     .summary = "a film of the falling row, at the terminal or in a file",
+     .help = "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The "
+             "space bar stops and continues it, the right arrow shows the next frame, and 'q' ends it. "
+             "'animate speed 0.5' is twice slower than the fall. 'animate > row.gif' makes a file with "
+             "gnuplot, which 'ffmpeg -i row.gif row.mp4' turns into a video. A film in a file is faster than "
+             "the fall if the fall takes more than 9 s. 'rate 20' makes a film of 20 frames per second. "
+             "'animate tower' after 'count 112 m' shows how the row of that answer topples a tower of 112 m. "
+             "If the largest domino or the tower is more than 30 times as tall as the smallest domino, the "
+             "view follows the front and grows with it. csv and json have the times and tilts of the frames "
+             "instead.",
+     .example = NULL,
+     .see = "draw fall",
+     .sweep.refusal = "it draws",
+     .writes = WRITES_FILMS,
+     .rows = true,
+     ANSWER(animate)},
+    {.name = NULL},
+};

@@ -3,7 +3,7 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "pictures/drawing/falling_row.h"
-#include "pictures/drawing/film.h"
+#include "pictures/options.h"
 #include "train/falling.h"
 #include "train/walk.h"
 #include <float.h>
@@ -57,11 +57,6 @@ static bool draw_parse(struct reader *r, struct question *q)
     const struct options_parsed *p = options_parse(r, q, &draw_options);
     return p && (p->seen != BIT(DRAW_AT) ||
                  problem_error(r->problem, "'at' needs a time, 'domino N' or 'end'; %s", draw_options.usage));
-}
-
-static bool film_parse(struct reader *r, struct question *q)
-{
-    return options_parse(r, q, &film_options) != NULL;
 }
 
 /* ---- Data ---- */
@@ -243,7 +238,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;
-    enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta, 0);
+    enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta);
     /* Output for programs always includes the forces, unless the margin is too small to compute them. */
     if (status == DOM_OK && (options->has[DRAW_FORCES] || !people))
         forces = stage_forces(&stage, train, compute, theta);
@@ -312,32 +307,5 @@ const struct command draw_commands[] = {
      .writes = WRITES_PICTURES,
      .rows = true,
      ANSWER(draw)},
-    {.name = "animate",
-     .synonyms = "picture image film movie video gif",
-     .train = true,
-     .argument = {{.name = "HOW",
-                   .kind = ARGUMENT_WORDS,
-                   .optional = true,
-                   .parse = film_parse,
-                   .bind = options_bind_argument}},
-     .summary = "a film of the falling row or of the train, at the terminal or in a file",
-     .help = "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The "
-             "space bar stops and continues it, the right arrow shows the next frame, and 'q' ends it. "
-             "'animate slow' is four times slower than the fall, and 'animate speed 0.5' twice. 'animate "
-             "> row.gif' makes a file with gnuplot, which 'ffmpeg -i row.gif row.mp4' turns into a video. A "
-             "film in a file is faster than the fall if the fall takes more than 9 s. 'rate 20' makes a film "
-             "of 20 frames per second. 'animate tower' after 'count 112 m' shows how the row of that answer "
-             "topples a tower of 112 m. If the largest domino or the tower is more than 30 times as tall as "
-             "the smallest domino, the view follows the front and grows with it, as it does for a train at "
-             "the terminal. Without a row, or with 'animate train', the film shows cycles of the endless "
-             "train. 'animate train 4' shows four cycles. Each cycle is r times as large as the one before "
-             "and lasts sqrt(r) times as long. At r = 1.5 one film can show at most 9 cycles. csv and json "
-             "have the times and tilts of the frames instead.",
-     .example = NULL,
-     .see = "draw duration",
-     .sweep.refusal = "it draws",
-     .writes = WRITES_FILMS,
-     .rows = true,
-     ANSWER(animate)},
     {.name = NULL},
 };

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* the maximum number of dominoes of a train, and extra room for the caller */
-enum { DOMINOES = 200, MORE = 32 };
+/* the maximum number of dominoes of a train */
+enum { DOMINOES = 200 };
 /* the smallest domino that is drawn, relative to the head; a smaller one would be a dot */
 #define SMALLEST 0.01
 /* the maximum width of a picture, relative to its height; dominoes that do not fit are not drawn */
@@ -172,7 +172,7 @@ static bool train_link(const struct domq_link *link, void *context)
 }
 
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
-                            const struct any_compute *compute, domq_real theta, double behind)
+                            const struct any_compute *compute, domq_real theta)
 {
     struct any_compute fine = *compute;
     struct domq_angles angles;
@@ -182,7 +182,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
                         .d = (double)train->d,
                         .rho = (double)train->rho};
     double pitch = (f.s + f.d) * f.r, tall = f.r < TALLEST ? f.r : TALLEST, seen = 1.04 * tall;
-    if (!stage_make(stage, DOMINOES + MORE))
+    if (!stage_make(stage, DOMINOES))
         return DOM_NO_MEMORY;
     /* With the finest tolerance, the chain includes dominoes that are light, but large enough to be seen. */
     fine.tol = any_arithmetic(fine.precision).tol_floor;
@@ -190,7 +190,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     stage->ruler = "x";
     stage->top = tall;
     stage->right = pitch + 0.12 * seen;
-    stage->left = behind > 0 ? -behind : stage->right - WIDEST * seen;
+    stage->left = stage->right - WIDEST * seen;
     /* The head must be visible, even if the next domino is far away. */
     stage->left = stage->left > -1 ? -1 : stage->left;
     train_add(&f, f.r, pitch, 0);

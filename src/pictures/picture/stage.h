@@ -28,9 +28,8 @@ enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
 /* Special values of drawn.number. */
 enum {
     NUMBER_NEXT = -1,  /* the domino in front of the head of a train */
-    NUMBER_NONE = -2,  /* a domino without a label */
-    NUMBER_TOWER = -3, /* the silhouette of a tower */
-    NUMBER_PERSON = -4 /* the silhouette of a person */
+    NUMBER_TOWER = -2, /* the silhouette of a tower */
+    NUMBER_PERSON = -3 /* the silhouette of a person */
 };
 
 struct drawn {
@@ -95,11 +94,10 @@ static inline bool drawn_marked(const struct drawn *domino)
 /* Returns domino k, counted from 0 at the end towards which the dominoes fall. */
 const struct drawn *stage_front(const struct stage *stage, size_t k);
 
-/* Makes a stage that shows the train when its head is at the tilt `theta`, 0 <= theta <= theta_c. The caller
- * can add 32 more dominoes. `behind` is the visible length behind the head, in heights of the head. If it is
- * 0, all followers that fit are visible. Even after an error, the caller must free the stage. */
+/* Makes a stage that shows the train when its head is at the tilt `theta`, 0 <= theta <= theta_c. Even after
+ * an error, the caller must free the stage. */
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
-                            const struct any_compute *compute, domq_real theta, double behind);
+                            const struct any_compute *compute, domq_real theta);
 
 /* Adds the contact forces to a train on a stage. Returns the status of any_cycle_forces. */
 enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
