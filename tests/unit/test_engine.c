@@ -95,16 +95,15 @@ TEST(chipmunk_is_installed)
 
 /* ---- Against the library ---- */
 
-struct times {
-    double time[MOST], omega[MOST];
-    size_t count;
-};
-
-static bool time_seen(const struct dom_fall *fall, void *context)
+/* Compares a hit of the engine with that of the library. */
+static bool same_hit(const struct dom_fall *fall, void *context)
 {
-    struct times *t = context;
-    t->time[t->count] = fall->time;
-    t->omega[t->count++] = fall->omega;
+    const struct boxes *b = context;
+    const struct engine_hit *hit = &b->hit[fall->domino - 1];
+    if (fall->domino > 1) {
+        assert_near("time", hit->time, fall->time, 0.01);
+        assert_near("omega", hit->omega, fall->omega, 0.02);
+    }
     return true;
 }
 
@@ -112,7 +111,6 @@ static void same_hits(double s, double r, double mu, double slope)
 {
     struct boxes b;
     struct dom_domino domino[MOST];
-    struct times t = {.count = 0};
     struct dom_verdict verdict;
     boxes_make(&b, s, r, 10, 3);
     b.row.mu = mu;
@@ -124,14 +122,10 @@ static void same_hits(double s, double r, double mu, double slope)
                                         .mass = b.box[k].mass};
     const struct dom_row row = {
         .domino = domino, .count = b.row.count, .g = 1, .push = b.row.push, .mu = mu, .alpha = slope};
-    assert_status(dom_row_run(&row, NULL, true, time_seen, &t, &verdict), DOM_OK);
-    assert_int_equal(verdict.end, DOM_ROW_FALLS);
     assert_true(boxes_fall(&b));
-    assert_int_equal(b.fall.hits, t.count);
-    for (size_t k = 1; k < t.count; k++) {
-        assert_near("time", b.hit[k].time, t.time[k], 0.01);
-        assert_near("omega", b.hit[k].omega, t.omega[k], 0.02);
-    }
+    assert_status(dom_row_run(&row, NULL, true, same_hit, &b, &verdict), DOM_OK);
+    assert_int_equal(verdict.end, DOM_ROW_FALLS);
+    assert_int_equal(b.fall.hits, verdict.domino);
     assert_near("seconds", b.fall.seconds, verdict.seconds, 0.01);
 }
 
@@ -143,33 +137,13 @@ TEST(engine_and_library_agree)
     same_hits(0.3, 1.4, 0, 0.02);
 }
 
-/* ---- Known largest growths: the row falls at a slightly smaller growth, and stops at a slightly larger one
- * ---- */
-
-struct known {
-    double s, mu, feet, bounce, slope, radius, r, push, off;
-};
-
-static void between(const struct known *k)
-{
-    struct boxes b;
-    for (int side = -1; side <= 1; side += 2) {
-        boxes_make(&b, k->s, k->r * (1 + side * k->off), 12, k->push);
-        b.row.mu = k->mu;
-        b.row.feet = k->feet;
-        b.row.bounce = k->bounce;
-        b.row.slope = k->slope;
-        b.row.radius = k->radius;
-        if (boxes_fall(&b) != (side < 0))
-            fail_msg("s %g, mu %g, feet %g, bounce %g: %s at r %g", k->s, k->mu, k->feet, k->bounce,
-                     side < 0 ? "stops" : "falls", k->r * (1 + side * k->off));
-    }
-}
-
+/* The row falls at a slightly smaller growth, and stops at a slightly larger one. */
 TEST(growths_are_known)
 {
     const double hinge = (double)INFINITY, degree = M_PI / 180;
-    const struct known known[] = {
+    const struct {
+        double s, mu, feet, bounce, slope, radius, r, push, off;
+    } known[] = {
         {0.3, 0, hinge, 0, 0, 0, 1.8135, 8, 0.003},
         {0.2, 0.2, hinge, 0, 0, 0, 1.4847, 8, 0.003},
         {0.3, 0, hinge, 0, degree, 0, 1.9307, 8, 0.003},
@@ -192,8 +166,19 @@ TEST(growths_are_known)
         {0.2, 0.2, 0.4, 0, 0, 0, 1.448, 8, 0.016},
         {0.4, 0.2, 0.2, 0, 0, 0, 1.611, 8, 0.016},
     };
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        between(&known[i]);
+    for (size_t i = 0; i < 2 * sizeof known / sizeof *known; i++) {
+        struct boxes b;
+        const bool falls = i % 2 == 0;
+        const double r = known[i / 2].r * (1 + (falls ? -1 : 1) * known[i / 2].off);
+        boxes_make(&b, known[i / 2].s, r, 12, known[i / 2].push);
+        b.row.mu = known[i / 2].mu;
+        b.row.feet = known[i / 2].feet;
+        b.row.bounce = known[i / 2].bounce;
+        b.row.slope = known[i / 2].slope;
+        b.row.radius = known[i / 2].radius;
+        if (boxes_fall(&b) != falls)
+            fail_msg("row %zu of the table: %s at r %g", i / 2, falls ? "stops" : "falls", r);
+    }
 }
 
 /* ---- How the engine runs ---- */
@@ -292,14 +277,23 @@ TEST(rows_end)
 
 /* ---- The engine of a caller ---- */
 
-/* An engine in which rows fall up to some growth. */
-static enum dom_status up_to(const struct dom_row *row, const struct dom_compute *compute, bool times,
-                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
+/* An engine in which rows fall if a number is in a range: the gap before domino 2, or how many times as tall
+ * it is as domino 1. */
+struct limits {
+    bool of_growth;
+    double low, high;
+    int runs;
+};
+
+static enum dom_status in_limits(const struct dom_row *row, const struct dom_compute *compute, bool times,
+                                 dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    const double *most = row->engine->context;
+    struct limits *l = row->engine->context;
+    const double is = l->of_growth ? row->domino[1].height / row->domino[0].height : row->domino[1].gap;
     (void)compute, (void)times, (void)visit, (void)context;
-    bool falls = row->domino[1].height / row->domino[0].height <= *most;
-    *verdict = (struct dom_verdict){.end = falls ? DOM_ROW_FALLS : DOM_ROW_MISSES, .domino = 2};
+    l->runs++;
+    *verdict = (struct dom_verdict){.end = is >= l->low && is <= l->high ? DOM_ROW_FALLS : DOM_ROW_MISSES,
+                                    .domino = 2};
     return DOM_OK;
 }
 
@@ -312,8 +306,8 @@ static void grown(double r, struct dom_domino *domino, size_t count, void *conte
 
 TEST(the_library_asks_an_engine)
 {
-    double most = 1.2345;
-    const struct dom_engine engine = {.run = up_to, .context = &most};
+    struct limits limits = {.of_growth = true, .high = 1.2345};
+    const struct dom_engine engine = {.run = in_limits, .context = &limits};
     struct dom_domino domino[3];
     struct dom_verdict verdict;
     struct dom_row_growth growth;
@@ -323,7 +317,7 @@ TEST(the_library_asks_an_engine)
     assert_status(dom_row_run(&row, NULL, true, NULL, NULL, &verdict), DOM_OK);
     assert_int_equal(verdict.end, DOM_ROW_MISSES);
     assert_status(dom_row_rmax(&row, NULL, 4, grown, NULL, &growth), DOM_OK);
-    assert_near("r_max", growth.r_max, most, 1e-11);
+    assert_near("r_max", growth.r_max, limits.high, 1e-11);
     assert_int_equal(growth.ends, DOM_ROW_MISSES);
     const struct dom_placement placement = {
         .error = {[DOM_ERROR_gap].size = 0, [DOM_ERROR_height].size = 0.1}, .seed = 1, .rows = 200};
@@ -334,45 +328,27 @@ TEST(the_library_asks_an_engine)
     assert_status(dom_row_watch(&row, NULL, &now, 1, NULL, NULL, &verdict), DOM_NO_METHOD);
 }
 
-/* An engine in which rows fall if the gap before domino 2 is in a window. */
-struct gaps {
-    double low, high;
-    int runs;
-};
-
-static enum dom_status in_gaps(const struct dom_row *row, const struct dom_compute *compute, bool times,
-                               dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
-{
-    struct gaps *gaps = row->engine->context;
-    const double gap = row->domino[1].gap;
-    (void)compute, (void)times, (void)visit, (void)context;
-    gaps->runs++;
-    *verdict = (struct dom_verdict){
-        .end = gap >= gaps->low && gap <= gaps->high ? DOM_ROW_FALLS : DOM_ROW_STOPS, .domino = 2};
-    return DOM_OK;
-}
-
 /* Checks that a window is found in few runs. The ends have at most three digits, and are inside the true
  * window by at most 1 %. */
 TEST(windows_of_an_engine_take_few_runs)
 {
     static const double edges[][2] = {{0.05123, 0.23456}, {0.0876, 0.1011}, {0.0999, 0.9876}, {0, 1}};
     for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
-        struct gaps gaps = {.low = edges[i][0], .high = edges[i][1]};
-        const struct dom_engine engine = {.run = in_gaps, .context = &gaps};
+        struct limits gap = {.low = edges[i][0], .high = edges[i][1]};
+        const struct dom_engine engine = {.run = in_limits, .context = &gap};
         struct dom_domino domino[2];
         struct dom_window w;
-        char text[2][32];
         grown(1, domino, 2, NULL);
         const struct dom_row row = {.domino = domino, .count = 2, .g = 1, .push = 1, .engine = &engine};
         assert_status(dom_row_windows(&row, NULL, DOM_WINDOW_GAP, NULL, NULL, &w), DOM_OK);
-        snprintf(text[0], sizeof *text, "%.3g", w.low);
-        snprintf(text[1], sizeof *text, "%.3g", w.high);
-        assert_near("three digits", w.low, strtod(text[0], NULL), 1e-15);
-        assert_near("three digits", w.high, strtod(text[1], NULL), 1e-15);
-        assert_true(w.low >= gaps.low && w.low <= 1.01 * gaps.low);
-        assert_true(w.high <= gaps.high && w.high >= 0.99 * gaps.high);
-        print_message("# %d runs\n", gaps.runs);
-        assert_true(gaps.runs <= 35);
+        for (int end = 0; end < 2; end++) {
+            char text[32];
+            snprintf(text, sizeof text, "%.3g", end ? w.high : w.low);
+            assert_near("three digits", end ? w.high : w.low, strtod(text, NULL), 1e-15);
+        }
+        assert_true(w.low >= gap.low && w.low <= 1.01 * gap.low);
+        assert_true(w.high <= gap.high && w.high >= 0.99 * gap.high);
+        print_message("# %d runs\n", gap.runs);
+        assert_true(gap.runs <= 35);
     }
 }

@@ -7,9 +7,10 @@
  */
 #include "support.h"
 
-#define BOUNDS_OF_CHAINS(X) X(ROUND_UP) X(ROUND_DOWN) X(SINE) X(TOP_OF_ONE) X(DETACHED) X(CORNERS)
-#define BOUNDS_OF_RESTS(X)  X(CONTRACTION) X(REST_OF_T) X(REST_OF_FUEL) X(REST_OF_HEIGHT)
-#define BOUNDS(X)           BOUNDS_OF_CHAINS(X) BOUNDS_OF_RESTS(X) X(MEAN_VALUE_TILT) X(MEAN_VALUE_GROWTH)
+#define BOUNDS(X)                                                                                            \
+    X(ROUND_UP)                                                                                              \
+    X(ROUND_DOWN) X(SINE) X(TOP_OF_ONE) X(DETACHED) X(CORNERS) X(CONTRACTION) X(REST_OF_T) X(REST_OF_FUEL)   \
+        X(REST_OF_HEIGHT) X(MEAN_VALUE_TILT) X(MEAN_VALUE_GROWTH)
 
 enum bound {
     ALL_RIGHT,
@@ -47,8 +48,9 @@ static int outside(struct span a, double value, double slack)
     return !(a.lo <= value + slack && a.hi >= value - slack);
 }
 
-/* Checks that the bounds of every operation enclose its exact result. An fma finds on which side of the exact
- * result a bound is. Fails if the compiler has removed a rounding. */
+/* Checks that the bounds of operations enclose the exact result. An fma finds on which side of the exact
+ * result a bound is. Fails if the compiler has removed a rounding. tests/hard/test_span.c has every
+ * operation. */
 static int arithmetic_wrong(void)
 {
     uint64_t seed = 1;
@@ -61,16 +63,6 @@ static int arithmetic_wrong(void)
         wrong += fma(ratio.lo, b, -a) > 0 || fma(ratio.hi, b, -a) < 0;
         wrong += fma(root.lo, root.lo, -a) > 0 || fma(root.hi, root.hi, -a) < 0;
         wrong += (sum.lo - a) - b * 0x1p-9 > 0 || (sum.hi - a) - b * 0x1p-9 < 0;
-        /* Differences and products of any sign. */
-        struct span less = span_sub(span_of(a), span_of(b * 0x1p-9)),
-                    wide = span_sub((struct span){a - 1, a}, (struct span){-b, b}),
-                    mixed = span_mul((struct span){-a, b}, (struct span){-b, a});
-        wrong += (less.lo - a) + b * 0x1p-9 > 0 || (less.hi - a) + b * 0x1p-9 < 0;
-        wrong += outside(wide, a + b, 0) + outside(wide, a - 1 - b, 0);
-        wrong += fma(-a, a, -mixed.lo) < 0 || fma(-b, b, -mixed.lo) < 0 || fma(a, b, -mixed.hi) > 0;
-        wrong += fma(a, -b, -span_mul(span_of(a), span_of(-b)).lo) < 0 ||
-                 fma(a, -b, -span_mul(span_of(-a), span_of(b)).hi) > 0;
-        wrong += fma(a, a, -span_square(span_of(a)).lo) < 0 || fma(a, a, -span_square(span_of(a)).hi) > 0;
         /* A tilt and its sine: x^2 = v (2 - v), exactly. */
         double v = ldexp(floor(ldexp(b - 1, 20)) + 1, -20), exact = v * (2 - v);
         struct span x = tilt_sine(span_of(v));
@@ -224,25 +216,24 @@ static int all_wrong(struct proof *proof)
     return wrong + verdicts_wrong(proof);
 }
 
+static void begin(struct proof *proof)
+{
+    const struct shape shape = shape_make(0.4, 0.1, 3);
+    assert_true(proof_begin(proof, &shape));
+}
+
 TEST(every_bound_holds)
 {
     struct proof proof;
-    struct shape shape = shape_make(0.4, 0.1, 3);
-    assert_true(proof_begin(&proof, &shape));
-    broken = ALL_RIGHT;
-    assert_int_equal(arithmetic_wrong(), 0);
-    assert_int_equal(points_wrong(&proof), 0);
-    for (int k = 0; k < 3; k++)
-        assert_int_equal(boxes_wrong(&proof, k == 1, k == 2), 0);
-    assert_int_equal(verdicts_wrong(&proof), 0);
+    begin(&proof);
+    assert_int_equal(all_wrong(&proof), 0);
     proof_end(&proof);
 }
 
 TEST(limits_of_the_reference_lie_in_what_is_proved)
 {
     struct proof proof;
-    struct shape shape = shape_make(0.4, 0.1, 3);
-    assert_true(proof_begin(&proof, &shape));
+    begin(&proof);
     assert_int_equal(limits_wrong(&proof, "tests/reference/rmax.csv", false), 0);
     assert_int_equal(limits_wrong(&proof, "tests/reference/pair.csv", true), 0);
     proof_end(&proof);
@@ -289,9 +280,8 @@ TEST(each_wrong_bound_is_noticed)
 #define BOUND_NAME(name) #name,
                                        BOUNDS(BOUND_NAME)};
     struct proof proof;
-    struct shape shape = shape_make(0.4, 0.1, 3);
     int missed = 0;
-    assert_true(proof_begin(&proof, &shape));
+    begin(&proof);
     for (int k = 1; k < (int)(sizeof name / sizeof *name); k++) {
         broken = (enum bound)k;
         int wrong = all_wrong(&proof);
