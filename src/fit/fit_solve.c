@@ -277,7 +277,7 @@ static bool start_find(struct fit *f, gsl_vector *residual)
     static const double few[] = {0.01, 0.06, 0.25, 0.6}, many[] = {0.01, 0.025, 0.06, 0.125, 0.25, 0.5, 0.85};
     const double *share = f->unknowns > 2 ? few : many;
     const int each = f->unknowns > 2 ? 4 : 7, all = (int)lround(pow(each, f->unknowns));
-    double least = HUGE_VAL, value[FIT_UNKNOWNS];
+    double least = HUGE_VAL, value[FIT_UNKNOWNS] = {0};
     struct problem first = {.kind = PROBLEM_NONE};
     for (int k = 0; k < all && !is_interrupted(f); k++) {
         for (int i = 0, rest = k; i < f->unknowns; i++, rest /= each) {

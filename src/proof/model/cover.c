@@ -201,7 +201,7 @@ double proof_guess(struct proof *proof, double r, double *top)
         best = larger(best, height);
     }
     /* find the maximum between the neighbours of the highest sample, by bisection on the slope of D */
-    double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit), at = low;
+    double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit), at;
     for (int k = 0; k < STEPS && high - low > 1e-9 * hit && !proof_interrupted(proof); k++) {
         at = 0.5 * (low + high);
         *(span_middle(climb_of(proof, &proof->point, at, at, true).by_tilt) > 0 ? &low : &high) = at;
