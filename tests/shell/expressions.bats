@@ -402,18 +402,7 @@ END
     wrong 'assert rmax > 1.6' "put a comparison in parentheses, as in 'assert [(]rmax[(]0.4[)] > 1.6[)]'"
 }
 
-@test "echo writes the values of expressions in braces" {
-    all_print <<'END'
-echo growth {rmax} of {h to mm}, {1+1}|growth 1.64423 of 48 mm, 2
-echo "a {rmax(0.3)}; b > c"|a 1.51445; b > c
-echo "{2*3 m}; {{x}"|6 m; {x}
-let x = 3; echo x is {x}|x is 3
-set q hollow; echo {(rmax with s 0.3)}|1.81351
-END
-    same json '{"command":"echo","text":"6 m"}' "$("$DOMINO" -e 'set output json; echo {2*3} m')"
-    wrong 'echo {foo}' "^-e:1: echo: VALUE at 'foo': 'foo' has no value$"
-    same 'print of a text' 'a;b > 4' "$("$DOMINO" -e 'print "a;b > {2+2}"')"
+@test "print of a text writes it as echo does" {
+    same 'print of a text' 'a;b > 4' "$("$DOMINO" -e 'print "a;b > 4"')"
     wrong 'print "a" b' "print: VALUE at '\"a\"': a value is missing"
-    wrong 'echo {rmax' "^-e:1: echo: this '\{' is never closed; write '\{\{' for a brace$"
-    wrong 'echo {}' '^-e:1: echo: VALUE is missing'
 }

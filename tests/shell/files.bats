@@ -286,20 +286,6 @@ END
     same 'a log' 'print 1' "$(head -n 1 l.dom)"
 }
 
-@test "'>>' repeats no head that has quotes, a byte order mark or other line ends" {
-    local head
-    "$DOMINO" -e 'pair 0.3 > plain.csv'
-    head=$(head -n 1 plain.csv)
-    for begin in "$head\\r\\n" "\\xef\\xbb\\xbf$head\\n" "\"${head//,/\",\"}\"\\n" "\\xef\\xbb\\xbf\"${head//,/\",\"}\"\\r\\n"; do
-        printf '%b' "$begin" >a.csv
-        "$DOMINO" -e 'pair 0.3 >> a.csv'
-        same "after $begin" "$(tail -n 1 plain.csv)" "$(tail -n +2 a.csv)"
-    done
-    printf '%b' "x$head\n" >a.csv # another head
-    "$DOMINO" -e 'pair 0.3 >> a.csv'
-    same 'another head' "$(cat plain.csv)" "$(tail -n +2 a.csv)"
-}
-
 # bats test_tags=pictures
 @test "a file that the session is writing is refused under any of its names, and is not changed" {
     answer=$("$DOMINO" -e fuel)

@@ -8,17 +8,6 @@
 #include <string.h>
 #include <sys/utsname.h>
 
-extern const struct command session_commands[], script_commands[], help_commands[];
-
-static const struct command_group groups[] = {
-    {"The session", "settings", session_commands},
-    {"Scripts and records", "scripts", script_commands},
-    {"Help", "scripts", help_commands},
-    {NULL, NULL, NULL},
-};
-
-const struct feature shell_feature = {.name = "shell", .groups = groups};
-
 #if defined __clang__
 #define COMPILER "clang " __clang_version__
 #elif defined __GNUC__
@@ -27,7 +16,7 @@ const struct feature shell_feature = {.name = "shell", .groups = groups};
 #define COMPILER ""
 #endif
 
-const struct column version_columns[] = {
+static const struct column version_columns[] = {
     {"version", "", "the version of this program and of its library", 0},
     {"system", "", "the operating system and the machine", 0},
     {"compiler", "", "the compiler that built this program", 0},
@@ -40,7 +29,7 @@ const struct column version_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-bool run_version(const struct query *query, struct answer *a, struct problem *problem)
+static bool run_version(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct domq_arithmetic quad = any_arithmetic(IN_QUAD);
     struct utsname name = {.sysname = ""};
@@ -58,3 +47,19 @@ bool run_version(const struct query *query, struct answer *a, struct problem *pr
                         cell_word(quad.type), cell_count(quad.bits), cell_word(gsl_version),
                         cell_word(rl_library_version), cell_word(names));
 }
+
+static const struct command version_commands[] = {
+    {.name = "version",
+     .synonyms = "about build release compiler",
+     .summary = "the version of this program, and what it was built with",
+     ANSWER(version)},
+    {.name = NULL},
+};
+
+static const struct command_group groups[] = {
+    {"The session", "settings", session_commands},       {"Values and names", "settings", value_commands},
+    {"Scripts and records", "scripts", script_commands}, {"Help", "scripts", help_commands},
+    {"This program", "scripts", version_commands},       {NULL, NULL, NULL},
+};
+
+const struct feature shell_feature = {.name = "shell", .groups = groups};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands help, apropos and complete. */
+/* The commands help, apropos, complete and details. */
 #define _GNU_SOURCE /* strcasestr */
 #include "answer/wrap.h"
 #include "commands/tables.h"
@@ -78,12 +78,9 @@ static bool topic_at(int k, struct topic *topic)
     return p->name;
 }
 
-/* The part of a topic in which a word occurs. */
-enum match {
-    MATCH_TOPIC,   /* in the name, the summary, the synonyms, or the words for a parameter's values */
-    MATCH_DETAILS, /* only in the help text, the equations or the columns */
-    MATCH_NONE
-};
+/* A word occurs in the name, the summary, the synonyms, or the words for a parameter's values, or only in
+ * details: the help text, the equations or the columns. */
+enum match { MATCH_TOPIC, MATCH_DETAILS, MATCH_NONE };
 
 static bool mentions(const char *text, const char *word)
 {
@@ -394,7 +391,7 @@ static bool run_help(struct session *session, const struct arguments *given, str
     return true;
 }
 
-/* ---- apropos and complete ---- */
+/* ---- Other commands ---- */
 
 static bool run_apropos(const struct query *query, struct answer *a, struct problem *problem)
 {
@@ -444,6 +441,20 @@ static bool run_complete(struct session *session, const struct arguments *given,
     return true;
 }
 
+static bool run_details(struct session *session, const struct arguments *given, struct answer *a,
+                        struct problem *problem)
+{
+    (void)given;
+    if (!answer_for_people(a))
+        return problem_error(problem, "answers in csv and json have all their values; 'details' follows an "
+                                      "answer after 'set output table'");
+    if (!session->details)
+        return problem_no_answer(problem, "the last answer has no more details");
+    fputs(session->details, a->out);
+    a->progress.wrote_text = true;
+    return true;
+}
+
 const struct command help_commands[] = {
     {.name = "help",
      .synonyms = "manual man list explain commands",
@@ -483,9 +494,5 @@ const struct command help_commands[] = {
      .summary = "list the ways to continue LINE, as <TAB> does",
      .example = "complete set output j",
      .act = run_complete},
-    {.name = "version",
-     .synonyms = "about build release compiler",
-     .summary = "the version of this program, and what it was built with",
-     ANSWER(version)},
     {.name = NULL},
 };

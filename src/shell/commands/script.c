@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands for scripts and records: source, echo and log. */
-#define _GNU_SOURCE /* asprintf */
-#include "answer/format.h"
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
 #include "interpreter/question.h"
@@ -65,86 +63,16 @@ static const struct column echo_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes the value of an expression, as 'print' writes it, without the newline. */
-static bool value_write(const struct query *query, const char *expression, int length, FILE *out,
-                        struct problem *problem)
-{
-    char *line = NULL, *value = NULL;
-    size_t size = 0;
-    struct text text;
-    struct arena arena = {.block = NULL};
-    if (asprintf(&line, "print %.*s", length, expression) < 0)
-        return query_status(query, problem, DOM_NO_MEMORY);
-    if (!text_make(&text, line, strlen(line))) {
-        free(line);
-        return query_status(query, problem, DOM_NO_MEMORY);
-    }
-    struct reader r = {.text = &text, .at = text.line, .arena = &arena, .query = query, .problem = problem};
-    struct answer answer = {.out = open_memstream(&value, &size), .style = state_style(query->state)};
-    struct question q;
-    answer.style.format = &format_table;
-    bool good = (answer.out && command_parse(&r, &q) && question_ask(&q, query, &answer, problem)) ||
-                (!answer.out && query_status(query, problem, DOM_NO_MEMORY));
-    if (answer.out && fclose(answer.out) != 0)
-        good = query_status(query, problem, DOM_NO_MEMORY);
-    if (good && !answer.is_value)
-        good = problem_error(problem, "'{%.*s}' is not an expression", length, expression);
-    if (good)
-        fprintf(out, "%.*s", (int)strcspn(value, "\n"), value);
-    problem->place = problem->column = 0; /* the columns of this line are not those of the user's line */
-    problem->command = "echo";
-    free(value);
-    arena_free(&arena);
-    text_free(&text);
-    free(line);
-    return good;
-}
-
-/* Returns a copy of the text in which the value of each expression in braces takes its place, and '{{'
- * becomes
- * '{'. The caller frees the copy. On failure, sets *problem and returns NULL. */
-static char *braces_fill(const struct query *query, const char *text, struct problem *problem)
-{
-    char *filled = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&filled, &size);
-    bool good = out != NULL || query_status(query, problem, DOM_NO_MEMORY);
-    for (const char *c = text; good && *c; c++) {
-        const size_t length = *c == '{' && c[1] != '{' ? strcspn(c + 1, "}") : 0;
-        if (*c != '{' || c[1] == '{') {
-            putc(*c, out);
-            c += *c == '{';
-        } else if (c[length + 1] != '}') {
-            good = problem_error(problem, "this '{' is never closed; write '{{' for a brace");
-        } else {
-            good = value_write(query, c + 1, (int)length, out, problem);
-            c += length + 1;
-        }
-    }
-    if (out && fclose(out) != 0 && good)
-        good = query_status(query, problem, DOM_NO_MEMORY);
-    if (good)
-        return filled;
-    free(filled);
-    return NULL;
-}
-
 static bool run_echo(const struct query *query, struct answer *a, struct problem *problem)
 {
-    char *text = braces_fill(query, query->given->count ? query->given->word[0] : "", problem);
-    if (!text)
-        return false;
-    char *shown = answer_for_people(a) ? escape_copy(text) : NULL;
-    bool good = true;
+    const char *text = query->given->count ? query->given->word[0] : "";
+    if (!answer_for_people(a))
+        return answer_cells(a, cell_word(text));
+    char *shown = escape_copy(text);
     if (shown)
         fprintf(a->out, "%s\n", shown);
-    else if (answer_for_people(a))
-        good = query_status(query, problem, DOM_NO_MEMORY);
-    else
-        good = answer_cells(a, cell_word(text));
     free(shown);
-    free(text);
-    return good;
+    return shown || query_status(query, problem, DOM_NO_MEMORY);
 }
 
 /* ---- Log ---- */
@@ -169,22 +97,6 @@ static bool run_log(struct session *session, const struct arguments *given, stru
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 
-/* ---- Details ---- */
-
-bool run_details(struct session *session, const struct arguments *given, struct answer *a,
-                 struct problem *problem)
-{
-    (void)given;
-    if (!answer_for_people(a))
-        return problem_error(problem, "answers in csv and json have all their values; 'details' follows an "
-                                      "answer after 'set output table'");
-    if (!session->details)
-        return problem_no_answer(problem, "the last answer has no more details");
-    fputs(session->details, a->out);
-    a->progress.wrote_text = true;
-    return true;
-}
-
 const struct command script_commands[] = {
     {.name = "source",
      .synonyms = "script load open read batch import file",
@@ -199,11 +111,8 @@ const struct command script_commands[] = {
      .synonyms = "write text say message",
      .argument = {{.name = "TEXT", .kind = ARGUMENT_WORDS, .parse = echo_parse, .optional = true}},
      .summary = "write TEXT, as a heading or to mark the end of an answer",
-     .help =
-         "The value of an expression in braces takes its place, as in '{rmax}' or '{h to cm}'; '{{' stands "
-         "for "
-         "a brace. Put TEXT between double quotes if it contains ';', '>' or ' #'.",
-     .example = "set q hollow; echo hollow dominoes of {h to mm} can grow by {rmax}",
+     .help = "Put TEXT between double quotes if it contains ';', '>' or ' #'.",
+     .example = "echo hollow dominoes; rmax with q hollow",
      .see = "print",
      .sweep.refusal = "it computes nothing",
      ANSWER(echo)},

@@ -13,6 +13,158 @@
 #include <string.h>
 #include <sys/stat.h>
 
+/* ---- show ---- */
+
+static const struct column show_columns[] = {
+    {"name", "", "the name of the parameter, effect or variable", 9},
+    {"value", "", "the present value", 12},
+    {"unit", "", "the unit of the value; h is the height of the domino", 5},
+    {"range", "", "the values that are allowed", 17},
+    {"default", "", "the default value", 8},
+    {"meaning", "", "what the parameter means", 24},
+    {NULL, NULL, NULL, 0},
+};
+
+enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
+
+/* The cells of a parameter's row in the table, and buffers for the texts that the cells point to. */
+struct shown {
+    char range[PARAMETER_RANGE], value[EFFECT_SETTING], fallback[WIDE_TEXT];
+    char unit[8];
+    struct cell cell[SHOW_COLUMNS];
+};
+
+/* If a parameter has a word for this number, appends the word, as in "4 (solid)". */
+static void word_add(const struct parameter *p, domq_real value, char *text, size_t size)
+{
+    const char *word = parameter_word(p, value);
+    if (word)
+        text_add(text, size, " (%s)", word);
+}
+
+static void shown_make(const struct query *query, const struct parameter *p, bool people, struct shown *shown)
+{
+    char number[WIDE_TEXT];
+    domq_real value = parameter_get(query->state, p), fallback = parameter_fallback(query->state, p);
+    bool is_number = parameter_is_number(p), as_number = is_number && !people,
+         is_on = p->effect && value != EFFECT_OFF && !effect_file(query->scene, p->which);
+    parameter_range_write(query->state, p, 0, shown->range);
+    if (p->effect)
+        effect_setting_write(query->scene, p->which, shown->value);
+    else
+        snprintf(shown->value, sizeof shown->value, "%s",
+                 parameter_text(p, value, (int)query->state->settings.style.digits, number));
+    const struct typed_length *length = &query->scene->length[p->share];
+    char typed[LENGTH_TEXT];
+    const char *unit = people && p->effect ? "" : p->value->unit;
+    const bool is_length = people && length->m > 0 && value != EFFECT_OFF;
+    if (is_length) {
+        char setting[EFFECT_SETTING];
+        snprintf(setting, sizeof setting, "%s", shown->value);
+        const char *others = p->effect ? strchr(setting, ',') : NULL; /* as in "18 mm, 0.3 m" */
+        length_write(length->m, length->unit, typed);
+        unit = strchr(typed, ' ') + 1;
+        snprintf(shown->value, sizeof shown->value, "%.*s%s", others ? LENGTH_TEXT : (int)(unit - 1 - typed),
+                 typed, others ? others : "");
+        snprintf(shown->unit, sizeof shown->unit, "%.7s", others ? "" : unit);
+        unit = shown->unit;
+        text_add(shown->range, sizeof shown->range, " %s", p->value->unit);
+    }
+    snprintf(shown->fallback, sizeof shown->fallback, "%s", parameter_text(p, fallback, 6, number));
+    if (people && is_number && !is_length) {
+        word_add(p, value, shown->value, sizeof shown->value);
+        word_add(p, fallback, shown->fallback, sizeof shown->fallback);
+    }
+    const struct cell cells[] = {cell_word(p->name),
+                                 as_number || (is_on && !people) ? cell_real(value) : cell_word(shown->value),
+                                 cell_word(unit),
+                                 cell_word(shown->range),
+                                 as_number ? cell_real(fallback) : cell_word(shown->fallback),
+                                 cell_word(p->meaning)};
+    memcpy(shown->cell, cells, sizeof cells);
+}
+
+static void variable_row(struct answer *a, const struct variable *v)
+{
+    char value[WIDE_TEXT];
+    struct cell number = cell_without_error(v->value.value);
+    if (answer_for_people(a))
+        number = cell_word(quad_write(v->value.value, (int)a->style.digits, value));
+    answer_cells(a, cell_word(variable_head(v)), v->body ? cell_word(v->body) : number,
+                 cell_word(expression_unit_text(v->value)), cell_word(""), cell_word(""),
+                 cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'"));
+}
+
+static bool is_changed(const struct query *query, const struct parameter *p)
+{
+    return parameter_get(query->state, p) != parameter_fallback(query->state, p) ||
+           (query->scene->length[p->share].m > 0 && parameter_is_number(p));
+}
+
+static const char *show_names(const void *context, int k)
+{
+    int count = 0;
+    while (parameter_names(context, count))
+        count++;
+    return k == count ? "all" : k < count ? parameter_names(context, k) : NULL;
+}
+
+bool show_variables(const struct query *query, struct answer *a)
+{
+    const struct variables *variables = &query->state->variables;
+    const struct variable *named = query->given->variable;
+    a->rows = true;
+    answer_columns(a, show_columns);
+    for (size_t i = 0; i < variables->count; i++)
+        if (!named || named == &variables->list[i])
+            variable_row(a, &variables->list[i]);
+    if (variables->count == 0)
+        answer_say(a, "No variable is defined; 'let x = 0.9*rmax' defines one.");
+    return true;
+}
+
+/* Without a name, the answer for people has what differs from the defaults. In csv and json, it is for
+ * programs and always has the same rows. */
+static bool run_show(const struct query *query, struct answer *a, struct problem *problem)
+{
+    (void)problem;
+    const struct arguments *given = query->given;
+    const struct variables *variables = &query->state->variables;
+    const bool people = answer_for_people(a), is_named = given->parameter || given->variable,
+               is_short = people && !given->count;
+    const size_t changes = is_short ? row_changes_count(&query->scene->listed) : 0;
+    struct column *columns = answer_columns(a, show_columns);
+    struct shown shown;
+    bool is_empty = !is_named && variables->count == 0;
+    /* If the answer is for people, the first of two passes only finds the widths of the columns. */
+    for (int pass = people ? 0 : 1; pass < 2; pass++)
+        for (const struct parameter *p = session_parameters; p->name; p++) {
+            if (is_named        ? p != given->parameter
+                : is_short      ? !is_changed(query, p)
+                : !given->count ? p->effect != NULL
+                                : false)
+                continue;
+            is_empty = false;
+            shown_make(query, p, people, &shown);
+            for (int i = 0; pass == 0 && columns[i + 1].key; i++)
+                column_fit(&columns[i], shown.cell[i].word);
+            if (pass == 1)
+                answer_row(a, shown.cell, NULL);
+        }
+    if (given->variable)
+        variable_row(a, given->variable);
+    for (size_t i = 0; !is_named && i < variables->count; i++)
+        variable_row(a, &variables->list[i]);
+    if (is_empty)
+        answer_say(a, "All parameters have their defaults, and no effect is on. 'show all' lists them.");
+    if (changes > 0)
+        answer_say(a, "%zu value%s of the row %s been changed; 'row' lists the row.", changes,
+                   changes == 1 ? "" : "s", changes == 1 ? "has" : "have");
+    return true;
+}
+
+/* ---- set ---- */
+
 /* Prints a sentence about a change. For csv and json, it goes to standard error. */
 static void __attribute__((format(printf, 3, 4)))
 change_say(const struct query *query, struct answer *a, const char *format, ...)
@@ -40,9 +192,6 @@ static void effect_say(const struct query *query, struct answer *a, const struct
                parameter_usage(p));
 }
 
-/* A height without a unit is probably a mistake if it differs from the current height by this factor. */
-#define SLIP_OF_UNIT 50
-
 /* Refuses a height that has no unit and is far from the current height. 'set h 5' means 5 m, but the user
  * probably means 5 cm. */
 static bool height_likely(const struct query *query, struct problem *problem)
@@ -50,8 +199,7 @@ static bool height_likely(const struct query *query, struct problem *problem)
     const struct arguments *given = query->given;
     const domq_real now = query->scene->scale.h, ratio = given->number[1] / now;
     if (given->parameter != parameter_find("h") || given->count < 2 ||
-        !quantity_is_number(given->quantity[1]) ||
-        (ratio < SLIP_OF_UNIT && ratio > 1 / (domq_real)SLIP_OF_UNIT))
+        !quantity_is_number(given->quantity[1]) || (ratio < 50 && ratio > (domq_real)1 / 50))
         return true;
     return problem_error(
         problem,
@@ -96,7 +244,7 @@ static void row_say(const struct query *query, struct answer *a, const struct pa
                    kept, listed->changes - 1);
 }
 
-bool run_set(const struct query *query, struct answer *a, struct problem *problem)
+static bool run_set(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
     struct state *next = query->next;
@@ -326,72 +474,6 @@ const struct command session_commands[] = {
      .sweep.refusal = "it computes nothing",
      .columns = step_columns,
      .act = run_redo},
-    {.name = "print",
-     .synonyms =
-         "calculate calculator convert unit units feet inch evaluate sum expression expressions function "
-         "functions",
-     .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY},
-                  {.name = "to U",
-                   .kind = ARGUMENT_UNIT,
-                   .optional = true,
-                   .parse = conversion_parse,
-                   .bind = conversion_bind}},
-     .summary = "the value of an expression, optionally in another unit",
-     .help =
-         "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
-         "expression may contain numbers, pi, + - * / ^ and parentheses. The units are m mm cm km in ft yd "
-         "for lengths, kg g t lb oz for masses, s ms min hr for times, km/h mph for speeds, and rad deg for "
-         "angles; 3/8 in is "
-         "(3/8) in. The functions are "
-         "sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max. A name "
-         "is a parameter, something that 'let' has defined, or one of the 'landmarks'. 'ans' is the last "
-         "value, and 'ans.KEY' is a "
-         "number of the last answer. A command stands for one number of its answer, and a key chooses "
-         "another: rmax, rmax(0.3).r_max_paper. 'sum', 'min', 'max' and 'count' make a number of a table: "
-         "sum(chain(0).weight^2) squares the column in each row and adds the squares. g and t are units "
-         "directly after a number or a ')': '10 g'. "
-         "Elsewhere g is gravity: 'h/g', '2*g'. The comparisons are < <= > >= == and !=. The value of a "
-         "comparison is 1 if it is true, and 0 otherwise. Write '(a > b)' in parentheses, because otherwise "
-         "'>' sends the answer to a file. 'and', 'or' and 'not' join comparisons, and 'if(r > 1.5, 1, 0)' "
-         "chooses one of two values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q "
-         "hollow d 0.1'. In an expression, 'with' needs parentheses: '2*(rmax with friction 0.2)'. A text in "
-         "double quotes is written as 'echo' writes it.",
-     .example = "print ln(112 m / h) / ln(rmax)",
-     .see = "let set landmarks",
-     .typed.shortest = "pr",
-     .is_print = true,
-     ANSWER(print)},
-    {.name = "let",
-     .typed.shortest = "le",
-     .synonyms = "variable define function assign name constant vars variables who",
-     .argument = {{.name = "NAME = VALUE",
-                   .kind = ARGUMENT_WORDS,
-                   .optional = true,
-                   .parse = definition_parse,
-                   .bind = definition_bind}},
-     .summary = "give a value a name, or define a function",
-     .help =
-         "'let x = 0.9*rmax' stores the value that the expression has now, and every expression can use x."
-         " 'let f(s) = rmax(s)*s' stores the text, and f(0.3) evaluates it with s = 0.3. A function takes "
-         "1 to 4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and "
-         "'reset x' removes x. 'let' lists all variables and functions, and 'save' writes them into its "
-         "file.",
-     .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; f(0.6)",
-     .see = "print set show",
-     .access.changes = true,
-     .run = run_let},
-    {.name = "landmarks",
-     .synonyms = "buildings monuments monument building landmark",
-     .summary = "list the towers and other landmarks whose heights have names",
-     .help =
-         "A name in this list stands for the height, in 'count big_ben' and in every expression: "
-         "'eiffel/h'. Blanks may stand for '_', so 'count big ben' works, too. A height "
-         "holds for the year or the state in the list. If 'let' defines the same name, that value counts.",
-     .example = "count big ben; print domtoren / 5 cm; landmarks details",
-     .see = "count print let",
-     .rows = true,
-     .brief = "name height what",
-     ANSWER(landmarks)},
     {.name = "save",
      .synonyms = "script store export keep file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},

@@ -11,7 +11,7 @@
 
 /* ---- print ---- */
 
-const struct column print_columns[] = {
+static const struct column print_columns[] = {
     {"value", "", "the value in SI units (angles in the session's unit), or in the unit after 'to'", 0},
     {"unit", "", "the unit of the value; empty for a plain number", 6},
     {NULL, NULL, NULL, 0},
@@ -53,7 +53,7 @@ static bool conversion_find(struct problem *problem, const char *name, struct co
                          names_shown(name), close);
 }
 
-bool conversion_parse(struct reader *r, struct question *q)
+static bool conversion_parse(struct reader *r, struct question *q)
 {
     struct item *item = &q->item[1];
     if (!reader_takes(r, "to")) {
@@ -67,8 +67,8 @@ bool conversion_parse(struct reader *r, struct question *q)
     return item->word != NULL;
 }
 
-bool conversion_bind(const struct question *question, const struct query *query, struct arguments *given,
-                     struct problem *problem)
+static bool conversion_bind(const struct question *question, const struct query *query,
+                            struct arguments *given, struct problem *problem)
 {
     struct quantity *q = &given->quantity[0];
     const char *name = question->item[1].word;
@@ -97,7 +97,7 @@ bool conversion_bind(const struct question *question, const struct query *query,
                          quantity_is_number(c->unit) ? "" : of, *units ? "; its units:" : "", units);
 }
 
-bool run_print(const struct query *query, struct answer *a, struct problem *problem)
+static bool run_print(const struct query *query, struct answer *a, struct problem *problem)
 {
     (void)problem;
     struct quantity q = query->given->quantity[0];
@@ -129,7 +129,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
 
 /* ---- landmarks ---- */
 
-const struct column landmarks_columns[] = {
+static const struct column landmarks_columns[] = {
     {"name", "", "the name, for expressions and for 'count'", 20},
     {"height", "m", "the height", 0},
     {"what", "", "where the landmark is, and for which year or state the height holds", 42},
@@ -137,7 +137,7 @@ const struct column landmarks_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-bool run_landmarks(const struct query *query, struct answer *a, struct problem *problem)
+static bool run_landmarks(const struct query *query, struct answer *a, struct problem *problem)
 {
     (void)query;
     (void)problem;
@@ -189,7 +189,7 @@ static const struct variable *defined_parse(struct reader *r)
     return v;
 }
 
-bool definition_parse(struct reader *r, struct question *q)
+static bool definition_parse(struct reader *r, struct question *q)
 {
     if ((q->variable = defined_parse(r)) != NULL)
         return true;
@@ -228,8 +228,8 @@ bool definition_parse(struct reader *r, struct question *q)
     return item_parse(r, a, &d->value);
 }
 
-bool definition_bind(const struct question *q, const struct query *query, struct arguments *given,
-                     struct problem *problem)
+static bool definition_bind(const struct question *q, const struct query *query, struct arguments *given,
+                            struct problem *problem)
 {
     const struct definition *d = q->parsed;
     if (!d)
@@ -249,7 +249,7 @@ bool definition_bind(const struct question *q, const struct query *query, struct
     return true;
 }
 
-bool run_let(const struct query *query, struct answer *a, struct problem *problem)
+static bool run_let(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct variable *v = query->given->bound;
     if (!v)
@@ -259,3 +259,73 @@ bool run_let(const struct query *query, struct answer *a, struct problem *proble
         return problem_error(problem, "there can be no more than %d variables", VARIABLES_MOST);
     return variable_put(all, v) || query_status(query, problem, DOM_NO_MEMORY);
 }
+
+const struct command value_commands[] = {
+    {.name = "print",
+     .synonyms =
+         "calculate calculator convert unit units feet inch evaluate sum expression expressions function "
+         "functions",
+     .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY},
+                  {.name = "to U",
+                   .kind = ARGUMENT_UNIT,
+                   .optional = true,
+                   .parse = conversion_parse,
+                   .bind = conversion_bind}},
+     .summary = "the value of an expression, optionally in another unit",
+     .help =
+         "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
+         "expression may contain numbers, pi, + - * / ^ and parentheses. The units are m mm cm km in ft yd "
+         "for lengths, kg g t lb oz for masses, s ms min hr for times, km/h mph for speeds, and rad deg for "
+         "angles; 3/8 in is "
+         "(3/8) in. The functions are "
+         "sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max. A name "
+         "is a parameter, something that 'let' has defined, or one of the 'landmarks'. 'ans' is the last "
+         "value, and 'ans.KEY' is a "
+         "number of the last answer. A command stands for one number of its answer, and a key chooses "
+         "another: rmax, rmax(0.3).r_max_paper. 'sum', 'min', 'max' and 'count' make a number of a table: "
+         "sum(chain(0).weight^2) squares the column in each row and adds the squares. g and t are units "
+         "directly after a number or a ')': '10 g'. "
+         "Elsewhere g is gravity: 'h/g', '2*g'. The comparisons are < <= > >= == and !=. The value of a "
+         "comparison is 1 if it is true, and 0 otherwise. Write '(a > b)' in parentheses, because otherwise "
+         "'>' sends the answer to a file. 'and', 'or' and 'not' join comparisons, and 'if(r > 1.5, 1, 0)' "
+         "chooses one of two values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q "
+         "hollow d 0.1'. In an expression, 'with' needs parentheses: '2*(rmax with friction 0.2)'. A text in "
+         "double quotes is written as 'echo' writes it.",
+     .example = "print ln(112 m / h) / ln(rmax)",
+     .see = "let set landmarks",
+     .typed.shortest = "pr",
+     .is_print = true,
+     ANSWER(print)},
+    {.name = "let",
+     .typed.shortest = "le",
+     .synonyms = "variable define function assign name constant vars variables who",
+     .argument = {{.name = "NAME = VALUE",
+                   .kind = ARGUMENT_WORDS,
+                   .optional = true,
+                   .parse = definition_parse,
+                   .bind = definition_bind}},
+     .summary = "give a value a name, or define a function",
+     .help =
+         "'let x = 0.9*rmax' stores the value that the expression has now, and every expression can use x."
+         " 'let f(s) = rmax(s)*s' stores the text, and f(0.3) evaluates it with s = 0.3. A function takes "
+         "1 to 4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and "
+         "'reset x' removes x. 'let' lists all variables and functions, and 'save' writes them into its "
+         "file.",
+     .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; f(0.6)",
+     .see = "print set show",
+     .access.changes = true,
+     .run = run_let},
+    {.name = "landmarks",
+     .synonyms = "buildings monuments monument building landmark",
+     .summary = "list the towers and other landmarks whose heights have names",
+     .help =
+         "A name in this list stands for the height, in 'count big_ben' and in every expression: "
+         "'eiffel/h'. Blanks may stand for '_', so 'count big ben' works, too. A height "
+         "holds for the year or the state in the list. If 'let' defines the same name, that value counts.",
+     .example = "count big ben; print domtoren / 5 cm; landmarks details",
+     .see = "count print let",
+     .rows = true,
+     .brief = "name height what",
+     ANSWER(landmarks)},
+    {.name = NULL},
+};

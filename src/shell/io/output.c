@@ -6,6 +6,7 @@
  *   by rename(2). Other hard links to the old file keep the old text. Only SIGKILL during the copy can leave
  * a file ".domino.XXXXXX".
  * - After '>>', the target is locked, and the draft is copied to its end.
+ * The log gets a copy of all that goes to standard output.
  */
 #include "io/output.h"
 #include "domino_quad.h"
@@ -140,23 +141,12 @@ const char *output_push(struct output **top, const char *path, bool append,
     return wrong;
 }
 
-/* Removes what does not distinguish two heads of a csv file: the byte order mark, quotes, and the line end.
- */
-static void header_plain(char *line)
-{
-    char *to = line;
-    for (const char *from = strncmp(line, "\xef\xbb\xbf", 3) == 0 ? line + 3 : line; *from; from++)
-        if (!strchr("\"\r\n", *from))
-            *to++ = *from;
-    *to = '\0';
-}
-
 /* A csv answer that is appended to a file need not repeat the column names. If the first line of the text is
  * the same as the last header line in the target, returns the length of this line, which is then skipped.
  * Otherwise returns 0. */
 static off_t repeated_header(const struct output *o)
 {
-    char first[OUTPUT_HEADER + 1] = "", line[sizeof first + 4], last[sizeof line] = "";
+    char first[OUTPUT_HEADER + 1] = "", line[sizeof first], last[sizeof line] = "";
     if (!o->is_header || pread(o->draft, first, sizeof first - 1, 0) <= 0)
         return 0;
     const size_t length = strcspn(first, "\n") + 1;
@@ -166,13 +156,12 @@ static off_t repeated_header(const struct output *o)
     FILE *in = io_open_read(o->target.path, o->interrupt);
     for (bool begins = true, ends; in && fgets(line, sizeof line, in); begins = ends) {
         ends = strchr(line, '\n') != NULL;
-        header_plain(line);
+        line[strcspn(line, "\n")] = '\0';
         if (begins && o->is_header(line))
             memcpy(last, line, sizeof last);
     }
     if (in)
         fclose(in);
-    header_plain(first);
     return strcmp(first, last) == 0 ? (off_t)length : 0;
 }
 
@@ -265,4 +254,113 @@ const char *output_pop(struct output **top, bool keep)
     target_end(&o->target);
     free(o);
     return wrong;
+}
+
+/* ---- The log ---- */
+
+static struct log {
+    struct target target;
+    FILE *file;
+    bool in_line;     /* the last line in the file is incomplete so far */
+    bool in_sequence; /* the last character belongs to a control sequence: ESC, '[', numbers and a letter */
+    const char *waiting; /* commands that have not been written yet, or NULL */
+    int waiting_length;
+} * current; /* NULL if there is no log */
+
+static void commands_write(bool failed)
+{
+    if (current->waiting)
+        fprintf(current->file, "%s%.*s\n", failed ? "# " : "", current->waiting_length, current->waiting);
+    current->waiting = NULL;
+}
+
+/* Writes text without the control sequences of a terminal. Each line becomes a comment, so that the log can
+ * be run as a script. */
+static void log_copy(const char *bytes, size_t count)
+{
+    struct log *l = current;
+    commands_write(false);
+    for (const char *c = bytes; c < bytes + count; c++) {
+        const bool is_control = l->in_sequence || *c == '\033' || *c == '\r';
+        l->in_sequence = *c == '\033' || (l->in_sequence && (*c < '@' || *c == '['));
+        if (is_control)
+            continue;
+        if (!l->in_line && *c != '\n')
+            fputs("# ", l->file);
+        l->in_line = *c != '\n';
+        putc(*c, l->file);
+    }
+}
+
+const char *log_begin(const char *path, const volatile sig_atomic_t *interrupt)
+{
+    struct log *l = malloc(sizeof *l);
+    if (!l)
+        return strerror(ENOMEM);
+    *l = (struct log){.waiting = NULL};
+    const char *wrong = target_begin(&l->target, path, false, current ? &current->target : NULL);
+    if (!wrong) {
+        io_stdout_flush(); /* the answers before this command do not belong in the log */
+        if (current)
+            fflush(current->file);
+        l->in_line = io_ends_in_line(path);
+        const int file = io_open(path, O_WRONLY | O_CREAT | O_APPEND, 0666, interrupt);
+        l->file = file < 0 ? NULL : io_stream(file, "a", interrupt);
+        wrong = l->file ? NULL : strerror(errno);
+        if (wrong)
+            target_end(&l->target);
+    }
+    if (wrong) {
+        free(l);
+        return wrong;
+    }
+    log_end();
+    fprintf(l->file, "%s# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n",
+            l->in_line ? "\n" : "");
+    l->in_line = false;
+    current = l;
+    io_copy = log_copy;
+    return NULL;
+}
+
+const char *log_flush(void)
+{
+    if (!current)
+        return NULL;
+    io_stdout_flush();
+    commands_write(false);
+    return fflush(current->file) == 0 && !ferror(current->file) ? NULL : log_end();
+}
+
+const char *log_end(void)
+{
+    if (!current)
+        return NULL;
+    io_stdout_flush();
+    commands_write(false);
+    const char *wrong = fclose(current->file) == 0 ? NULL : strerror(errno);
+    target_end(&current->target);
+    free(current);
+    current = NULL;
+    io_copy = NULL;
+    return wrong;
+}
+
+void log_commands(const char *commands, size_t length, bool at_once)
+{
+    if (!current)
+        return;
+    io_stdout_flush();
+    current->waiting = commands;
+    current->waiting_length = (int)length;
+    if (at_once)
+        commands_write(false);
+}
+
+void log_message(const char *text, bool failed)
+{
+    if (!current)
+        return;
+    commands_write(failed);
+    fprintf(current->file, "# %s\n", text);
 }

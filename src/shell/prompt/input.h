@@ -34,13 +34,4 @@ char *complete_quote(char *name, int match, char *quote);
  */
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size);
 
-/* Loads the history. The environment variable DOMINO_HISTORY names the file. If it is not set, the file is
- * $XDG_STATE_HOME/domino/history, or else ~/.local/state/domino/history. If DOMINO_HISTORY is empty or a
- * device, the history ends with the session. */
-void history_load(struct session *session);
-
-/* Adds a line to the history and to the history file. Blank lines, and lines that repeat the previous line,
- * are not added. If the file cannot be written, reports the error once, and then leaves the file alone. */
-void history_keep(struct session *session, const char *text);
-
 #endif
