@@ -193,7 +193,6 @@ const struct command row_commands[] = {
     {.name = "verdict",
      .in_joules = scene_has_masses,
      .precision = PRECISION_AS_SET,
-     .typed.shortest = "v",
      .synonyms = "result success topple stop",
      .summary = "whether the whole row falls, and which domino is weakest",
      .example = "set row 5; verdict",

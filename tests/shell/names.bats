@@ -13,11 +13,12 @@ load common
     done <<'END'
 bar|barrier
 thetac|thetac
-ch 0.1|chain 0.1
+chai 0.1|chain 0.1
 du|duration
 cou 112|count 112
-set s 0.3; sh s|set s 0.3; show s
-pri rmax|print rmax
+set s 0.3; sho s|set s 0.3; show s
+prin rmax|print rmax
+print(3)|print 3
 set dig 3; show dig|set digits 3; show digits
 set fuel p; fuel|set fuel paper; fuel
 set ang d; thetac|set angle deg; thetac
@@ -57,17 +58,6 @@ END
 12|set timing o|^set: 'o' is ambiguous: off, on
 7|print rmax.r_|^print:.*'r_' is ambiguous: r_max, r_max_exact, r_max_paper
 END
-}
-
-@test "commands keep their names, and an ambiguous abbreviation stands for the older command" {
-    all_mean <<'END'
-se s 0.3; show s|set s 0.3; show s
-pr 3|print 3
-re; show s|reset; show s
-l|launch
-print(3)|print 3
-END
-    same 'fuel is the command' 0.177287 "$("$DOMINO" -e fuel | awk '/^fuel_exact/ { print $2 }')"
 }
 
 @test "words of other programs: the message names the word to use here" {

@@ -91,8 +91,6 @@ struct command {
          * command whose name is the first word, directly or after others with the same first word. Help
          * shows these words, and `name` is a synonym that help does not mention. */
         const char *phrase;
-        /* the shortest abbreviation that stands for this command even though other commands begin with it */
-        const char *shortest;
         /* The name of a command with the same first argument that replaces this command if its name follows
          * that argument, as in "count 112 m fewest". */
         const char *variant;

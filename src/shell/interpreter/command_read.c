@@ -196,12 +196,7 @@ static const struct command *name_read(struct reader *r, names_list *offered)
         if (!name)
             return NULL;
         int k = names_find(command_names, NULL, "command", name, message);
-        const struct command *c;
         command = command_at(k);
-        for (int i = 0; k == NAMES_SEVERAL && !command && (c = command_at(i)) != NULL; i++)
-            if (c->typed.shortest && strlen(name) >= strlen(c->typed.shortest) &&
-                strncmp(c->name, name, strlen(name)) == 0)
-                command = c;
         if (!command || (!command->argument[0].kind && parameter_find(name))) {
             command_unknown(r, name, k, message);
             return NULL;

@@ -62,16 +62,12 @@ static void run_line(struct session *session, const char *line, size_t length)
         session_error(session, "out of memory");
         return;
     }
-    session->typed.text = line;
-    session->typed.length = (int)length;
-    session->typed.columns = text_column(&text, text.line + strlen(text.line)) - 1;
     run_commands(session, &text, line, length);
     /* The log is flushed after each line, in case of a crash. */
     const char *wrong = session->has_log ? log_flush() : NULL;
     session->has_log = session->has_log && !wrong;
     if (wrong)
         session_error(session, "recording stops here, because the file cannot be written: %s", wrong);
-    session->typed.text = NULL;
     text_free(&text);
 }
 

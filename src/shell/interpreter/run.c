@@ -139,7 +139,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     progress_end();
     if (done && c->columns && dom_raised(answer.progress.interrupt))
         done = problem_status(problem, query->scene, DOM_INTERRUPTED);
-    session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.progress.wrote_text;
+    session->is_last = session->is_last && done && !c->columns && !answer.progress.wrote_text;
     if (done)
         notes_say(session, c, in_double, &answer);
     const struct format *format = answer.style.format;
@@ -206,11 +206,17 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
 static void wrote_say(const struct session *session, const char *path)
 {
     struct stat file;
+    const char *const units[] = {"bytes", "kB", "MB", "GB"}, *made = session->made;
+    int unit = 0;
     if (session->source.stream || session->source.depth > 0 || !terminal_shows(stderr) ||
         stat(path, &file) != 0 || !S_ISREG(file.st_mode))
         return;
     progress_end();
-    fprintf(io_stderr(), "wrote %s%s%s\n", names_shown(path), *session->made ? ": " : "", session->made);
+    double size = (double)file.st_size;
+    for (; size >= 1000 && unit < 3; unit++)
+        size /= 1000;
+    fprintf(io_stderr(), "wrote %s: %s%s%.*f %s\n", names_shown(path), made, *made ? ", " : "",
+            unit > 0 && size < 10, size, units[unit]);
 }
 
 /* The user may have forgotten the '>' before a file name. If an invalid command ends with a file name, as in

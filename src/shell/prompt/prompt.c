@@ -268,7 +268,7 @@ static void lines_run(struct session *session, char *text)
     for (char *line; (line = strsep(&text, "\n")) != NULL && !is_raised() && !session->quit;) {
         bool is_blank = *skip_blanks(line) == '\0';
         char *whole = is_pasted && is_blank ? NULL : line_whole(line);
-        session->typed.is_last = !is_joined && !is_pasted;
+        session->is_last = !is_joined && !is_pasted;
         if (whole) {
             history_keep(session, whole);
             command_run_text(session, whole);

@@ -231,7 +231,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
             .floor = effect[DOM_EFFECT_floor].on,
     };
     row->row.walls = scene_walls(scene);
-    row->row.air = scene_has_masses(scene) ? scene_air(scene) : row->row.air;
+    row->row.air = scene_has_masses(scene) ? effect_value(scene, DOM_EFFECT_air, 0) : row->row.air;
     row->row.boxes_above = scene_boxes_above(scene);
     row->compute = scene->compute;
     return true;
@@ -353,23 +353,22 @@ domq_real scene_push(const struct scene *scene, domq_real height)
 
 domq_real scene_release(const struct scene *scene)
 {
-    const struct effect_state *release = &scene->effect[DOM_EFFECT_release];
-    return !release->on ? 0 : release->value[0] == RELEASE_TOUCH ? (domq_real)HUGE_VAL : release->value[0];
-}
-
-static void length_apply(const struct scene *scene, enum share share, domq_real *value)
-{
-    if (scene->length[share].m > 0)
-        *value = scene->length[share].m / scene->scale.h;
+    const domq_real tilt = effect_value(scene, DOM_EFFECT_release, 0);
+    return tilt == RELEASE_TOUCH ? (domq_real)HUGE_VAL : tilt;
 }
 
 void scene_apply_lengths(struct scene *scene)
 {
-    length_apply(scene, SHARE_s, &scene->train.s);
-    length_apply(scene, SHARE_d, &scene->train.d);
-    length_apply(scene, SHARE_width, &scene->train.width);
-    length_apply(scene, SHARE_walls, &scene->effect[DOM_EFFECT_walls].value[0]);
-    length_apply(scene, SHARE_edges, &scene->effect[DOM_EFFECT_edges].value[0]);
+    domq_real *const value[SHARE_COUNT] = {
+        [SHARE_s] = &scene->train.s,
+        [SHARE_d] = &scene->train.d,
+        [SHARE_width] = &scene->train.width,
+        [SHARE_walls] = scene->effect[DOM_EFFECT_walls].value,
+        [SHARE_edges] = scene->effect[DOM_EFFECT_edges].value,
+    };
+    for (int share = 0; share < SHARE_COUNT; share++)
+        if (value[share] && scene->length[share].m > 0)
+            *value[share] = scene->length[share].m / scene->scale.h;
     effects_apply(scene);
     if (scene->length[SHARE_push].m > 0 && scene->effect[DOM_EFFECT_push].on)
         scene->effect[DOM_EFFECT_push].value[0] = scene_push(scene, scene_first_height(scene));

@@ -61,22 +61,9 @@ size_t scene_row_count(const struct scene *scene)
                                                                          : scene_row_planned(scene);
 }
 
-domq_real scene_boxes_above(const struct scene *scene)
-{
-    const struct effect_state *walls = &scene->effect[DOM_EFFECT_walls];
-    return walls->on ? walls->value[1] : 0;
-}
-
-domq_real scene_walls(const struct scene *scene)
-{
-    const struct effect_state *walls = &scene->effect[DOM_EFFECT_walls];
-    return walls->on ? walls->value[0] * scene->scale.h : 0;
-}
-
 void effects_apply(struct scene *scene)
 {
-#define APPLY(name, member, status)                                                                          \
-    scene->train.member = scene->effect[DOM_EFFECT_##name].on ? scene->effect[DOM_EFFECT_##name].value[0] : 0;
+#define APPLY(name, member, status) scene->train.member = effect_value(scene, DOM_EFFECT_##name, 0);
     DOM_DYNAMICS(APPLY)
 #undef APPLY
     if (scene_boxes_above(scene) > 0)
@@ -87,12 +74,6 @@ void effects_apply(struct scene *scene)
         const domq_real mass = scene_first_mass(scene, &first);
         scene->train.air *= mass > 0 ? first.height * first.thickness * first.width / mass : DOMQ_NAN;
     }
-}
-
-domq_real scene_air(const struct scene *scene)
-{
-    const struct effect_state *air = &scene->effect[DOM_EFFECT_air];
-    return air->on ? air->value[0] : 0;
 }
 
 void effects_reset(struct scene *scene)
@@ -205,7 +186,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "%s of %.3g; enter 'set precision %s', or a larger tolerance with 'set tol'",
                                  dom_status_text(status), (double)scene->compute.tol,
                                  scene->compute.precision == IN_FLOAT ? "double" : "quad");
-    if (status == DOM_BAD_AIR && scene_air(scene) > 0)
+    if (status == DOM_BAD_AIR && effect_value(scene, DOM_EFFECT_air, 0) > 0)
         return problem_no_answer(problem,
                                  "'set air' needs the mass of the dominoes; first enter, for example, "
                                  "'set density 650 kg/m^3'");

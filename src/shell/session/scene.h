@@ -163,8 +163,11 @@ void scene_apply_lengths(struct scene *scene);
  * the dominoes change, because the effect of the air depends on them. */
 void effects_apply(struct scene *scene);
 
-/* Returns the density of the air in kg/m^3, or 0 if this effect is off. */
-domq_real scene_air(const struct scene *scene);
+/* Returns value i of an effect, or 0 if the effect is off. */
+static inline domq_real effect_value(const struct scene *scene, int effect, int i)
+{
+    return scene->effect[effect].on ? scene->effect[effect].value[i] : 0;
+}
 
 /* Returns true if the row has been changed since it was last saved. */
 static inline bool row_unsaved(const struct scene *scene)
@@ -185,11 +188,17 @@ bool listed_share(struct listed_row *to, const struct listed_row *from);
 void listed_free(struct listed_row *row);
 
 /* Returns the thickness of the walls of boxes in m, or 0 if all dominoes are solid. */
-domq_real scene_walls(const struct scene *scene);
+static inline domq_real scene_walls(const struct scene *scene)
+{
+    return effect_value(scene, DOM_EFFECT_walls, 0) * scene->scale.h;
+}
 
 /* Returns the height in m above which dominoes are boxes, or 0 if there is no such limit, because all
  * dominoes are boxes or all are solid. */
-domq_real scene_boxes_above(const struct scene *scene);
+static inline domq_real scene_boxes_above(const struct scene *scene)
+{
+    return effect_value(scene, DOM_EFFECT_walls, 1);
+}
 
 /* Returns the fraction of a domino's volume that its walls fill: 1 for a solid domino. */
 domq_real scene_filled(const struct scene *scene, const struct domq_domino *domino);

@@ -60,45 +60,13 @@ bool session_stops(const struct session *session, long errors)
 
 /* ---- Errors and notes ---- */
 
-/* the indentation, in columns, of a typed line that is printed again above a caret */
-enum { CARET_INDENT = 2 };
-
-/* Returns true if the typed line has no control characters. A pasted line may have some. */
-static bool typed_is_plain(const struct session *session)
-{
-    char *typed = strndup(session->typed.text, (size_t)session->typed.length);
-    bool plain = typed && !escape_needed(typed);
-    free(typed);
-    return plain;
-}
-
-/* At the prompt, writes a caret below the column of the error. */
+/* At the prompt, writes a caret below the column of the error, unless something stands between the typed line
+ * and the caret. The terminal wraps a line that is longer than its width. */
 static void session_caret(const struct session *session, int column)
 {
-    int width = terminal_width(stderr), at = session->source.prompt_width + column;
-    if (!session->source.prompt_width || !column || !session->typed.text)
-        return;
-    bool above = session->typed.is_last && width > 0;
-    if (!above && (session->typed.columns + CARET_INDENT >= width || !typed_is_plain(session)))
-        return;
-    if (above) /* the terminal wraps a line that is longer than `width` */
-        at = (at - 1) % width + 1;
-    /* other output has followed the typed line, so the line is repeated */
-    if (!above)
-        fprintf(io_stderr(), "%*s%.*s\n", CARET_INDENT, "", session->typed.length, session->typed.text);
-    fprintf(io_stderr(), "%*s\n", above ? at : column + CARET_INDENT, "^");
-}
-
-/* Writes a script's error message among the answers, if the output format can represent errors. */
-static void session_tell(struct session *session, const struct problem *problem)
-{
-    const struct format *format = formats[session->state.settings.style.output];
-    const struct failure failure = {problem->command, problem->text, session->source.name,
-                                    session->source.line, problem->column};
-    if (!format->failed || !session->source.name)
-        return;
-    format->failed(session->standard.out, &failure);
-    output_flush(&session->standard);
+    const int width = terminal_width(stderr), at = session->source.prompt_width + column;
+    if (session->source.prompt_width && column && session->is_last && width > 0)
+        fprintf(io_stderr(), "%*s\n", (at - 1) % width + 1, "^");
 }
 
 static void session_write(struct session *session, const struct problem *problem, bool is_error)
@@ -124,14 +92,20 @@ static void session_write(struct session *session, const struct problem *problem
     /* A failed 'source' stays in the log, because the commands before the error have run. */
     if (session->has_log)
         log_message(text, is_error && session->source.depth == 0);
-    if (is_error)
-        session_tell(session, problem);
+    /* A script's error message also stands among the answers, if the output format can represent errors. */
+    const struct format *format = formats[session->state.settings.style.output];
+    if (is_error && format->failed && session->source.name) {
+        const struct failure failure = {problem->command, problem->text, session->source.name,
+                                        session->source.line, problem->column};
+        format->failed(session->standard.out, &failure);
+        output_flush(&session->standard);
+    }
     FILE *out = io_stderr();
     bool colour = terminal_colour(stderr) && !session->source.name;
     fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
     write_wrapped(out, text, 0, terminal_width(stderr));
     fputs(colour ? "\033[m\n" : "\n", out);
-    session->typed.is_last = false;
+    session->is_last = false;
 }
 
 void session_problem(struct session *session, const struct problem *problem)

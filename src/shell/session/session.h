@@ -31,12 +31,7 @@ struct session {
         int prompt_width;
     } source;
 
-    struct typed {
-        const char *text; /* the line that is being run, not terminated by a NUL byte; NULL between lines */
-        int length, columns;
-        bool is_last; /* the session is at the prompt, and nothing has been written below the typed line */
-    } typed;
-
+    bool is_last;        /* the session is at the prompt, and nothing has been written below the typed line */
     const char *command; /* the name of the command that is running, for notes */
     /* with --interruptible: the flag that SIGINT sets, to end only the running command; otherwise NULL */
     volatile sig_atomic_t *interrupt_flag;

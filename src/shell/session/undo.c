@@ -44,15 +44,6 @@ struct state *undo_begin(const struct state *state)
     return NULL;
 }
 
-static bool state_equal(const struct state *a, const struct state *b)
-{
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (!parameter_equal(a, b, p))
-            return false;
-    return a->scene.listed.domino == b->scene.listed.domino && row_changes_equal(&a->scene, &b->scene) &&
-           variables_equal(&a->variables, &b->variables);
-}
-
 /* Removes the steps with the indices from `from` up to, but not including, `to`. */
 static void steps_drop(struct undo *undo, int from, int to)
 {
@@ -62,14 +53,6 @@ static void steps_drop(struct undo *undo, int from, int to)
     undo->count -= to - from;
 }
 
-static size_t dominoes_held(const struct undo *undo)
-{
-    size_t held = 0;
-    for (int k = 0; k < undo->count; k++)
-        held += undo->step[k].state->scene.listed.count + undo->step[k].state->scene.listed.changes;
-    return held;
-}
-
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length)
 {
@@ -77,14 +60,26 @@ void undo_keep(struct undo **undo, const struct state *state, struct state *befo
     if (!*undo)
         *undo = calloc(1, sizeof **undo);
     struct undo *u = *undo;
-    if (before && copy && u && !state_equal(state, before)) {
+    const bool good = before && copy && u;
+    bool is_equal = good && state->scene.listed.domino == before->scene.listed.domino &&
+                    row_changes_equal(&state->scene, &before->scene) &&
+                    variables_equal(&state->variables, &before->variables);
+    for (const struct parameter *p = session_parameters; p->name && is_equal; p++)
+        is_equal = parameter_equal(state, before, p);
+    if (good && !is_equal) {
         steps_drop(u, u->done, u->count);
         if (u->count == STEPS)
             steps_drop(u, 0, 1);
         u->step[u->count].state = before;
         escape_text(copy, u->step[u->count++].text, NAMES_SHOWN);
-        while (u->count > 1 && dominoes_held(u) > HELD_MOST)
-            steps_drop(u, 0, 1);
+        size_t held = 0;
+        for (int k = u->count - 1; k >= 0; k--) {
+            held += u->step[k].state->scene.listed.count + u->step[k].state->scene.listed.changes;
+            if (held > HELD_MOST && k < u->count - 1) {
+                steps_drop(u, 0, k + 1);
+                break;
+            }
+        }
         u->done = u->count;
     } else
         state_free(before);
