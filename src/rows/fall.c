@@ -3,7 +3,7 @@
  * says how much friction the feet of an endless train need. */
 #include "language/quad.h"
 #include "rows/rows.h"
-#include "train/walk.h"
+#include "train/train.h"
 
 const struct column fall_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},

@@ -2,7 +2,6 @@
 /* The commands 'cycle', 'step', 'back', 'goto' and 'where'. The command 'why' is in why.c. */
 #include "language/quad.h"
 #include "train/train.h"
-#include "train/walk.h"
 
 /* ---- cycle ---- */
 
@@ -85,13 +84,6 @@ static bool run_cycle(const struct query *query, struct answer *a, struct proble
         answer_detail(a, "Energy lost to %s since the launch: %.4g %s.", losses_of(&query->scene->train),
                       (double)(table.last.friction_work * walk_units(query, 1).energy),
                       walk_units(query, 1).energy_unit);
-    struct domq_least_force contact;
-    if (answer_for_people(a) &&
-        any_cycle_least_force(&query->scene->train, &query->scene->compute, &contact) == DOM_OK &&
-        isfinite(contact.force))
-        (contact.force > 0 ? answer_detail : answer_say)(
-            a, "The smallest contact force is %s times the weight of the domino that it pushes%s.",
-            measured(contact.force, "", 4).text, contact.force > 0 ? ": the dominoes stay in contact" : "");
     if (verdict == DOM_STOPS)
         answer_say(a,
                    "The train stops, because it has too little energy to keep falling; 'why' explains it.");

@@ -27,4 +27,76 @@ struct cell verdict_cell(enum dom_status verdict);
 void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,
                        const struct domq_barrier *barrier);
 
+/* ---- A walk through the cycles of the train, event by event ---- */
+
+/* The units in which the model measures one cycle. The head of each cycle is r times as large as the head
+ * before it, and the units grow with the head. If the mass of the dominoes is not known, `energy` is
+ * relative to the energy of the first head. */
+struct walk_units {
+    domq_real height; /* height of the head, in m */
+    domq_real tau;    /* unit of time, in s */
+    /* m g h / 2 of the head, in J if a mass is known */
+    domq_real energy;
+    const char *energy_unit;
+};
+
+/* Cycles are numbered from 1. */
+struct walk_units walk_units(const struct query *query, int cycle);
+
+/* Returns true if the train has not changed since the walk began. */
+bool walk_is_of(const struct walk *walk, const struct scene *scene);
+
+/* Returns the session's walk. Returns NULL if there is no walk, or if the train or the accuracy has changed
+ * since the walk began. */
+const struct walk *walk_now(const struct query *query);
+
+/* Replaces the unit mgh/2 by J in the columns of an answer. */
+void columns_in_joules(struct answer *answer);
+/* Calls columns_in_joules if the mass of the dominoes is known. */
+void walk_columns_in(const struct query *query, struct answer *answer);
+
+/* The message that no cycle begins, because falling releases no energy. */
+extern const char walk_no_start[];
+
+/* Checks that the train moves, and that its head reaches the tilt theta. */
+bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta);
+
+/* Finds the events of a cycle, for a picture. *stops tells whether the train stops. Fails if there is no
+ * cycle to show. */
+bool cycle_events(const struct query *query, const struct any_compute *compute,
+                  struct domq_event event[DOM_EVENTS_MAX], int *count, bool *stops, struct problem *problem);
+
+/* Formats an angle in the session's unit for a sentence, for example as "28.65 deg" or "0.5 rad". */
+struct measured angle_text(const struct query *query, domq_real theta, int digits);
+
+/* Prints what happens at the current position of a walk, with the paper's symbols and equation numbers. */
+void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
+              struct answer *answer);
+
+/* ---- The computing time that accuracy costs ---- */
+
+/* The names of the quantities that can be measured, as a names_list (see names.h). */
+const char *cost_names(const void *context, int k);
+
+struct cost_row {
+    enum dom_method method;
+    enum precision precision;
+    double tol;
+    enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
+    domq_real error;        /* the relative error of the result, or that of the reference if it is larger */
+    struct dom_work work;
+    double seconds; /* the time that an answer takes: the shortest of up to seven measurements */
+};
+
+enum { COST_ROWS = 65 };
+
+struct cost {
+    struct cost_row row[COST_ROWS];
+    int rows;
+    double cheapest; /* time of the quickest measurement, in seconds */
+};
+
+/* Measures the quantity with index `which` in cost_names, for the train of the scene. */
+bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem);
+
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "train/walk.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "train/train.h"
 #include <string.h>
 
 struct walk_units walk_units(const struct query *query, int cycle)

@@ -3,7 +3,6 @@
 #include "language/quad.h"
 #include "train/falling.h"
 #include "train/train.h"
-#include "train/walk.h"
 
 const struct column why_columns[] = {
     {"verdict", "", "'goes on', 'stops' or 'no fuel' (no energy is released)", 7},
@@ -77,29 +76,6 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
     }
 }
 
-static void symbols_detail(const struct query *query, struct answer *a, enum dom_status verdict,
-                           const struct domq_barrier *b, const struct domq_limit *limit)
-{
-    const struct domq_train *t = &query->scene->train;
-    const struct answer_style *style = &query->state->settings.style;
-    if (verdict == DOM_NO_FUEL)
-        answer_detail(a,
-                      "The fuel P = H(0) - H(theta_c) is not positive (25; c7). Either leaning dominoes have "
-                      "at least as much potential energy as upright ones, or the larger domino in front "
-                      "takes up more energy than the smaller ones release.");
-    else if (b->barrier > 0)
-        answer_detail(
-            a,
-            "After the collision the train must get over its barrier, whose top is at a head tilt of %.4g "
-            "%s. The train needs the energy B for this climb and has the kinetic energy K: K %s B (26; c8).",
-            (double)style_angle(style, b->theta_m), style_angle_unit(style), verdict == DOM_OK ? ">=" : "<");
-    if (limit->ends == DOM_END_REACH)
-        answer_detail(a,
-                      "The growth is limited by the reach: with r above %s%s the head falls past the next "
-                      "domino (2; a2).",
-                      t->rho == 0 ? "1/s = " : "", limit_words(limit->r_max, 6).text);
-}
-
 static void contact_say(const struct query *query, struct answer *a, const struct domq_least_force *c)
 {
     const struct answer_style *style = &query->state->settings.style;
@@ -151,8 +127,6 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
     answer_cells(a, verdict_cell(verdict), cell_computed(l.fuel * u.energy), cell_computed(l.J0),
                  cell_computed(b.kinetic * u.energy), cell_computed(b.barrier * u.energy),
                  cell_computed(b.margin * u.energy), cell_limit(cell_computed(limit.r_max)));
-    answer_detail(a, "%s", "");
-    symbols_detail(query, a, verdict, &b, &limit);
     if (people && any_cycle_least_force(train, &query->scene->compute, &contact) == DOM_OK)
         contact_say(query, a, &contact);
     return true;

@@ -126,18 +126,16 @@ evenly() { # COUNT
 
 @test "why: the verdict, the term that decides it, and whether the dominoes stay in contact" {
     run -0 "$DOMINO" -e 'why details'
-    for words in 'The train keeps falling: to push the next domino over, it needs 14 % of the energy that it has.' 'K >= B (26; c8)' \
+    for words in 'The train keeps falling: to push the next domino over, it needs 14 % of the energy that it has.' \
         'may be up to 1.64422 times as large' 'The dominoes stay in contact, as the paper assumes'; do
         [[ $output == *"$words"* ]] || same "$words" "$words" "$output"
     done
     run -0 "$DOMINO" -e 'set r 1.7; why details'
-    [[ $output == *'The train stops: to push the next domino over, it has 62 % of the energy that it needs.'*'K < B (26; c8)'* ]]
+    [[ $output == *'The train stops: to push the next domino over, it has 62 % of the energy that it needs.'* ]]
     run -0 "$DOMINO" -e 'set s 0.001; why details'
-    [[ $output == *'The train does not fall: falling releases no energy.'*'(25; c7)'* ]]
+    [[ $output == *'The train does not fall: falling releases no energy.'* ]]
     run -0 "$DOMINO" -e 'set s 0.1; set r 1.01; why'
     [[ $output == *'it has nothing to climb, so any motion is enough'* ]]
-    run -0 "$DOMINO" -e 'set s 0.8; set q hollow; set r 1; why details'
-    [[ $output == *'The growth is limited by the reach: with r above 1/s = 1.25'* ]]
     same 'keys' "goes on" "$(json why | values verdict)"
     # The first two lines have no symbols. The second line gives advice: other gaps, less growth, thinner
     # dominoes.

@@ -81,7 +81,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'out of reach' 'none null' "$(values ends_by <<<"$row") $(values r_max <<<"$row")"
     [[ $(values reason <<<"$row") == *'fall past each other'* ]]
     wrong "$scene; set s 0.9; set r 1.1; fuel" 'r s = 0.99 > 0.97854.*the largest r for this s is 1.08726$'
-    [[ $("$DOMINO" -n -e "$scene; set s 0.9; set r 1; why details") == *'with r above 1.08726 the head'* ]]
 }
 
 # bats test_tags=rows,explain,proof

@@ -9,7 +9,7 @@
 #include "pictures/options.h"
 #include "pictures/picture/screen.h"
 #include "train/falling.h"
-#include "train/walk.h"
+#include "train/train.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

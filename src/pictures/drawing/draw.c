@@ -5,7 +5,7 @@
 #include "pictures/drawing/falling_row.h"
 #include "pictures/options.h"
 #include "train/falling.h"
-#include "train/walk.h"
+#include "train/train.h"
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>

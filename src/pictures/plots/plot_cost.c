@@ -3,7 +3,7 @@
  * method and precision. */
 #include "language/quad.h"
 #include "pictures/plots/plots.h"
-#include "train/cost.h"
+#include "train/train.h"
 
 /* Adds a curve. Its colour and style depend only on method and precision, so charts can be compared. */
 static struct chart_curve *curve_add(struct chart *chart, const struct cost_row *row)

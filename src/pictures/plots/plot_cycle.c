@@ -5,7 +5,7 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "pictures/plots/plots.h"
-#include "train/walk.h"
+#include "train/train.h"
 #include <string.h>
 
 enum { STEPS = 160 };

@@ -4,7 +4,7 @@
 #include "language/text.h"
 #include "pictures/plots/plots.h"
 #include "train/falling.h"
-#include "train/walk.h"
+#include "train/train.h"
 #include <stdlib.h>
 #include <string.h>
 
