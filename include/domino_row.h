@@ -283,18 +283,16 @@ enum dom_design_limit {
     DOM_DESIGN_SAFETY, /* no train has this safety; `needs` is slightly below the largest possible one */
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
     DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row, in m */
-    DOM_DESIGN_ENGINE, /* rows with the required safety do not fall in the engine */
     /* some trains or rows could not be computed; `needs` is the separation s of one of them */
     DOM_DESIGN_FAILED
 };
 
 /* The row that a builder wants. */
 struct dom_wish {
-    double first, height;            /* heights of the first and the last domino, in m; height > first */
-    double safety;                   /* the kinetic energy of each cycle over the energy that it needs, > 1 */
-    double hall;                     /* as in struct dom_limits; > height */
-    double g, push, release;         /* as in struct dom_row */
-    const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
+    double first, height;    /* heights of the first and the last domino, in m; height > first */
+    double safety;           /* the kinetic energy of each cycle over the energy that it needs, > 1 */
+    double hall;             /* as in struct dom_limits; > height */
+    double g, push, release; /* as in struct dom_row */
     /* As in struct dom_row, in m. If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls
      * of the train, and all masses follow from the volume of the wood. */
     double walls, boxes_above;
@@ -307,7 +305,7 @@ struct dom_design {
     size_t steps;   /* `first` r^steps = `height`, so the row has steps + 1 dominoes */
     double feet;    /* length from the first domino to the last, in m */
     double length;  /* length after the last domino has fallen: `feet` + `height`, in m */
-    double seconds; /* as in struct dom_verdict; computed by the engine, if any */
+    double seconds; /* as in struct dom_verdict */
     double train;   /* kinetic / barrier of the endless train */
     double row;     /* the smallest ratio kinetic / barrier among all dominoes after the first */
     size_t weakest; /* the number of the domino with this ratio; at least 2 */
@@ -323,8 +321,7 @@ struct dom_design {
  * and so the fewest dominoes. r is then reduced until the last domino is exactly `height` tall. The
  * separation stays as close to the best one as the hall and the start of the row allow. If the row is too
  * long for the hall, the shortest row is tried, which may have up to 30 more dominoes. Separations are
- * multiples of 0.001; one at which a train or a row cannot be computed is skipped. In an engine, the row must
- * also fall, which is tried only at separations 0.1 apart.
+ * multiples of 0.001; one at which a train or a row cannot be computed is skipped.
  *
  * Unless `limits` is NULL, the row can be built: sizes and gaps are multiples of the grid, except the sizes
  * of the first domino and the height of the last, and every thickness is that of a board, if there are
@@ -455,10 +452,7 @@ struct dom_budget {
  * are the widest gap of the row for gaps and places, 1 for relative errors and friction, the steepest slope
  * on which the row stands for angles, the push itself for the push, and 64 for factors.
  *
- * The status is DOM_STOPS if too few rows fall even at sigma = 0. After an interrupt, it is DOM_INTERRUPTED.
- * If a sigma > 0 at which enough rows fall was found before, `sigma` and `low` are then the largest one, and
- * `high` is the smallest at which too few are known to fall, or infinity; otherwise the budget is not
- * written. If only the search for the interval was interrupted, `low` and `high` equal `sigma`.
+ * The status is DOM_STOPS if too few rows fall even at sigma = 0.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,

@@ -12,7 +12,6 @@
  * an effect of its own. */
 struct error_kind {
     const char *name, *unit;    /* as in DOM_ERRORS */
-    const char *keep;           /* what to do about the error, such as "Keep the gaps accurate" */
     struct parameter parameter; /* the effect as a parameter; not used for gaps and heights */
     struct domq_effect effect;
 };

@@ -36,16 +36,13 @@ const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
         {
             .name = "gap",
             .unit = "m",
-            .keep = "Keep the gaps accurate",
         },
     [DOM_ERROR_height] =
         {
             .name = "height",
             .unit = "",
-            .keep = "Keep the heights accurate",
         },
-    [DOM_ERROR_place] = {SIZED(place, "m", 0.001, 1e9, 0.1, "", "500"), .keep = "Place the dominoes",
-                         .effect.synonyms = "position tape",
+    [DOM_ERROR_place] = {SIZED(place, "m", 0.001, 1e9, 0.1, "", "500"), .effect.synonyms = "position tape",
                          .effect.adds = "random errors in the positions of dominoes",
                          .effect.argument[0].meaning = "error in each position",
                          .effect.help =
@@ -54,22 +51,20 @@ const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
                              "tape. In 'set placement', by contrast, an error in a gap moves all dominoes "
                              "after it. Dominoes that would overlap are moved until they touch."},
     [DOM_ERROR_thickness] =
-        {SIZED(thickness, "", 0.01, 1, 0.5, "", "500"), .keep = "Keep the thicknesses accurate",
-         .effect.synonyms = "thick boards", .effect.adds = "random errors in the thicknesses of dominoes",
+        {SIZED(thickness, "", 0.01, 1, 0.5, "", "500"), .effect.synonyms = "thick boards",
+         .effect.adds = "random errors in the thicknesses of dominoes",
          .effect.argument[0].meaning = "error in each thickness, as a fraction of the thickness",
          .effect.help = "Each domino is thicker or thinner by a separate random error, given as a fraction "
                         "of its thickness, such as 0.01 or 1 %. Gaps and the density do not change, so a "
                         "thicker domino is heavier. No domino becomes thinner than twice the thickness of "
                         "the walls, twice the radius of the edges, or 1/100 of its intended thickness."},
-    [DOM_ERROR_mass] = {SIZED(mass, "", 0.05, 1, 1, "", "500"), .keep = "Keep the masses accurate",
-                        .effect.synonyms = "weight density",
+    [DOM_ERROR_mass] = {SIZED(mass, "", 0.05, 1, 1, "", "500"), .effect.synonyms = "weight density",
                         .effect.adds = "random errors in the masses of dominoes",
                         .effect.argument[0].meaning = "error in each mass, as a fraction of the mass",
                         .effect.help = "Each domino is heavier or lighter by a separate random error, given "
                                        "as a fraction of its mass."},
     [DOM_ERROR_lean] =
-        {SIZED(lean, "rad", 0.005, 1.5, 0.14, "", "500"),
-         .keep = "Keep the leans accurate", .effect.synonyms = "plumb upright tilted",
+        {SIZED(lean, "rad", 0.005, 1.5, 0.14, "", "500"), .effect.synonyms = "plumb upright tilted",
          .effect.adds = "dominoes that are off plumb by random angles",
          .effect.argument[0].meaning = "error in each lean",
          .effect.help = "Each domino leans forwards or backwards by a separate random angle, as if its floor "
@@ -77,30 +72,28 @@ const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
                         "that would fall over by itself gets the largest lean at which it still stands. This "
                         "effect cannot be combined with rounded edges or with the rigid-body engine."},
     [DOM_ERROR_radius] = {SIZED(radius, "", 0.1, 1, 1, "set edges on; ", "500"),
-                          .keep = "Keep the radii accurate", .effect.synonyms = "rounding bevels",
+                          .effect.synonyms = "rounding bevels",
                           .effect.adds = "random errors in the radii of rounded edges",
                           .effect.argument[0].meaning = "error in each radius, as a fraction of the radius",
                           .effect.needs = 1U << DOM_EFFECT_edges,
                           .effect.help =
                               "The radius of the edges of each domino has a separate random error, given as "
                               "a fraction of the radius. A radius is at most half of the thickness."},
-    [DOM_ERROR_friction] = {SIZED(friction, "", 0.05, 100, 0.5, "", "500"), .keep = "Measure the friction",
-                            .effect.synonyms = "unknown",
+    [DOM_ERROR_friction] = {SIZED(friction, "", 0.05, 100, 0.5, "", "500"), .effect.synonyms = "unknown",
                             .effect.adds = "an unknown friction between dominoes, the same for all",
                             .effect.argument[0].meaning = "error in the friction coefficient",
                             .effect.help =
                                 "The friction between dominoes is never known precisely. One error is drawn "
                                 "for each row. It is added to the coefficient of 'set friction', for all "
                                 "dominoes of the row. If the sum is negative, the coefficient is 0."},
-    [DOM_ERROR_slope] = {SIZED(slope, "rad", 0.005, 1.5, 0.14, "", "500"), .keep = "Measure the slope",
-                         .effect.synonyms = "level uneven",
+    [DOM_ERROR_slope] = {SIZED(slope, "rad", 0.005, 1.5, 0.14, "", "500"), .effect.synonyms = "level uneven",
                          .effect.adds = "a floor that is off level by a random angle",
                          .effect.argument[0].meaning = "error in the slope of the floor",
                          .effect.help =
                              "One angle is drawn for each row and added to the angle of 'set slope'. A floor "
                              "is never so steep that a domino falls over by itself."},
     [DOM_ERROR_floor] = {SIZED(floor, "", 0.05, 100, 0.5, "set feet on; ", "5"),
-                         .keep = "Measure the friction of the floor", .effect.synonyms = "unknown slippery",
+                         .effect.synonyms = "unknown slippery",
                          .effect.adds = "an unknown friction of the floor, the same for all dominoes",
                          .effect.argument[0].meaning = "error in the friction coefficient of the floor",
                          .effect.needs = 1U << EFFECT_feet, .parameter.feature = "engine",
@@ -108,8 +101,7 @@ const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
                              "One error is drawn for each row and added to the friction coefficient of the "
                              "floor, which 'set feet' sets. If the sum is negative, the coefficient is 0."},
     [DOM_ERROR_push] = {SIZED(push, "rad/s", 0.5, 1e6, 5, "set push on; ", "500"),
-                        .keep = "Keep the push accurate", .effect.synonyms = "finger",
-                        .effect.adds = "a push whose strength varies at random",
+                        .effect.synonyms = "finger", .effect.adds = "a push whose strength varies at random",
                         .effect.argument[0].meaning = "error in the angular velocity of the first domino",
                         .effect.needs = 1U << DOM_EFFECT_push,
                         .effect.help = "One error is drawn for each row and added to the speed of 'set "

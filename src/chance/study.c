@@ -138,79 +138,48 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The arguments of 'budget'. */
-struct budget_call {
-    const struct trials *trials;
-    domq_real share;
-    enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
-};
-
-/* Returns the size of an error with its unit. In a budget of all errors together, the size is a factor. */
-static struct measured size_words(const struct budget_call *call, domq_real size)
+/* Prints the largest error that the row may have, rounded down to two digits, which is safe: more rows fall
+ * with a smaller error. Runs rows with this error and prints how many of them fall. */
+static enum dom_status budget_say(struct answer *a, const struct trials *t, enum dom_error_of kind,
+                                  double sigma)
 {
-    const char *unit = error_kinds[call->kind].unit;
-    return measured(size, *unit || call->kind == DOM_ERROR_COUNT ? unit : "share", 2);
-}
-
-/* Rounds sigma down to two digits, which is safe: more rows fall with a smaller sigma. */
-static domq_real two_digits(domq_real sigma)
-{
-    return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
-}
-
-/* Prints the largest error that the row may have, rounded down to two digits. Runs rows with this error and
- * prints how many of them fall. */
-static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
-                                  const struct dom_budget *budget)
-{
-    const struct trials *t = call->trials;
     struct dom_placement at = t->placement;
     struct dom_study study;
-    const domq_real size = two_digits((domq_real)budget->sigma);
-    const bool all = call->kind == DOM_ERROR_COUNT;
+    const domq_real size = round_digits((domq_real)sigma * (1 + (domq_real)1e-12), 2, false);
+    const bool all = kind == DOM_ERROR_COUNT;
+    const char *unit = error_kinds[kind].unit;
     for (int k = 0; k < DOM_ERROR_COUNT; k++)
         if (all)
             at.error[k].size *= (double)size;
-        else if (k == (int)call->kind)
+        else if (k == (int)kind)
             at.error[k].size = (double)size;
     const enum dom_status status = dom_placement_study(&t->row.row, &t->row.compute, &at, &study, NULL);
     if (status != DOM_OK)
         return status;
     if (all)
         answer_say(a, "All errors may be %s times as large as they are now: then %s, with 95 %% confidence.",
-                   size_words(call, size).text, study_words(&study).text);
+                   measured(size, "", 2).text, study_words(&study).text);
     else
-        answer_say(a, "%s to within %s (%s): then %s, with 95 %% confidence.", error_kinds[call->kind].keep,
-                   size_words(call, size).text,
-                   at.error[call->kind].uniform ? "limits of uniform errors" : "one standard deviation",
+        answer_say(a, "The error of the %s may be %s (%s): then %s, with 95 %% confidence.",
+                   error_kinds[kind].name, measured(size, *unit ? unit : "share", 2).text,
+                   at.error[kind].uniform ? "limits of uniform errors" : "one standard deviation",
                    study_words(&study).text);
     return DOM_OK;
 }
 
-/* Prints what the search had found when ^C interrupted it. */
-static void interrupted_say(struct answer *a, const struct budget_call *call, const struct dom_budget *b)
-{
-    const bool open = !isfinite(b->high), all = call->kind == DOM_ERROR_COUNT;
-    answer_say(a, "Interrupted: with %s%s%s, at least %s of the rows fall%s%s.",
-               all ? "all errors " : "errors of ", size_words(call, two_digits((domq_real)b->sigma)).text,
-               all ? " times as large" : "", measured(call->share, "share", 6).text,
-               open ? "; it is not known how many fall with larger errors" : ", and fewer with ",
-               open ? "" : size_words(call, (domq_real)b->high).text);
-}
-
 /* Reports why there is no budget. Returns false. */
-static bool budget_none(struct problem *problem, const struct budget_call *call)
+static bool budget_none(struct problem *problem, const struct trials *t, enum dom_error_of kind)
 {
     bool others = false;
-    for (int k = 0; k < DOM_ERROR_COUNT && call->kind < DOM_ERROR_COUNT; k++)
-        others = others || (k != (int)call->kind && call->trials->placement.error[k].size > 0);
+    for (int k = 0; k < DOM_ERROR_COUNT && kind < DOM_ERROR_COUNT; k++)
+        others = others || (k != (int)kind && t->placement.error[k].size > 0);
     if (!others)
         return problem_no_answer(problem, "even without random errors, the row does not fall; 'mend' looks "
                                           "for a change that saves it");
     return problem_no_answer(problem,
                              "even with no error in the %s, fewer rows fall than P asks for; enter a smaller "
                              "P, or make the other errors smaller",
-                             error_kinds[call->kind].name);
+                             error_kinds[kind].name);
 }
 
 /* Returns true if the scene can have errors of this kind. Otherwise reports the problem. */
@@ -229,61 +198,44 @@ static bool budget_check(const struct query *query, const struct trials *t, enum
     return errors_check(&with, problem);
 }
 
-static void budget_row(struct answer *a, const struct budget_call *call, const struct dom_budget *b,
-                       bool interrupted)
-{
-    const bool any = !isfinite(b->sigma);
-    const int digits = interrupted ? 4 : 0;
-    if (*error_kinds[call->kind].unit != 'm')
-        for (int i = 1; i < 4; i++)
-            answer_describe(a, budget_columns[i].key, error_kinds[call->kind].unit, NULL);
-    if (call->kind != DOM_ERROR_gap)
-        answer_describe(a, "sigma", NULL,
-                        "the largest error, or factor for all errors, at which the share 'probability' of "
-                        "the rows falls");
-    answer_row(a,
-               ROW(cell_real(call->share), cell_narrow((domq_real)b->sigma, digits),
-                   cell_narrow((domq_real)b->low, digits), cell_narrow((domq_real)b->high, digits),
-                   cell_count((domq_real)call->trials->placement.rows),
-                   cell_word(error_kinds[call->kind].name)),
-               any ? "more rows fall than P asks for, even with the largest errors that are tried"
-               : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
-                                                      : NULL);
-}
-
 static bool run_budget(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
     struct trials t;
-    struct dom_budget budget = {.sigma = 0};
-    const struct budget_call call = {.trials = &t,
-                                     .share = given->number[0],
-                                     .kind = given->count > 2 ? (enum dom_error_of)given->number[2]
-                                                              : DOM_ERROR_gap};
-    if (!(call.share > 0 && call.share < 1))
+    struct dom_budget b = {.sigma = 0};
+    const domq_real share = given->number[0];
+    const enum dom_error_of of = given->count > 2 ? (enum dom_error_of)given->number[2] : DOM_ERROR_gap;
+    const struct error_kind *kind = &error_kinds[of];
+    if (!(share > 0 && share < 1))
         return problem_error(problem,
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
-                             quad_text(call.share, 10));
+                             quad_text(share, 10));
     /* No progress is shown, because the number of studies is not known in advance. */
     if (!trials_make(query, problem, given->count > 1 ? (size_t)given->number[1] : 1000, false, &t))
         return false;
-    bool good = budget_check(query, &t, call.kind, problem);
-    enum dom_status status = good ? dom_placement_budget(&t.row.row, &t.row.compute, &t.placement, call.kind,
-                                                         (double)call.share, &budget)
-                                  : DOM_OK;
-    const bool any = !isfinite(budget.sigma);
+    const bool good = budget_check(query, &t, of, problem);
+    enum dom_status status =
+        good ? dom_placement_budget(&t.row.row, &t.row.compute, &t.placement, of, (double)share, &b) : DOM_OK;
+    const bool any = !isfinite(b.sigma);
     if (good && status == DOM_OK && !any && answer_for_people(a))
-        status = budget_say(a, &call, &budget);
+        status = budget_say(a, &t, of, b.sigma);
     free(t.row.domino);
     if (!good || status == DOM_STOPS)
-        return good && budget_none(problem, &call);
-    const bool interrupted = status == DOM_INTERRUPTED && budget.sigma > 0 && !any;
-    if (status != DOM_OK && !interrupted)
+        return good && budget_none(problem, &t, of);
+    if (status != DOM_OK)
         return row_status(query, problem, status);
-    if (interrupted)
-        interrupted_say(a, &call, &budget);
-    budget_row(a, &call, &budget, interrupted);
-    return !interrupted || row_status(query, problem, status);
+    for (int i = 1; i < 4 && *kind->unit != 'm'; i++)
+        answer_describe(a, budget_columns[i].key, kind->unit, NULL);
+    if (of != DOM_ERROR_gap)
+        answer_describe(a, "sigma", NULL,
+                        "the largest error, or factor for all errors, at which the share 'probability' of "
+                        "the rows falls");
+    return answer_row(a,
+                      ROW(cell_real(share), cell_narrow((domq_real)b.sigma, 0),
+                          cell_narrow((domq_real)b.low, 0), cell_narrow((domq_real)b.high, 0),
+                          cell_count((domq_real)t.placement.rows), cell_word(kind->name)),
+                      any ? "more rows fall than P asks for, even with the largest errors that are tried"
+                          : NULL);
 }
 
 /* ---- The table of commands ---- */
@@ -318,8 +270,7 @@ const struct command study_commands[] = {
              "are uniform, their limit. Each sigma is tried on ROWS random rows (1000 if ROWS is left out), "
              "with the same random numbers. All other errors of the scene stay as they are. 'budget 0.95 "
              "1000 thickness' finds the size of another error in the same way. 'budget 0.95 1000 all' finds "
-             "the factor by which all errors of the scene may be multiplied. ^C ends the search, and sigma "
-             "is then the largest size at which enough rows are known to fall.",
+             "the factor by which all errors of the scene may be multiplied.",
      .example = "set row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",

@@ -3,7 +3,6 @@
 #include "answer/format.h"
 #include "language/quad.h"
 #include "planning/planning.h"
-#include "rows/row_edit.h"
 #include "rows/rows.h"
 #include "train/falling.h"
 #include <stdlib.h>
@@ -27,7 +26,6 @@ struct designing {
     struct dom_wish wish;
     struct dom_limits sizes;
     const struct dom_limits *limits; /* `sizes`, or NULL if the dominoes may have any size */
-    struct scene_engine engine;      /* wish.engine may point to it */
     struct dom_train train;
     struct dom_compute compute;
     struct dom_design found;
@@ -58,28 +56,18 @@ static void designing_begin(const struct query *query, const struct wishes *w, s
     d->limits = w->grid > 0 || w->boards > 0 ? &d->sizes : NULL;
 }
 
-/* Finds a design. If the scene runs rows in the rigid-body engine, the design must also fall there. */
 static bool design_find(const struct query *query, struct designing *d, struct problem *problem)
 {
-    struct scene with_row = *query->scene;
-    with_row.effect[DOM_EFFECT_row].on = true;
-    if (scene_has_engine(&with_row)) {
-        if (!row_engine->make(&with_row, 1, &d->engine, problem))
-            return false;
-        d->wish.engine = &d->engine.engine;
-    }
     const enum dom_status status = dom_design_find(&d->train, &d->wish, d->limits, &d->compute, &d->found);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    if (d->found.limit == DOM_DESIGN_FAILED)
-        return problem_no_answer(problem,
-                                 "no row was found: the search failed at s = %.2g; try another thickness%s",
-                                 d->found.needs,
-                                 d->train.rho > 0  ? ", or 'set edges off'"
-                                 : d->train.mu > 0 ? ", or 'set friction off'"
-                                                   : "");
-    /* Check now that the engine can run a row of this length. */
-    return !d->wish.engine || row_engine->make(&with_row, d->found.steps + 1, &d->engine, problem);
+    return d->found.limit != DOM_DESIGN_FAILED ||
+           problem_no_answer(problem,
+                             "no row was found: the search failed at s = %.2g; try another thickness%s",
+                             d->found.needs,
+                             d->train.rho > 0  ? ", or 'set edges off'"
+                             : d->train.mu > 0 ? ", or 'set friction off'"
+                                               : "");
 }
 
 /* Makes the dominoes of the design that was found. */
@@ -112,7 +100,7 @@ static struct measured push_speed(const struct dom_wish *wish, double push)
 
 /* Explains why no row fulfils the wish and says what the user can change. */
 enum { REASON = 640 };
-static void infeasible_text(const struct query *query, const struct designing *d, char text[REASON])
+static void infeasible_text(const struct designing *d, char text[REASON])
 {
     const struct measured safety = measured(d->wish.safety, "", 6);
     const double needs = d->found.needs;
@@ -138,14 +126,6 @@ static void infeasible_text(const struct query *query, const struct designing *d
                      "infeasible: no row with a safety of %s was found, whatever the push of domino 1; enter "
                      "a smaller safety%s, or another height of domino 1 with 'set h'",
                      safety.text, d->limits ? ", other boards or a finer grid" : "");
-        break;
-    case DOM_DESIGN_ENGINE:
-        snprintf(
-            text, REASON,
-            "infeasible: rows with a safety of %s fall in the model with hinged feet, but no row that was "
-            "tried falls in the rigid-body engine (used because %s); a stronger push ('set push') or "
-            "another thickness may help",
-            safety.text, scene_engine_why(query->scene));
         break;
     default:
         if (needs > 1)
@@ -179,9 +159,8 @@ static void design_say(const struct query *query, struct answer *a, const struct
     const struct scene *scene = query->scene;
     char growth[160] = "", weakest[CELL_TEXT + 120] = "", boxes[192];
     if (f->weakest > 0)
-        snprintf(weakest, sizeof weakest, " The weakest, domino %zu, %s%s.", f->weakest,
-                 energy_words(f->row).text,
-                 d->wish.engine ? " in the model, which treats feet as hinges" : "");
+        snprintf(weakest, sizeof weakest, " The weakest, domino %zu, %s.", f->weakest,
+                 energy_words(f->row).text);
     if (!d->limits)
         snprintf(growth, sizeof growth,
                  ", each %.4g times as large as the one before, with gaps of %.4g times the height", f->r,
@@ -193,9 +172,12 @@ static void design_say(const struct query *query, struct answer *a, const struct
         snprintf(boxes, sizeof boxes, "%s", dominoes_words(scene->train.q, "dominoes").text);
     answer_say(a, "%zu %s%s; the last is %s tall, and the row %s long.%s", f->steps + 1, boxes, growth,
                measured(d->wish.height, "m", 4).text, measured(f->length, "m", 4).text, weakest);
-    if (d->wish.engine)
-        answer_detail(a, "All dominoes also fall in the rigid-body engine, which is used because %s.",
-                      scene_engine_why(scene));
+    if (query->next && scene_has_engine(&query->next->scene))
+        answer_say(
+            a,
+            "This is an answer of the model, which treats feet as hinges; 'verdict' runs the row in the "
+            "rigid-body engine, because %s.",
+            scene_engine_why(&query->next->scene));
 }
 
 /* Makes the design the row of the session. */
@@ -257,7 +239,7 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
         free(d.domino);
         return good;
     }
-    infeasible_text(query, &d, reason);
+    infeasible_text(&d, reason);
     if (a->path && !a->style.format->for_people) /* no file is written without a row */
         return problem_no_answer(problem, "%s", reason);
     answer_say(a, "%s.", reason);

@@ -25,9 +25,6 @@ static const struct command design_commands[] = {
          "domino, the height H and the thicknesses of boards. The row still has the required safety. With "
          "random errors, 'placement' then shows how likely the row is to fall, and 'improve sizes' makes it "
          "more likely.\n\n"
-         "If the rigid-body engine runs rows ('set "
-         "feet', 'set bounce', 'set method engine'), the row also falls in the engine. 'safety' still "
-         "refers to the model, which treats feet as hinges.\n\n"
          "The row becomes the session's row; 'design ... > "
          "hall.csv' writes a file for 'set row hall.csv'.",
      .example = "set q hollow; set friction 0.3; design 8 m",

@@ -5,7 +5,7 @@
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include "planning/planning.h"
-#include "rows/row_edit.h"
+#include "rows/rows.h"
 #include "train/falling.h"
 #include <stdlib.h>
 

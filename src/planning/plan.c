@@ -191,27 +191,15 @@ static void mm(FILE *out, domq_real metres, int round, bool is_critical)
 }
 
 /* Writes cells with a value and the limits of its window. They are marked if the domino has the tightest
- * limits of all dominoes, for this kind of window. If `is_any` is true, there is no lower limit. */
-static void window_put(const struct plan *p, enum dom_window_of kind, size_t k, domq_real now, bool is_any)
+ * limits of all dominoes, for this kind of window. */
+static void window_put(const struct plan *p, enum dom_window_of kind, size_t k, domq_real now)
 {
     const struct dom_window *w = &p->windows.kind[kind][k];
     const bool is_critical = p->windows.critical[kind] == k + 1;
     FILE *out = p->paper.out;
     mm(out, now, 0, is_critical);
-    if (is_any)
-        fprintf(out, "|any%s", is_critical ? "!" : "");
-    else
-        mm(out, w->low, 1, is_critical);
+    mm(out, w->low, 1, is_critical);
     mm(out, w->high, -1, is_critical);
-}
-
-/* A box is empty inside if its thickness is more than this above that of two walls, in m. */
-#define THIN ((domq_real)1 / 5000)
-
-static bool is_box(const struct plan *p, size_t k)
-{
-    const struct domq_row *row = &p->row.run.scene.row;
-    return row->walls > 0 && p->row.run.scene.domino[k].height > row->boxes_above;
 }
 
 static void plan_tape_table(const struct plan *p)
@@ -227,7 +215,7 @@ static void plan_tape_table(const struct plan *p)
     for (size_t k = 0; k < scene->row.count; k++) {
         const struct domq_domino *d = &scene->domino[k];
         fprintf(out, "|%zu", k + 1);
-        window_put(p, DOM_WINDOW_PLACE, k, (domq_real)p->back[k], false);
+        window_put(p, DOM_WINDOW_PLACE, k, (domq_real)p->back[k]);
         mm(out, (domq_real)p->back[k] + d->thickness, 0, false);
         mm(out, k > 0 ? d->gap : DOMQ_NAN, 0, false);
         if (p->has_leans)
@@ -239,7 +227,7 @@ static void plan_tape_table(const struct plan *p)
 static void plan_size_table(const struct plan *p, const struct scene *of)
 {
     const struct scene_row *scene = &p->row.run.scene;
-    const bool has_boxes = scene->row.walls > 0, has_masses = scene_has_masses(of);
+    const bool has_masses = scene_has_masses(of);
     domq_real heaviest = 0;
     FILE *out = p->paper.out;
     for (size_t k = 0; k < scene->row.count; k++)
@@ -252,15 +240,13 @@ static void plan_size_table(const struct plan *p, const struct scene *of)
         fputs("Lengths are in mm, and masses are divided by the mass of domino 1.", out);
     fprintf(out,
             " If only one height or thickness changes, and stays between 'least' and 'most', all dominoes "
-            "still fall.%s\n|domino|height|least|most|thickness|least|most|width|%s\n",
-            has_boxes ? " 'any': as thin as the boards allow." : "", has_masses ? "mass" : "relative");
+            "still fall.\n|domino|height|least|most|thickness|least|most|width|%s\n",
+            has_masses ? "mass" : "relative");
     for (size_t k = 0; k < scene->row.count; k++) {
         const struct domq_domino *d = &scene->domino[k];
         fprintf(out, "|%zu", k + 1);
-        window_put(p, DOM_WINDOW_HEIGHT, k, d->height, false);
-        window_put(p, DOM_WINDOW_THICKNESS, k, d->thickness,
-                   is_box(p, k) &&
-                       p->windows.kind[DOM_WINDOW_THICKNESS][k].low < 2 * scene->row.walls + THIN);
+        window_put(p, DOM_WINDOW_HEIGHT, k, d->height);
+        window_put(p, DOM_WINDOW_THICKNESS, k, d->thickness);
         mm(out, d->width, 0, false);
         fprintf(out, "|%.4g\n",
                 (double)(has_masses ? measure_number(unit, d->mass) : d->mass / scene->domino[0].mass));
@@ -360,11 +346,10 @@ static void plan_rows(const struct plan *p, struct answer *a)
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 30 }; /* the size of the drawing in characters */
 
-/* Writes the guide as text into a file, or into the details of an answer that says what matters most. */
+/* Writes the guide as text into a file, or into the details of a short answer. */
 static bool plan_text(const struct plan *p, const char *title, struct answer *a)
 {
     const struct scene_row *scene = &p->row.run.scene;
-    const size_t *critical = p->windows.critical;
     FILE *const out = a->path ? a->out : answer_rest(a);
     if (!out)
         return false;
@@ -382,11 +367,6 @@ static bool plan_text(const struct plan *p, const char *title, struct answer *a)
         measured((domq_real)p->back[scene->row.count - 1] + scene->domino[scene->row.count - 1].thickness,
                  "m", 3)
             .text);
-    if (p->windows.count > 1)
-        answer_say(a,
-                   "What matters most: the place of domino %zu, the height of domino %zu and the thickness "
-                   "of domino %zu.",
-                   critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
     return true;
 }
 

@@ -2,8 +2,6 @@
 /* The commands 'change', 'place', 'remove' and 'insert'. */
 #include "interpreter/question.h"
 #include "language/quad.h"
-#include "rows/row_edit.h"
-#include "rows/rowfile.h"
 #include "rows/rows.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -99,13 +97,6 @@ bool change_parse_value(struct reader *r, struct question *q)
 
 /* ---- change and place: binding ---- */
 
-/* A bound change. */
-struct changing {
-    struct row_change change;
-    int ranges; /* the number of ranges; 0 stands for all dominoes */
-    struct row_range range[];
-};
-
 /* Checks the unit of the typed value X. Decides whether X replaces the old value, is added to it or
  * multiplies it. */
 static bool value_bind(const struct change_parsed *parsed, const struct quantity *value,
@@ -137,13 +128,13 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
 }
 
 /* Stores the selected dominoes in given->bound. */
-static struct changing *dominoes_bind(const struct question *q, const struct query *query,
-                                      struct arguments *given, struct problem *problem)
+static struct row_change *dominoes_bind(const struct question *q, const struct query *query,
+                                        struct arguments *given, struct problem *problem)
 {
     const struct change_parsed *parsed = q->parsed;
-    const size_t size = sizeof(struct changing) + (size_t)parsed->count * sizeof(struct row_range);
+    const size_t size = sizeof(struct row_change) + (size_t)parsed->count * sizeof(struct row_range);
     domq_real number;
-    struct changing *c = arguments_take(given, size, query, problem);
+    struct row_change *c = arguments_take(given, size, query, problem);
     for (const struct selected *s = parsed->first; s && c; s = s->next) {
         struct row_range *range = &c->range[c->ranges++];
         *range = s->range;
@@ -162,118 +153,16 @@ bool change_bind(const struct question *q, const struct query *query, struct arg
     const struct change_parsed *parsed = q->parsed;
     struct quantity value;
     domq_real number;
-    struct changing *c = dominoes_bind(q, query, given, problem);
+    struct row_change *c = dominoes_bind(q, query, given, problem);
     if (!c)
         return false;
-    c->change.measure = q->count > 2 ? (enum row_measure)(int)given->number[1] : MEASURE_GAP;
+    c->measure = q->count > 2 ? (enum row_measure)(int)given->number[1] : MEASURE_GAP;
     return item_bind(&parsed->value, q->text, query, &value, &number, problem) &&
-           value_bind(parsed, &value, &c->change, problem);
+           value_bind(parsed, &value, c, problem);
 }
 
 bool remove_bind(const struct question *q, const struct query *query, struct arguments *given,
                  struct problem *problem)
 {
     return dominoes_bind(q, query, given, problem) != NULL;
-}
-
-/* ---- change and place: the answer ---- */
-
-enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
-
-/* Prints the old and the new measurement of domino k, counted from 1. If masses are not known, prints the
- * factor by which the mass changes. */
-static void change_say(const struct query *query, struct answer *a, const struct row_change *change, size_t k,
-                       domq_real from, domq_real to)
-{
-    const enum row_measure measure = change->measure;
-    const char *name = row_measure_names(NULL, (int)measure);
-    const struct measure unit =
-        measure_of(rowfile_kind.column[measure].unit, quad_larger(quad(fabs)(from), quad(fabs)(to)));
-    const char *one = quad_text(measure_number(unit, from), 6),
-               *other = quad_text(measure_number(unit, to), 6);
-    if (measure == MEASURE_MASS && !scene_has_masses(query->scene))
-        answer_say(a, "domino %zu: mass %s times as large as before", k, quad_text(change->value, 6));
-    else if (strcmp(one, other) == 0)
-        answer_say(a, "domino %zu: %s stays %s %s", k, name, other, unit.unit);
-    else
-        answer_say(a, "domino %zu: %s %s to %s %s", k, name, one, other, unit.unit);
-}
-
-/* Prints the old and the new measurements of the dominoes that have changed. */
-static bool changes_say(const struct query *query, struct answer *a, const struct row_change *change,
-                        const struct row_range *range, int ranges, const struct scene_row *before,
-                        struct problem *problem)
-{
-    struct scene_row after;
-    size_t changed = 0;
-    if (!scene_row_list(&query->next->scene, &after, problem))
-        return false;
-    for (size_t k = 0; k < after.row.count; k++)
-        if (row_selected(range, ranges, k + 1) && changed++ < LINES)
-            change_say(query, a, change, k + 1,
-                       scene_row_measure(query->scene, &before->domino[k], change->measure),
-                       scene_row_measure(&query->next->scene, &after.domino[k], change->measure));
-    if (changed > LINES)
-        answer_say(a, "and %zu more; 'row' lists all dominoes", changed - LINES);
-    a->progress.wrote_text = true;
-    free(after.domino);
-    return true;
-}
-
-bool run_change(const struct query *query, struct answer *a, struct problem *problem)
-{
-    const struct changing *c = query->given->bound;
-    struct scene_row before;
-    if (!query->next)
-        return true;
-    if (!scene_row_list(query->scene, &before, problem))
-        return false;
-    struct row_range all = {c->change.measure == MEASURE_GAP ? 2 : 1, before.row.count};
-    const struct row_range *range = c->ranges ? c->range : &all;
-    const int ranges = c->ranges ? c->ranges : 1;
-    bool good = scene_row_change(&query->next->scene, &c->change, range, ranges, problem);
-    if (good && answer_for_people(a) && !query->run_context->sourced)
-        good = changes_say(query, a, &c->change, range, ranges, &before, problem);
-    free(before.domino);
-    return good;
-}
-
-/* ---- remove and insert: the answer ---- */
-
-bool run_remove(const struct query *query, struct answer *a, struct problem *problem)
-{
-    const struct changing *c = query->given->bound;
-    if (!query->next)
-        return true;
-    const struct row_range all = {1, scene_row_count(query->scene)};
-    struct scene *scene = &query->next->scene;
-    const size_t before = scene_row_count(scene);
-    if (!scene_row_remove(scene, c->ranges ? c->range : &all, c->ranges ? c->ranges : 1, problem))
-        return false;
-    const size_t count = scene_row_count(scene), removed = before - count;
-    if (answer_for_people(a) && !query->run_context->sourced)
-        answer_say(a, "%zu domino%s removed; the row has %zu.", removed, removed == 1 ? "" : "es", count);
-    a->progress.wrote_text = answer_for_people(a);
-    return true;
-}
-
-bool run_insert(const struct query *query, struct answer *a, struct problem *problem)
-{
-    const size_t k = (size_t)query->given->number[0];
-    struct scene_row row;
-    if (!query->next)
-        return true;
-    if (!scene_row_insert(&query->next->scene, k, problem) ||
-        !scene_row_list(&query->next->scene, &row, problem))
-        return false;
-    const struct domq_domino *d = &row.domino[k - 1];
-    char gap[CELL_TEXT + 48] = "";
-    if (k > 1)
-        snprintf(gap, sizeof gap, ", %s after domino %zu", measured(d->gap, "m", 4).text, k - 1);
-    if (answer_for_people(a) && !query->run_context->sourced)
-        answer_say(a, "domino %zu: %s tall and %s thick%s; the row has %zu.", k,
-                   measured(d->height, "m", 4).text, measured(d->thickness, "m", 4).text, gap, row.row.count);
-    a->progress.wrote_text = answer_for_people(a);
-    free(row.domino);
-    return true;
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/feature.h"
-#include "rows/row_edit.h"
-#include "rows/rowfile.h"
+#include "rows/rows.h"
 
 extern const struct command row_commands[];
 

@@ -2,8 +2,6 @@
 /* The commands 'row' and 'rowmax', and the table of all commands about a row. */
 #include "interpreter/feature.h"
 #include "language/quad.h"
-#include "rows/row_edit.h"
-#include "rows/rowfile.h"
 #include "rows/rows.h"
 #include "train/falling.h"
 #include "train/train.h"

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "rows/row_edit.h"
 #include "answer/measure.h"
 #include "language/quad.h"
-#include "rows/rowfile.h"
+#include "rows/rows.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,23 +64,23 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
            problem_no_answer(problem, "domino %zu: %s", k + 1, message);
 }
 
-bool row_selected(const struct row_range *range, int ranges, size_t k)
+static bool is_selected(const struct row_change *change, size_t k)
 {
-    bool is_in = false;
-    for (int i = 0; i < ranges; i++)
-        is_in = is_in || (range[i].first <= k && k <= range[i].last);
+    bool is_in = change->ranges == 0;
+    for (int i = 0; i < change->ranges; i++)
+        is_in = is_in || (change->range[i].first <= k && k <= change->range[i].last);
     return is_in;
 }
 
-/* Checks that all dominoes in the ranges exist and, if `gaps` is true, that there is a gap before them. */
-static bool dominoes_check(const struct row_range *range, int ranges, size_t count, bool gaps,
-                           struct problem *problem)
+/* Checks that all selected dominoes exist and, if `gaps` is true, that there is a gap before them. */
+static bool dominoes_check(const struct row_change *change, size_t count, bool gaps, struct problem *problem)
 {
     const size_t least = gaps ? 2 : 1;
     if (count < least)
         return problem_error(problem, "a row of one domino has no gap; enter 'set row N' with a larger N");
-    for (int i = 0; i < ranges; i++) {
-        const size_t wrong = range[i].first < least ? range[i].first : range[i].last;
+    for (int i = 0; i < change->ranges; i++) {
+        const struct row_range *range = &change->range[i];
+        const size_t wrong = range->first < least ? range->first : range->last;
         if (wrong >= least && wrong <= count)
             continue;
         return gaps ? problem_error(problem,
@@ -133,26 +132,77 @@ static bool edit_end(struct scene *scene, struct listed_row *next, bool good, st
 
 /* ---- Change ---- */
 
-bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
-                      int ranges, struct problem *problem)
+enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
+
+/* Prints the old and the new measurement of domino k, counted from 1. If masses are not known, prints the
+ * factor by which the mass changes. */
+static void change_say(const struct query *query, struct answer *a, const struct row_change *change, size_t k,
+                       domq_real from, domq_real to)
 {
-    struct scene_row row = {.domino = NULL};
+    const enum row_measure measure = change->measure;
+    const char *name = row_measure_names(NULL, (int)measure);
+    const struct measure unit =
+        measure_of(rowfile_kind.column[measure].unit, quad_larger(quad(fabs)(from), quad(fabs)(to)));
+    const char *one = quad_text(measure_number(unit, from), 6),
+               *other = quad_text(measure_number(unit, to), 6);
+    if (measure == MEASURE_MASS && !scene_has_masses(query->scene))
+        answer_say(a, "domino %zu: mass %s times as large as before", k, quad_text(change->value, 6));
+    else if (strcmp(one, other) == 0)
+        answer_say(a, "domino %zu: %s stays %s %s", k, name, other, unit.unit);
+    else
+        answer_say(a, "domino %zu: %s %s to %s %s", k, name, one, other, unit.unit);
+}
+
+/* Prints the old and the new measurements of the dominoes that have changed. */
+static bool changes_say(const struct query *query, struct answer *a, const struct row_change *change,
+                        const struct scene_row *before, struct problem *problem)
+{
+    const struct scene *scene = &query->next->scene;
+    struct scene_row after;
+    size_t changed = 0;
+    if (!scene_row_list(scene, &after, problem))
+        return false;
+    for (size_t k = change->measure == MEASURE_GAP; k < after.row.count; k++)
+        if (is_selected(change, k + 1) && changed++ < LINES)
+            change_say(query, a, change, k + 1,
+                       scene_row_measure(query->scene, &before->domino[k], change->measure),
+                       scene_row_measure(scene, &after.domino[k], change->measure));
+    if (changed > LINES)
+        answer_say(a, "and %zu more; 'row' lists all dominoes", changed - LINES);
+    a->progress.wrote_text = true;
+    free(after.domino);
+    return true;
+}
+
+/* Changes one measurement of all selected dominoes. If the measurement is a size, the domino keeps its
+ * density. */
+bool run_change(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct row_change *change = query->given->bound;
+    struct scene_row row;
     struct listed_row next;
+    if (!query->next)
+        return true;
+    struct scene *scene = &query->next->scene;
     if (!scene_row_list(scene, &row, problem))
         return false;
-    bool good = dominoes_check(range, ranges, row.row.count, change->measure == MEASURE_GAP, problem);
+    const bool gaps = change->measure == MEASURE_GAP;
+    bool good = dominoes_check(change, row.row.count, gaps, problem);
     if (good && change->measure == MEASURE_MASS && change->how != CHANGE_TIMES && !scene_has_masses(scene))
         good = problem_error(problem, "the masses of this row are not known; enter the mass of its first "
                                       "domino with 'set mass', or a relative change such as '+10 %%'");
     const bool begun = good && edit_begin(scene, &next, problem);
     good = begun;
-    for (int i = 0; i < ranges && good; i++)
-        for (size_t k = range[i].first - 1; good && k < range[i].last; k++)
+    for (size_t k = gaps; k < row.row.count && good; k++)
+        if (is_selected(change, k + 1))
             good = domino_change(scene, change, &row, k, row_measure_at(&next.change[k].to, change->measure),
                                  problem) &&
                    (!dom_raised(scene->compute.interrupt) || problem_status(problem, scene, DOM_INTERRUPTED));
+    good = begun && edit_end(scene, &next, good, problem);
+    if (good && answer_for_people(a) && !query->run_context->sourced)
+        good = changes_say(query, a, change, &row, problem);
     free(row.domino);
-    return begun && edit_end(scene, &next, good, problem);
+    return good;
 }
 
 /* ---- Replace ---- */
@@ -201,34 +251,51 @@ bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t cou
 
 /* ---- Remove and insert ---- */
 
-bool scene_row_remove(struct scene *scene, const struct row_range *range, int ranges, struct problem *problem)
+/* Removes the selected dominoes. The gaps before the other dominoes stay the same. */
+bool run_remove(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const size_t count = scene_row_count(scene);
+    const struct row_change *change = query->given->bound;
     struct listed_row next;
     size_t kept = 0;
+    if (!query->next)
+        return true;
+    struct scene *scene = &query->next->scene;
+    const size_t count = scene_row_count(scene);
     if (count == 0)
         return problem_no_row(problem);
-    if (!dominoes_check(range, ranges, count, false, problem) || !edit_begin(scene, &next, problem))
+    if (!dominoes_check(change, count, false, problem) || !edit_begin(scene, &next, problem))
         return false;
     for (size_t k = 0; k < count; k++)
-        if (!row_selected(range, ranges, k + 1))
+        if (!is_selected(change, k + 1))
             next.change[kept++] = next.change[k];
     next.changes = kept;
     next.change->to.gap = DOMQ_NAN;
-    return edit_end(scene, &next,
-                    kept > 0 || problem_error(problem, "a row has at least one domino; 'set row off' removes "
-                                                       "the row"),
-                    problem);
+    if (!edit_end(scene, &next,
+                  kept > 0 || problem_error(problem, "a row has at least one domino; 'set row off' removes "
+                                                     "the row"),
+                  problem))
+        return false;
+    if (answer_for_people(a) && !query->run_context->sourced)
+        answer_say(a, "%zu domino%s removed; the row has %zu.", count - kept, count - kept == 1 ? "" : "es",
+                   kept);
+    a->progress.wrote_text = answer_for_people(a);
+    return true;
 }
 
-bool scene_row_insert(struct scene *scene, size_t k, struct problem *problem)
+/* Inserts a copy of the domino that has the number k, or of the last one. The copy gets this number. */
+bool run_insert(const struct query *query, struct answer *a, struct problem *problem)
 {
     const size_t most = (size_t)domq_effect(DOM_EFFECT_row)->argument[0].highest,
-                 count = scene_row_count(scene), at = k - 1, like = k <= count ? k - 1 : count - 1;
+                 k = (size_t)query->given->number[0], at = k - 1;
     struct scene_row row;
     struct listed_row next;
+    if (!query->next)
+        return true;
+    struct scene *scene = &query->next->scene;
     if (!scene_row_list(scene, &row, problem))
         return false;
+    const size_t count = row.row.count, like = k <= count ? k - 1 : count - 1;
+    const struct domq_domino copied = row.domino[like];
     /* A new second domino, or one that moves to the second place, has no gap of its own if it is a copy of
      * the first. It gets a gap in proportion to the next one. */
     const domq_real gap =
@@ -257,7 +324,13 @@ bool scene_row_insert(struct scene *scene, size_t k, struct problem *problem)
     more[0].to.gap = DOMQ_NAN;
     next.change = more;
     next.changes = count + 1;
-    return edit_end(scene, &next, true, problem);
+    if (!edit_end(scene, &next, true, problem))
+        return false;
+    if (answer_for_people(a) && !query->run_context->sourced)
+        answer_say(a, "domino %zu: %s tall and %s thick; the row has %zu.", k,
+                   measured(copied.height, "m", 4).text, measured(copied.thickness, "m", 4).text, count + 1);
+    a->progress.wrote_text = answer_for_people(a);
+    return true;
 }
 
 /* ---- Save ---- */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "rows/rowfile.h"
 #include "io/io.h"
 #include "language/names.h"
 #include "language/quad.h"
+#include "rows/rows.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -51,7 +51,7 @@ const char *row_measure_names(const void *context, int k)
 }
 
 /* Makes room for one more domino. */
-static bool row_grow(struct listed_row *rows)
+static bool listed_grow(struct listed_row *rows)
 {
     /* the array grows when the count is 0 or a power of 2 */
     if ((rows->count & (rows->count - 1)) != 0)
@@ -132,7 +132,7 @@ static bool row_keep(struct csv_table *csv, domq_real slope, domq_real position,
         return csv_wrong(&csv->file, csv_cell(csv, (int)misfit).at, "%s", message);
     if (!csv_check(csv, MEASURE_MASS, domino.mass))
         return false;
-    if (!row_grow(rows))
+    if (!listed_grow(rows))
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
     rows->domino[rows->count++] = domino;
     return true;

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'tolerance': how far the places, sizes and leans of single dominoes may deviate. */
-#include "io/terminal.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include "rows/rows.h"
-#include <stdatomic.h>
 #include <stdlib.h>
 
 const struct column tolerance_columns[] = {
@@ -73,19 +71,7 @@ struct search {
     struct windows *windows;
     const struct double_row *made;
     enum dom_status status[WINDOW_KINDS];
-    atomic_size_t done; /* the number of windows found so far */
-    bool is_muted;      /* true if progress output is muted in the thread that started the search */
 };
-
-static void search_progress(size_t done, size_t of, void *context)
-{
-    struct search *s = context;
-    const double all = (double)(s->windows->count * WINDOW_KINDS), now = (double)++s->done;
-    (void)done, (void)of;
-    const bool was_muted = progress_mute(s->is_muted);
-    progress_show(now / all);
-    progress_mute(was_muted);
-}
 
 /* Finds the windows of one kind. Leans are computed only in the model, and only with sharp edges. */
 static void search_kind(size_t kind, void *context)
@@ -96,26 +82,18 @@ static void search_kind(size_t kind, void *context)
                leans = !row->engine && row->rho == 0;
     s->status[kind] = DOM_OK;
     if (leans || kind != DOM_WINDOW_LEAN)
-        s->status[kind] = dom_row_windows(row, &s->made->compute, (enum dom_window_of)kind, search_progress,
-                                          s, s->windows->kind[kind] + from_second);
-}
-
-static enum dom_status search_run(const struct query *query, const struct double_row *made, struct windows *w)
-{
-    struct task_pool pool = {.threads = query->state->settings.threads,
-                             .interrupt = query->scene->compute.interrupt};
-    struct search search = {.windows = w, .made = made, .is_muted = progress_mute(false)};
-    progress_mute(search.is_muted);
-    enum dom_status status = workers_tasks(WINDOW_KINDS, search_kind, &search, &pool);
-    for (int kind = 0; kind < WINDOW_KINDS && status == DOM_OK; kind++)
-        status = search.status[kind];
-    return status;
+        s->status[kind] = dom_row_windows(row, &s->made->compute, (enum dom_window_of)kind, NULL, NULL,
+                                          s->windows->kind[kind] + from_second);
 }
 
 enum dom_status windows_find(const struct query *query, const struct scene_row *scene, struct windows *w)
 {
     struct double_row made;
     struct dom_verdict v;
+    struct search search = {.windows = w, .made = &made};
+    struct task_pool pool = {.threads = query->state->settings.threads,
+                             .progress = true,
+                             .interrupt = query->scene->compute.interrupt};
     *w = (struct windows){.scene = scene, .count = scene->row.count};
     w->kind[0] = malloc(WINDOW_KINDS * w->count * sizeof **w->kind);
     if (!w->kind[0])
@@ -129,7 +107,9 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
         status = dom_row_run(&made.row, &made.compute, false, NULL, NULL, &v);
     w->falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
     if (status == DOM_OK)
-        status = search_run(query, &made, w);
+        status = workers_tasks(WINDOW_KINDS, search_kind, &search, &pool);
+    for (int kind = 0; kind < WINDOW_KINDS && status == DOM_OK; kind++)
+        status = search.status[kind];
     for (size_t k = 0; k < w->count; k++)
         lean_to_top(&w->kind[DOM_WINDOW_LEAN][k], (double)scene->domino[k].height);
     free(made.domino);

@@ -4,7 +4,7 @@
  * survive a round trip. Some bytes stand for long texts, which bring headers, rows and lines to their limits.
  */
 #include "io/io.h"
-#include "rows/rowfile.h"
+#include "rows/rows.h"
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

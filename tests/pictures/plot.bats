@@ -7,7 +7,7 @@ load ../shell/common
 
 row='effect row 6; effect friction 0.1'
 
-plots=(fall speed gaps 'placement 60' growth 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3 7 : rmax'
+plots=(fall speed growth 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3 7 : rmax'
     energy climb omega inertia chain 'cost fuel')
 
 # bats test_tags=rows,chance,sweeps
@@ -41,8 +41,6 @@ plots=(fall speed gaps 'placement 60' growth 'sweep s 0.2 0.6 5 : rmax' 'sweep s
     done <<'END'
 fall|Energy~to~spare spare~energy~/~energy~needed,~in~% the~weakest,~domino All~6~fall.~Domino
 speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in a~domino~is~hit
-gaps|How~far~each~gap~may~be~off gap~in~cm gap~before~domino planned The~gap~before~domino~2~has~the~tightest~limits
-placement 50|How~likely rows~that~fall,~in~% standard~deviation~(or~limit)~of~the~gap~errors 95~%~interval
 energy|Energy launch top hit potential~energy kinetic~energy tilt~of~the~head~in~rad
 climb|climb~over~the~barrier launch top energy~of~the~launch to~climb~its~barrier
 inertia|Inertia launch top hit J~(20;~c2)
@@ -87,8 +85,6 @@ END
 # bats test_tags=rows,chance,sweeps
 @test "plot: every point is drawn, up to the ends of the axes, even if all values are nearly equal" {
     circles() { grep -c "href='#gpPt5' transform" a.svg; }
-    "$DOMINO" -e 'effect row 8; plot placement 40 > a.svg'
-    same 'errors of the gaps, and one in the legend' 14 "$(circles)"
     "$DOMINO" -e 'plot sweep tol 1e-12, 1e-6, 1e-3 : rmax > a.svg'
     same 'nearly equal' 3 "$(circles)"
     same 'ticks' "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort -u)" "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort)"
@@ -192,23 +188,6 @@ END
         END { exit bad || n < 4 }' row fall speed
 }
 
-# bats test_tags=rows,chance
-@test "plot placement: the data agree with placement, begin at sigma 0, and include the 95 % interval" {
-    csv 'effect row 8; effect placement 5 mm; plot placement 150' >likely
-    same keys sigma,probability,low,high,rows "$(head -n 1 likely)"
-    same 'no errors' 1 "$(sed -n 2p likely | cut -d, -f 2)"
-    awk -F, 'NR > 1 { if (!($3 <= $2 && $2 <= $4)) exit 1; last = $2 } END { exit !(last < 0.5 && NR == 14) }' likely
-    for line in 5 9; do
-        IFS=, read -r sigma probability low high rows < <(sed -n ${line}p likely)
-        answer=$(json "effect row 8; effect placement $sigma; placement $rows")
-        same "probability at $sigma" "$(values probability <<<"$answer")" "$probability"
-        same "low at $sigma" "$(values low <<<"$answer")" "$low"
-        same "high at $sigma" "$(values high <<<"$answer")" "$high"
-    done
-    same 'on one processor' "$(cat likely)" "$(csv 'set threads 1; effect row 8; effect placement 5 mm; plot placement 150')"
-    same 'the effect may be off' 14 "$(csv 'effect row 8; plot placement 20' | wc -l)"
-}
-
 # bats test_tags=sweeps,explain
 @test "plot sweep: the data agree with sweep; a sweep into a picture file is drawn" {
     same csv "$(csv 'sweep s 0.2 0.6 5 : rmax')" "$(csv 'plot sweep s 0.2 0.6 5 : rmax')"
@@ -241,15 +220,13 @@ END
     wrong 'plot sweep fuel exact, paper : rmax' "the values of 'fuel' are words, but a curve needs numbers"
     wrong 'plot sweep s 0.1, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8 d 0.1 0.3 8 : rmax' 'a map needs evenly spaced numbers'
     wrong 'plot sweep r 3 4 3 : duration > a.svg' 'none of the 3 points has a number'
-    for what in fall speed gaps placement; do
+    for what in fall speed; do
         wrong "plot $what > a.svg" "there is no row"
     done
-    wrong 'effect row 1; plot gaps > a.svg' 'a row of one domino has no gap'
     wrong 'effect row 1; plot speed > a.svg' "this plot needs at least two dominoes; 'set row 5' sets up five"
     wrong 'effect row 1; plot fall' 'the only domino of this row starts past its tipping point, so it needs no energy to fall'
     wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'runs this row because bounce is on, and the engine does not compute the energy that a domino needs'
     wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the front has no speed, because the fall ends before domino 2 is hit'
-    wrong 'set d 0.3; effect row 5; plot placement > a.svg' "fewer than half of the rows fall"
     for what in 'energy > a.svg' omega chain inertia; do
         wrong "set s 0.001; plot $what" 'the fuel P is not positive'
         wrong "set r 9; plot $what" 'r s = 3.6 > 1'

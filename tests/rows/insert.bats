@@ -35,7 +35,7 @@ four() {
     same 'at the end' '0.048 0.072 0.072' "$(column height 'set row 2; insert 3')"
     same 'at the beginning: the second domino gets a gap' '0 0.0192 0.0288' "$(column gap 'set row 2; insert 1')"
     same 'one domino' '0 0.0192' "$(column gap 'set row 1; insert 2')"
-    same people 'domino 2: 7.2 cm tall and 1.05 cm thick, 2.88 cm after domino 1; the row has 4.' "$(echo 'set row 3; insert 2' | "$DOMINO")"
+    same people 'domino 2: 7.2 cm tall and 1.05 cm thick; the row has 4.' "$(echo 'set row 3; insert 2' | "$DOMINO")"
     same 'copies of changes' '0.009 0.009' "$(column thickness 'set row 2; change 2 thickness 9 mm; insert 2; remove 1')"
 }
 

@@ -86,7 +86,6 @@ animate |speed rate tower
 animate speed 2 r|rate
 plot f|fit fall
 plot fall |(nothing)
-plot placement |(nothing)
 plot growth |(nothing)
 plot sweep fr|friction
 plot sweep s 0.1 0.3 3 : rm|rmax

@@ -38,7 +38,7 @@ same_at_the_prompt() { # FORMAT
 @test "^C in a history search ends the search" { prompt interrupt_search; }
 @test "^C stops a long computation" { prompt interrupt_computation; }
 @test "^C drops the rest of the line" { prompt interrupt_rest; }
-@test "^C in a budget: the answer so far, with its interval" { prompt interrupt_budget; }
+@test "^C stops a search that writes no rows" { prompt interrupt_silent; }
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
 @test "^C stops gnuplot while it draws an animation, and leaves no file" { prompt interrupt_animation; }
 @test "animate at a terminal: space stops, the right arrow shows the next frame, q ends; a file says what it has" { prompt play; }

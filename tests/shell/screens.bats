@@ -16,7 +16,7 @@ setup() {
 on_terminal() { # COLUMNS ROWS COMMANDS
     python3 "$BATS_TEST_DIRNAME/terminal.py" "$1" "$2" env PATH="${programs:-$PATH}" "$DOMINO" -n -e "$3"
 }
-scenes=('plot growth' 'effect row 6; effect friction 0.1; plot fall' 'effect row 6; effect friction 0.1; plot gaps'
+scenes=('plot growth' 'effect row 6; effect friction 0.1; plot fall'
     'effect row 8; plot speed' 'plot sweep q 3, 4 s 0.2 0.8 13 : rmax' 'plot sweep s 0.1 0.9 9 d 0.05 0.4 8 : rmax')
 
 screens() {
@@ -78,7 +78,7 @@ screens() {
     done
     grep -q '#' "$BATS_TEST_TMPDIR/screen" # a console has no braille
     same 'no colour on a dumb terminal' '(nothing)' "$(TERM=dumb on_terminal 80 24 "$scene" | grep -o $'\x1b' | head -1)"
-    differ 'a map in colour' "$(on_terminal 80 24 "${scenes[5]}" | grep -c '▀')" 0
+    differ 'a map in colour' "$(on_terminal 80 24 "${scenes[4]}" | grep -c '▀')" 0
 }
 
 @test "a terminal gets characters, whatever it can show, and no program is run for them" {

@@ -139,49 +139,6 @@ TEST(friction_with_edges)
     }
 }
 
-/* An engine in which rows fall in 10 s if their growth is at most `most`, or which cannot decide. */
-struct fake {
-    double most;
-    bool decides;
-};
-
-static enum dom_status fake_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
-                                dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
-{
-    (void)compute, (void)visit, (void)context;
-    const struct fake *fake = row->engine->context;
-    bool falls = (row->domino[1].height / row->domino[0].height) <= fake->most;
-    *verdict =
-        (struct dom_verdict){.end = falls ? DOM_ROW_FALLS : DOM_ROW_STOPS, .seconds = times ? 10 : DOM_NAN};
-    return fake->decides ? DOM_OK : DOM_NOT_CONVERGED;
-}
-
-/* Checks that dominoes are added until the row also falls in the engine that the wish names. */
-TEST(engine_decides)
-{
-    struct dom_train train = dom_train_default();
-    struct fake fake = {HUGE_VAL, true};
-    const struct dom_engine engine = {fake_run, &fake};
-    struct dom_design free, d;
-    struct dom_wish w = wish_of(5, 1.5, HUGE_VAL);
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &free), DOM_OK);
-    assert_true(free.seconds > 0 && free.seconds != 10); /* the time in the model */
-    w.engine = &engine;
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
-    assert_true(d.s == free.s && d.steps == free.steps && d.seconds == 10);
-    fake.most = free.r * 0.999;
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
-    assert_int_equal(d.limit, DOM_DESIGN_FITS);
-    assert_int_equal(d.steps, free.steps + 1);
-    assert_true(d.r <= fake.most && d.row >= w.safety);
-    fake.most = 1.001;
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
-    assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
-    fake = (struct fake){HUGE_VAL, false};
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
-    assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
-}
-
 /* Checks that `needs` makes an impossible wish possible, and that a slightly smaller number does not. */
 TEST(needs_are_enough)
 {

@@ -11,48 +11,6 @@ static void alike(struct run *seen, size_t count)
     seen->row.push = 5;
 }
 
-/* A dom_parallel that runs the tasks of the first *pool calls. Later calls report an interrupt. */
-static enum dom_status few_studies(size_t count, dom_task *task, void *context, void *pool)
-{
-    int *left = pool;
-    if ((*left)-- <= 0)
-        return DOM_INTERRUPTED;
-    for (size_t i = 0; i < count; i++)
-        task(i, context);
-    return DOM_OK;
-}
-
-/* Checks that an interrupted search returns the bounds that are known, which become closer with each
- * study. */
-TEST(budget_interrupted)
-{
-    struct domq_domino domino[6];
-    struct setup train = setup_default();
-    const struct domq_scale scale = domq_scale_default();
-    train.s = 0.3;
-    train.r = 1.3;
-    ask_row_of_train(&train, &scale, 0.01, domino, 6);
-    const struct row_setup row = row_setup_default(domino, 6, 5);
-    struct dom_placement p = {.seed = 5, .rows = 40};
-    struct dom_budget whole, part;
-    assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &whole), DOM_OK);
-    p.parallel = few_studies;
-    int known = 0, bounded = 0;
-    for (int studies = 0; studies < 18; studies++) {
-        int left = studies;
-        p.pool = &left;
-        part = (struct dom_budget){.sigma = -1};
-        assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &part), DOM_INTERRUPTED);
-        if (part.sigma == -1)
-            continue;
-        assert_true(part.sigma == part.low && part.low <= whole.sigma && whole.sigma <= part.high);
-        known++;
-        bounded += part.high < 1.5 * part.low;
-    }
-    print_message("# %d known, %d bounded\n", known, bounded);
-    assert_true(known >= 5 && bounded >= 3);
-}
-
 /* Checks the budget of a row, also with too few rows for the probability, and the budget of a row that stops
  * even without errors. */
 TEST(budgets)

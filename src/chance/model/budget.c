@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds how large random errors may be if a row must fall with a given probability. */
 #include "chance/model/draw.h"
-#include "search/edge.h"
+#include "search/trial.h"
 #include <math.h>
 
 enum { BUDGET_SEEN = 128 };
@@ -15,8 +15,6 @@ struct budget {
     double widest; /* the largest sigma that is tried */
     double share;  /* the share of the rows that must fall */
     enum dom_status status;
-    /* bounds on sigma: enough rows fall at `lo`, too few at `hi` */
-    double lo, hi;
     /* A cache of the latest results. It saves time because the searches for sigma and for both ends of its
      * confidence interval begin with the same values of sigma. */
     struct {
@@ -58,10 +56,7 @@ static bool enough_fall(double sigma, double *spare, void *context)
         return false;
     if (sigma < 1e-9 / 4096 * b->widest) /* errors this small are negligible in a real row */
         return true;
-    const bool enough = fall_share(b, sigma) >= b->share && b->status == DOM_OK;
-    if (b->status == DOM_OK)
-        *(enough ? &b->lo : &b->hi) = sigma;
-    return enough;
+    return fall_share(b, sigma) >= b->share && b->status == DOM_OK;
 }
 
 /* Finds the largest sigma at which the share b->share of the rows falls, to a relative tolerance of 1e-3. If
@@ -69,8 +64,6 @@ static bool enough_fall(double sigma, double *spare, void *context)
 static double sigma_find(struct budget *b)
 {
     double lo = 0, hi = b->widest / 4096;
-    b->lo = 0;
-    b->hi = HUGE_VAL;
     for (; enough_fall(hi, NULL, b); hi *= 2) {
         if (hi >= b->widest)
             return HUGE_VAL;
@@ -120,8 +113,6 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
     struct dom_budget found = {.low = 0};
     b.share = share;
     found.sigma = sigma_find(&b);
-    if (b.status == DOM_INTERRUPTED && b.lo > 0)
-        *budget = (struct dom_budget){.sigma = b.lo, .low = b.lo, .high = b.hi};
     if (b.status != DOM_OK)
         return b.status;
     b.share = many / N;
@@ -130,9 +121,7 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
     b.share = few / N;
     if (b.status == DOM_OK)
         found.high = sigma_find(&b);
-    if (b.status == DOM_INTERRUPTED && found.sigma > 0)
-        found.low = found.high = found.sigma;
-    if (b.status == DOM_OK || (b.status == DOM_INTERRUPTED && found.sigma > 0))
+    if (b.status == DOM_OK)
         *budget = found;
     return b.status;
 }

@@ -15,16 +15,15 @@
 #include "search/trial.h"
 #include <stdlib.h>
 
-/* In the first search, k is a multiple of COARSE. A search for a separation takes steps of STEP, or of
- * STEP_OF_ENGINE with an engine, which is about a thousand times slower than the model. */
-enum { GRID = 1000, COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
+/* In the first search, k is a multiple of COARSE. A search for a separation takes steps of STEP. */
+enum { GRID = 1000, COARSE = 20, STEP = 10 };
 
 /*
  * A search begins with the smallest number of dominoes that may suffice. It adds at most MORE dominoes. The
  * search for the shortest row can end earlier: once it has found a row, it gives up after LONGER successive
- * attempts that do not find a shorter one, or LONGER_IN_ENGINE with an engine.
+ * attempts that do not find a shorter one.
  */
-enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
+enum { MORE = 30, LONGER = 8 };
 
 /* A candidate row. Its separation is k / GRID, and it has steps + 1 dominoes. */
 struct choice {
@@ -48,10 +47,9 @@ struct planner {
     /* number of the weakest domino in the last run, counted from 1: the domino with the smallest ratio of
      * kinetic energy to barrier; the first domino does not count, because its energy depends on the push */
     size_t weakest;
-    double least;                   /* ratio of kinetic energy to barrier of `weakest` */
-    struct choice pushed;           /* the row for which a push is searched */
-    double seconds, engine_seconds; /* duration of the last run in the model and in the engine */
-    bool engine_refused; /* true if a row was safe enough in the model but did not fall in the engine */
+    double least;         /* ratio of kinetic energy to barrier of `weakest` */
+    double seconds;       /* duration of the last run */
+    struct choice pushed; /* the row for which a push is searched */
 };
 
 /* Returns the growth that leads from the first height to the last in `steps` steps. */
@@ -101,15 +99,10 @@ static double train_ratio(struct planner *p, double s, double r)
 }
 
 /* Returns a row with the `count` dominoes that row_write wrote last. */
-static struct dom_row row_of(const struct planner *p, size_t count, double push,
-                             const struct dom_engine *engine)
+static struct dom_row row_of(const struct planner *p, size_t count, double push)
 {
-    struct dom_row row = {.domino = p->domino,
-                          .count = count,
-                          .g = p->wish->g,
-                          .push = push,
-                          .release = p->wish->release,
-                          .engine = engine};
+    struct dom_row row = {
+        .domino = p->domino, .count = count, .g = p->wish->g, .push = push, .release = p->wish->release};
 #define VALUE(effect, member, status) row.member = p->train.member;
     DOM_DYNAMICS(VALUE)
 #undef VALUE
@@ -142,7 +135,7 @@ static bool row_write(struct planner *p, struct choice c)
     dom_row_of_train(&p->train, &scale, mass, p->domino, count);
     p->domino[c.steps].height = p->wish->height;
     p->domino[c.steps].width = p->train.width * p->wish->height;
-    const struct dom_row row = row_of(p, count, p->wish->push, NULL);
+    const struct dom_row row = row_of(p, count, p->wish->push);
     for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
         struct dom_domino *d = &p->domino[k], *first = p->domino;
         d->mass = mass * wood_volume(&row, d) / wood_volume(&row, first);
@@ -177,7 +170,7 @@ static double row_ratio(struct planner *p, struct choice c, double push, bool ti
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
     if (p->status != DOM_OK || !row_write(p, c))
         return 0;
-    const struct dom_row row = row_of(p, c.steps + 1, push, NULL);
+    const struct dom_row row = row_of(p, c.steps + 1, push);
     struct dom_compute compute = p->compute;
     enum dom_status status;
     do {
@@ -221,8 +214,6 @@ static int widest(const struct planner *p, size_t steps, double hall)
     return s >= 1 ? GRID : s > 0 ? (int)floor(s * GRID) : 0;
 }
 
-typedef bool choice_test(struct planner *p, struct choice c);
-
 /* Returns true if the row fits into the hall and is safe enough, and so is an endless train of such
  * dominoes. */
 static bool enough(struct planner *p, struct choice c)
@@ -230,22 +221,6 @@ static bool enough(struct planner *p, struct choice c)
     return train_ratio(p, (double)c.k / GRID, growth_of(p, c.steps)) >= p->wish->safety &&
            row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
            (!p->limits || feet_of(p, c) + p->wish->height <= p->hall);
-}
-
-/* Returns true if the row also falls in the engine. If the engine cannot decide whether it falls, returns
- * false. */
-static bool enough_in_engine(struct planner *p, struct choice c)
-{
-    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
-    if (!enough(p, c))
-        return false;
-    const struct dom_row row = row_of(p, c.steps + 1, p->wish->push, p->wish->engine);
-    enum dom_status status = dom_row_run(&row, &p->compute, true, NULL, NULL, &verdict);
-    const bool falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
-    p->engine_seconds = verdict.seconds;
-    p->engine_refused |= !falls;
-    p->status = status == DOM_NOT_CONVERGED ? DOM_OK : status;
-    return falls;
 }
 
 /* ---- The separation ---- */
@@ -289,16 +264,16 @@ static double separation_find(struct planner *p, int *best)
     return most;
 }
 
-/* Searches for a separation k / GRID at which the row passes the test. Starts at k, or at `most` if k is
- * larger. Moves away from there in both directions, in steps of `step`, but not beyond `most`. Returns the
- * first k at which the row passes, or 0 if there is none. */
-static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
+/* Searches for a separation k / GRID at which the row is safe. Starts at k, or at `most` if k is larger.
+ * Moves away from there in both directions, in steps of STEP, but not beyond `most`. Returns the first k at
+ * which the row is safe, or 0 if there is none. */
+static int nearest(struct planner *p, size_t steps, int k, int most)
 {
     int from = k < most ? k : most;
-    for (int away = 0; p->status == DOM_OK && (from - away > 0 || from + away <= most); away += step)
+    for (int away = 0; p->status == DOM_OK && (from - away > 0 || from + away <= most); away += STEP)
         for (int side = -1; side <= (away ? 1 : -1); side += 2) {
             struct choice c = {from + side * away, steps};
-            if (c.k > 0 && c.k <= most && test(p, c))
+            if (c.k > 0 && c.k <= most && enough(p, c))
                 return c.k;
         }
     return 0;
@@ -328,18 +303,15 @@ static int closest(struct planner *p, size_t steps, int good)
 static double row_search(struct planner *p, size_t fewest, int k, bool shortest, struct choice *best)
 {
     double length = HUGE_VAL;
-    size_t longer = 0, longer_most = p->wish->engine ? LONGER_IN_ENGINE : LONGER;
+    size_t longer = 0;
     p->hall = shortest ? HUGE_VAL : p->wish->hall;
-    for (size_t n = fewest; n <= fewest + MORE && longer < longer_most && p->status == DOM_OK; n++) {
+    for (size_t n = fewest; n <= fewest + MORE && longer < LONGER && p->status == DOM_OK; n++) {
         const int most = shortest ? GRID : widest(p, n, p->hall);
         if (most <= 0 || widest(p, n, length) == 0)
             break; /* a row with more dominoes would be too long, too */
-        struct choice c = {nearest(p, n, k, most, STEP, enough), n};
+        struct choice c = {nearest(p, n, k, most), n};
         if (c.k > 0 && shortest)
             c.k = closest(p, n, c.k);
-        if (c.k > 0 && p->wish->engine)
-            c.k =
-                nearest(p, n, c.k, shortest ? widest(p, n, length) : most, STEP_OF_ENGINE, enough_in_engine);
         const double found = c.k > 0 ? feet_of(p, c) + p->wish->height : HUGE_VAL;
         longer = found < length || !isfinite(length) ? 0 : longer + 1;
         if (!(found < length))
@@ -402,8 +374,6 @@ static struct choice design_search(struct planner *p, struct dom_design *found)
     if (isfinite(length)) {
         found->limit = DOM_DESIGN_HALL;
         found->needs = length;
-    } else if (p->engine_refused) {
-        found->limit = DOM_DESIGN_ENGINE;
     } else if (p->status == DOM_OK) {
         found->limit = DOM_DESIGN_START;
         found->needs = push_find(p, (struct choice){best, fewest});
@@ -461,8 +431,6 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
         found.limit = DOM_DESIGN_FAILED;
         found.needs = p.failed_s;
     }
-    if (p.status == DOM_OK && c.k > 0 && wish->engine)
-        (void)enough_in_engine(&p, c); /* for the time in the engine */
     if (p.status == DOM_OK && c.k > 0) {
         p.compute = final; /* the answer has the requested tolerance */
         found.s = (double)c.k / GRID;
@@ -472,7 +440,7 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
         found.train = ratio > 0 ? ratio : DOM_NAN;
         found.row = least > 0 ? least : DOM_NAN;
         found.weakest = p.weakest;
-        found.seconds = wish->engine ? p.engine_seconds : p.seconds;
+        found.seconds = p.seconds;
         found.feet = feet_of(&p, c);
         found.length = found.feet + wish->height;
     }

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plots 'fall', 'speed' and 'gaps': energies, speeds and windows of gaps along the row. */
-#include "io/terminal.h"
+/* The plots 'fall' and 'speed': energies and speeds along the row. */
 #include "language/text.h"
 #include "pictures/plots/plots.h"
 #include "train/falling.h"
@@ -177,86 +176,6 @@ static bool plot_speed(const struct query *query, struct answer *a, struct chart
     return done;
 }
 
-/* ---- Windows of the gaps ---- */
-
-/* Returns by how much a gap must change to reach the nearer end of its window. The window is the range of
- * sizes of this gap at which the row falls if no other gap changes. Returns infinity if the gap has no
- * window. */
-static double window_room(const struct dom_window *w)
-{
-    double room = fmin(fabs(w->low - w->now), fabs(w->high - w->now));
-    return isnan(room) ? HUGE_VAL : room;
-}
-
-/* Writes the note below the chart: which gap has the tightest limits or, if the row does not fall, which gap
- * needs the smallest change to save the row. */
-static void gaps_note(const struct dom_window *w, size_t count, bool falls, struct chart *chart)
-{
-    const struct dom_window *t = w;
-    for (size_t i = 1; i < count; i++)
-        t = window_room(&w[i]) < window_room(t) ? &w[i] : t;
-    if (window_room(t) == HUGE_VAL)
-        snprintf(chart->note, sizeof chart->note,
-                 "The row does not fall, and the search found no change of a single gap that saves it.");
-    else if (falls)
-        snprintf(chart->note, sizeof chart->note,
-                 "The gap before domino %zu has the tightest limits: it is %.30s, and may be %.30s narrower "
-                 "or %.30s wider.",
-                 t->domino, measured(t->now, "m", 3).text, measured(t->now - t->low, "m", 3).text,
-                 measured(t->high - t->now, "m", 3).text);
-    else
-        snprintf(chart->note, sizeof chart->note,
-                 "The row does not fall, but it would fall with a gap of %.30s to %.30s before domino %zu.",
-                 measured(t->low, "m", 3).text, measured(t->high, "m", 3).text, t->domino);
-}
-
-static void gaps_chart(const struct dom_window *w, size_t count, struct chart *chart)
-{
-    double widest = 0, narrowest = HUGE_VAL, lowest = HUGE_VAL;
-    bool falls = false;
-    for (size_t i = 0; i < count; i++) {
-        const double gap = w[i].now;
-        widest = fmax(widest, gap);
-        narrowest = gap > 0 ? fmin(narrowest, gap) : narrowest;
-        lowest = w[i].low > 0 ? fmin(lowest, w[i].low) : lowest;
-        falls = falls || (w[i].low <= w[i].now && w[i].now <= w[i].high);
-    }
-    gaps_note(w, count, falls, chart);
-    chart->x.whole = true;
-    chart->y.logarithmic = widest > 3 * narrowest;
-    chart->y.low = chart->y.logarithmic ? fmin(lowest, narrowest) / 1.5 : 0;
-}
-
-static bool plot_gaps(const struct query *query, struct answer *a, struct chart *chart,
-                      struct problem *problem)
-{
-    struct scene_row scene;
-    struct double_row made;
-    a->in_double = true;
-    if (!scene_row_make(query->scene, &scene, problem))
-        return false;
-    size_t count = scene.row.count - 1;
-    struct dom_window *w = calloc(count ? count : 1, sizeof *w);
-    enum dom_status status = scene_row_in_double(&scene, &made);
-    if (status == DOM_OK)
-        status = w ? dom_row_windows(&made.row, &made.compute, DOM_WINDOW_GAP, progress_count, NULL, w)
-                   : DOM_NO_MEMORY;
-    bool done = status == DOM_OK && count > 0;
-    if (status != DOM_OK)
-        row_status(query, problem, status);
-    else if (!done)
-        problem_no_answer(problem, "a row of one domino has no gap");
-    else if (chart)
-        gaps_chart(w, count, chart);
-    for (size_t i = 0; i < count && done; i++)
-        answer_cells(a, cell_count((domq_real)w[i].domino), cell_real(w[i].now), cell_real(w[i].low),
-                     cell_real(w[i].high));
-    free(made.domino);
-    free(scene.domino);
-    free(w);
-    return done;
-}
-
 #define DOMINO COLUMN("domino", "", "number of the domino, from 1", 6)
 static const struct column fall_columns[] = {
     DOMINO,
@@ -273,14 +192,6 @@ static const struct column speed_columns[] = {
     {"speed", "m/s", "speed of the front from this domino to the next one", 0},
     {NULL, NULL, NULL, 0},
 };
-static const struct column gaps_columns[] = {
-    DOMINO,
-    {"gap", "m", "gap before the domino, as planned", 0},
-    {"low", "m", "lower end of the range of gaps at which all dominoes fall", 0},
-    {"high", "m", "upper end of the range of gaps at which all dominoes fall", 0},
-    {NULL, NULL, NULL, 0},
-};
-
 const struct plot row_plots[] = {
     {"fall", plot_fall, "how much energy each domino of the row has to spare", fall_columns,
      .title = "Energy to spare, domino by domino", .x = {"domino", "domino"},
@@ -289,9 +200,5 @@ const struct plot row_plots[] = {
     {"speed", plot_speed, "how fast the fall runs along the row", speed_columns,
      .title = "Speed of the front along the row", .x = {"place", "distance from the first domino"},
      .y = {"speed", "speed"}, .curve = {{"speed", "", CHART_STEPS, INK_BLUE}}},
-    {"gaps", plot_gaps, "how far each gap may be off", gaps_columns,
-     .title = "How far each gap may be off if all others are as planned",
-     .x = {"domino", "gap before domino"}, .y = {"gap", "gap"},
-     .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
     {.name = NULL},
 };

@@ -1,15 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A trial changes one value of a row and runs the row to see whether all dominoes fall. A series of trials
- * finds an edge: on one side of the edge, all dominoes fall, and on the other side, some do not. */
+ * finds an edge: a value on whose one side all dominoes fall, and on whose other side some do not. */
 #ifndef DOM_TRIAL_H
 #define DOM_TRIAL_H
 
 #include "entry/study.h"
 #include "numerics/decimal.h"
 #include "numerics/real.h"
-#include "search/edge.h"
 #include <stdlib.h>
 #include <string.h>
+
+/* ---- Edges ---- */
+
+/* Tests a value. If a number is known that is positive where the test is true, negative where it is false,
+ * and that changes smoothly near the edge, the test may write it to *spare. */
+typedef bool edge_test(double x, double *spare, void *context);
+
+/*
+ * Searches for the edge between two values. At the value `good`, the test is true, and at the value `bad`, it
+ * is false. The search moves these two values closer and closer together, until their distance is at most
+ * `tol` times the larger of their sizes. If `digit` > 0, it tries only multiples of `digit`, and stops when
+ * none lies between the two values. Returns the last value of `good`, and sets *bad to the last value of
+ * `bad`.
+ */
+double edge_find(edge_test *test, void *context, double good, double *bad, double digit, double tol);
+
+/* ---- Trials ---- */
 
 /* A series of trials. If an error occurs, `status` is set to a value other than DOM_OK. From then on, no more
  * rows are run, and all trials return false. */

@@ -1,1 +1,0 @@
-NEEDS_chance_pictures := chance pictures
