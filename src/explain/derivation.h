@@ -53,8 +53,7 @@ extern const struct derived derived_list[];
 
 /* A question of the command 'explain', and the quantities that answer it. */
 struct explained {
-    const char
-        *name; /* a command, or an equation of the paper by its number and its label, such as "24; c6" */
+    const char *name;
     /* "theta", "s" or "H" if the user can type a value of this quantity after the question, as in
      * 'explain omega 0.2'. NULL if the question takes no value. */
     const char *value;
@@ -62,7 +61,21 @@ struct explained {
 };
 extern const struct explained explained_list[];
 
-/* A names_list of the questions that are commands. */
+/* An equation of the paper, by its label, and the quantities that it gives: what it defines, or its two
+ * sides. The paper's form may need more than a train that falls. */
+struct explained_label {
+    struct explained explained; /* its name is the label */
+    enum needs {
+        HOLDS,          /* derived_list has forms for trains with effects */
+        BARE,           /* no effects, and the exact fuel */
+        PAIR,           /* as BARE, and domino 1 tips over before it hits (5; b0) */
+        LEANING,        /* as BARE, and domino 2 leans on domino 1 at this tilt */
+        LEANING_AT_HIT, /* as LEANING, but when the head is hit, at the tilt 0 */
+    } needs;
+};
+extern const struct explained_label explained_labels[];
+
+/* A names_list of the questions. */
 const char *explained_names(const void *context, int k);
 
 /* ---- A derivation ---- */
@@ -86,7 +99,7 @@ struct step {
 struct derivation {
     struct query query; /* a query about the member `state` */
     /* A copy of the session's state, with changes. It shares memory with the original. */
-    struct state state;
+    struct state *state;
     struct problem *problem;
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
@@ -105,7 +118,8 @@ struct derivation {
 /* Makes the steps of a derivation: one for each quantity that the answer to the question depends on. The
  * caller must call derivation_end, even after a failure. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
-                     const struct explained *explained, domq_real value, struct problem *problem);
+                     const struct explained *explained, domq_real value, struct state *state,
+                     struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
 /* Evaluates an expression of the calculator, such as "launch.J0", in the state of a query. Sets *value to NaN

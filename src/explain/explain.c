@@ -38,41 +38,51 @@ static const char *deep_names(const void *context, int k)
     return k == 0 ? "deep" : NULL;
 }
 
-/* Returns the question for an equation, by its number or its label, or -1. */
-static int label_find(const char *word, size_t length)
+enum { LABELS = 1000 /* question LABELS + k is equation k of explained_labels */ };
+
+static const struct explained *explained_at(domq_real number)
 {
-    for (int k = 0; explained_list[k].name; k++) {
-        const char *name = explained_list[k].name, *label = strstr(name, "; ");
-        const size_t digits = label ? (size_t)(label - name) : 0;
-        if (label && ((length == digits && strncmp(name, word, length) == 0) ||
-                      (length == strlen(label + 2) && strncmp(label + 2, word, length) == 0)))
-            return k;
-    }
-    return -1;
+    return number >= LABELS ? &explained_labels[(int)number - LABELS].explained
+                            : &explained_list[(int)number];
 }
 
-/* Parses the name of a command, or an equation of the paper, as in 'explain c6' and 'explain 24', which may
- * be in parentheses. */
+/* Returns true if the word can be the number or the label of an equation, such as 24, c6 or A18. */
+static bool is_label(const char *word, size_t length)
+{
+    const size_t letters = isalpha((unsigned char)*word) ? 1 : 0;
+    return length > letters && length <= 3 && strspn(word + letters, "0123456789") >= length - letters;
+}
+
+/* Parses the name of a command, or an equation of the paper, as in 'explain c6' and 'explain 24'. */
 static bool what_parse(struct reader *r, struct question *q)
 {
     static const struct argument what = {.name = "WHAT", .noun = "question", .choices = explained_names};
     struct item *item = &q->item[0];
-    const bool opens = *r->at == '(';
-    const char *begin = r->at + opens;
+    const char *begin = r->at + (*r->at == '('), *shown = r->at;
     const size_t length = strcspn(begin, " \t\r\f\v);>#");
-    const int k = r->offer ? -1 : label_find(begin, length);
-    if (k < 0) {
+    if (r->offer || !is_label(begin, length)) {
         if (item_parse_choice(r, &what, item))
             return true;
         if (strstr(r->problem->text, "use one of"))
             text_add(r->problem->text, sizeof r->problem->text,
-                     ", or an equation of the paper that a command computes, such as c7");
+                     "; an equation is named by its label in the paper, as in 'explain c7'");
         return false;
     }
-    *item = (struct item){.at = r->at, .number = k};
+    *item = (struct item){.at = r->at};
     reader_place(r, r->at);
-    r->at = begin + length + (opens && begin[length] == ')');
-    return true;
+    r->at = begin + length + (begin > shown && begin[length] == ')');
+    const int number = isdigit((unsigned char)*begin) ? atoi(begin) : 0;
+    for (int k = 0; explained_labels[k].explained.name; k++) {
+        const char *label = explained_labels[k].explained.name;
+        if (number == k + 1 || (strlen(label) == length && strncmp(label, begin, length) == 0)) {
+            item->number = LABELS + k;
+            return true;
+        }
+    }
+    return problem_error(r->problem,
+                         "the paper has no equation (%.*s), only (1; a1) to (59; e8), which 'man "
+                         "domino-model' lists",
+                         (int)length, begin);
 }
 
 static const struct argument *value_argument(const struct explained *e)
@@ -89,7 +99,7 @@ static const struct argument *value_argument(const struct explained *e)
 static bool explain_parse(struct reader *r, struct question *q)
 {
     static const struct argument deep = {.name = "deep", .noun = "word", .choices = deep_names};
-    const struct explained *e = &explained_list[(int)q->item[0].number];
+    const struct explained *e = explained_at(q->item[0].number);
     struct explain_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     struct item word;
     if (!p)
@@ -158,30 +168,78 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
 
 /* ---- The command ---- */
 
+/* Writes the derivation as text, or as rows of csv or json. */
+static bool explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
+                           const struct explain_arguments *bound, struct problem *problem)
+{
+    if (answer_for_people(a))
+        return explain_write(a, d, e, bound, problem);
+    for (int k = 0; k < d->count; k++)
+        if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1))
+            step_row(a, d, &d->step[k]);
+    return true;
+}
+
+/* Checks that an equation of the paper holds for this train, at this tilt of the head. */
+static bool label_holds(const struct query *query, const struct explained_label *l, domq_real tilt,
+                        struct problem *problem)
+{
+    const struct domq_train *train = &query->scene->train;
+    const struct domq_effect *effect = domq_first_effect(train);
+    const char *label = l->explained.name;
+    struct domq_angles angles;
+    struct domq_contact contact;
+    if (l->needs == HOLDS)
+        return true;
+    if (effect)
+        return problem_no_answer(problem, "equation (%s) does not include %s; first enter 'set %s off'",
+                                 label, effect->name, effect->name);
+    if (train->fuel == DOM_FUEL_PAPER)
+        return problem_no_answer(problem, "equation (%s) needs the exact fuel; first enter 'set fuel exact'",
+                                 label);
+    enum dom_status status = any_angles_find(train, &query->scene->compute, &angles);
+    if (status == DOM_OK)
+        status = any_contact_find(train, &query->scene->compute, l->needs == LEANING ? tilt : 0, &contact);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    if (l->needs == PAIR && angles.theta_u >= angles.theta_c)
+        return problem_no_answer(problem, "(5; b0) does not hold: domino 1 hits before it tips over; first "
+                                          "enter a larger s");
+    if (l->needs >= LEANING && angles.detaches && contact.theta_1 >= angles.theta_leave)
+        return problem_no_answer(
+            problem, "equation (%s) has no value at this tilt, because domino 2 has slid off domino 1",
+            label);
+    return true;
+}
+
 static bool run_explain(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct explained *e = &explained_list[(int)query->given->number[0]];
-    struct explain_arguments asked = {.value = DOMQ_NAN};
-    struct domq_angles angles;
-    if (query->given->bound)
-        asked = *(const struct explain_arguments *)query->given->bound;
+    const struct explained *e = explained_at(query->given->number[0]);
+    const struct explain_arguments *bound = query->given->bound;
+    struct explain_arguments none = {.value = DOMQ_NAN};
     /* An equation is about the tilt in the middle of the cycle if no tilt is given. */
-    if (strchr(e->name, ';') && e->value && isnan(asked.value) &&
-        any_angles_find(&query->scene->train, &query->scene->compute, &angles) == DOM_OK)
-        asked.value = angles.theta_c / 2;
-    if (e->value && strcmp(e->value, "s") != 0 && isnan(asked.value))
+    struct domq_angles angles;
+    if (query->given->number[0] >= LABELS && e->value && !bound &&
+        any_angles_find(&query->scene->train, &query->scene->compute, &angles) == DOM_OK) {
+        none.value = angles.theta_c / 2;
+        bound = &none;
+    }
+    if (e->value && strcmp(e->value, "s") != 0 && (!bound || isnan(bound->value)))
         return problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,
                              e->name, strcmp(e->value, "H") == 0 ? "112 m" : "0.2");
+    if (query->given->number[0] >= LABELS &&
+        !label_holds(query, &explained_labels[(int)query->given->number[0] - LABELS],
+                     bound ? bound->value : DOMQ_NAN, problem))
+        return false;
+    bound = bound ? bound : &none;
     struct derivation *d = calloc(1, sizeof *d);
-    if (!d)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    bool done = derivation_make(d, query, e, asked.value, problem);
-    if (done && answer_for_people(a))
-        done = explain_write(a, d, e, &asked, problem);
-    for (int k = 0; k < d->count && done && !answer_for_people(a); k++)
-        if (d->step[k].depth <= (asked.deep ? STEPS_MOST : 1))
-            step_row(a, d, &d->step[k]);
-    derivation_end(d);
+    struct state *state = malloc(sizeof *state);
+    bool done = d && state ? derivation_make(d, query, e, bound->value, state, problem)
+                           : problem_status(problem, query->scene, DOM_NO_MEMORY);
+    done = done && d && explain_answer(a, d, e, bound, problem);
+    if (d)
+        derivation_end(d);
+    free(state);
     free(d);
     return done;
 }
@@ -203,8 +261,8 @@ const struct command explain_commands[] = {
                    .choices = deep_names}},
      .summary = "where a number comes from: its equations, with numbers filled in",
      .help =
-         "WHAT is a command, such as barrier, or an equation of the paper that a command computes, by its "
-         "label or number, such as c6 or 24. For each quantity of its answer, 'explain' shows the "
+         "WHAT is a command, such as barrier, or an equation of the paper by its label or number, such as "
+         "c6 or 24, from a1 to e8. For each quantity of its answer, 'explain' shows the "
          "equation in symbols and with numbers, and the value; 'details' lists the quantities in the "
          "equation. With 'deep' at the end, these quantities are explained as well, down to the "
          "parameters. The values are the ones that the commands themselves print. With theta1, energy "

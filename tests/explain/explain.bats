@@ -174,11 +174,22 @@ c8|26|margin|barrier.margin
 A16|40|theta_inf|thetac.theta_inf
 A18|42|theta_f|thetac.theta_f
 END
+    # All equations of the paper answer, in the order of the man page.
+    answers=$("$DOMINO" -e "$(printf 'set output json; '; printf 'explain %s; ' {1..59})")
+    labels=$(sed -n '/^no\.  label/,/^\.Ed/s/^[0-9][0-9]*  *\([a-eA][0-9]*\) .*/\1/p' "$root/man/domino-model.7")
+    same labels 59 "$(wc -l <<<"$labels")"
+    same 'by label' "$answers" "$("$DOMINO" -e "set output json; $(sed 's/.*/explain &;/' <<<"$labels")")"
+    same 'the answer has no empty value' 0 "$(grep '"depth":0' <<<"$answers" | grep -c '"value":null')"
+    close 'collision' "$(json 'print launch.J0*launch.omega0' | values value)" "$(json 'explain c4' | grep c4_right | values value)" 1e-11
+    wrong 'explain 99' 'the paper has no equation \(99\), only \(1; a1\) to \(59; e8\)'
+    wrong 'set friction 0.2; explain c4' "equation \(c4\) does not include friction; first enter 'set friction off'"
+    wrong 'set s 0.05; explain b4' '\(5; b0\) does not hold: domino 1 hits before it tips over'
+    wrong 'set s 0.6; set r 1.6; set q hollow; explain A9 0.9' 'domino 2 has slid off domino 1'
     wrong 'explain c66x' "unknown question 'c66x'"
-    wrong 'explain e4' "unknown question 'e4'.*, or an equation of the paper that a command computes, such as c7$"
+    wrong 'explain P' "unknown question 'P'.*; an equation is named by its label in the paper, as in 'explain c7'$"
 }
 
-@test "explain: corrected equations say what the paper prints" {
+@test "explain: corrected equations say what the paper prints, and (41; A17) whether it holds" {
     while IFS='|' read -r commands words; do
         run -0 "$DOMINO" -e "$commands"
         grep -qF -- "$words" <<<"$output" || same "$commands" "$words" "$output"
@@ -186,6 +197,10 @@ END
 explain c7|(corrected):
 explain c7|      = 0.592292 mgh/2
 explain c8|The condition as the paper prints it, without the factor J(0) of K:
+explain d6|(corrected: the paper prints sine and cosine swapped):
+explain A17|(41; A17), which does not hold: no follower slides off
+explain A18|      = 0.99084
+set r 3; set s 0.3; explain A18|(41; A17), which holds: followers slide off
 explain rmax|which 'why' explains
 END
 }
