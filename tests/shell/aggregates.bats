@@ -48,7 +48,7 @@ let twice(x) = 2*x; print sum(twice(landmarks.height)) / sum(landmarks.height)|2
 print max(landmarks.height) to m|8848.86 m
 print count(landmarks.name) - count(landmarks.height)|0
 print sum(chain(0).weight / sum(chain(0).weight))|1
-print (sum(chain(0).arm_a) with s 0.3) - sum((chain(0).arm_a with s 0.3))|0
+set s 0.3; let a = sum(chain(0).arm_a); set s 0.4; print (sum(chain(0).arm_a) with s 0.3) - a|0
 print count(112 m) + count(112 m, 2)|32
 print max(3, 4) + min(3, 4)|7
 let sum(x) = 3*x; print sum(rmax) - 3*rmax|0
@@ -88,8 +88,9 @@ END
 7|print sum(rmax)|'sum' takes a column of a table
 7|print count(chain(0).weight > 0.1)|'sum.CONDITION.' counts the rows for which a condition is true
 11|print sum(landmarks.what)|landmarks.what consists of words, which only 'count' takes
-36|print sum(landmarks.height/(1 m) + chain(0).weight)|chain.weight has 12 rows and landmarks.height has 20; take columns of the same length
-31|print sum(landmarks.height * (chain(0).weight with s 0.4))|chain.weight has 12 rows
+36|print sum(landmarks.height/(1 m) + chain(0).weight)|'chain' is another table; all columns must be of one table
+26|print sum(chain(0).slope*chain(0.1).slope)|'chain' is another table; all columns must be of one table
+31|print sum(landmarks.height * (chain(0).weight with s 0.4))|'with' must stand outside the aggregate, as in '.sum.chain.weight. with s 0.3.'
 28|print sum(landmarks.height + 1)|a length and a plain number cannot be added
 17|print sum(chain(chain(0).weight).weight)|'chain' has no value: its answer is a table
 35|print sum((chain(0).weight with s chain(0).weight))|'chain' has no value: its answer is a table
@@ -98,7 +99,7 @@ END
 7|print max(fall.hit)|there is no row
 7|print sum(row.mass)|there is no row
 END
-    wrong 'set row 3; print max(fall.hit)' "fall.hit has no value in row 1 of 3; 'if' can choose another value there"
+    wrong 'set row 3; print max(fall.hit)' "fall.hit has no value in row 1; 'if' can choose another value there"
     wrong 'set row 3; print sum(row.mass)' "row.mass is not in the table here; enter 'row' to see why"
     wrong 'set row 3; print sum(if(row.domino == 1, 0, row.gap))' 'a plain number and a length are in different rows of the same column'
     wrong 'let w(t) = chain(t).weight; print w(0)' "in 'w\(t\)': 'chain' has no value: its answer is a table"

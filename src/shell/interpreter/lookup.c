@@ -1,26 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/question.h"
 #include "language/quad.h"
-#include <stdlib.h>
 #include <string.h>
 
-/* A column of a table, for an aggregate such as sum(chain(0).weight). */
-struct column_cells {
-    const struct tree *node; /* the name of the column */
-    const char *key;
-    struct quantity unit;
-    bool is_missing; /* in this scene the table does not have this column */
-    struct cell *cell;
-    size_t count, room;
-    enum dom_status status;
-    struct column_cells *next;
-};
-
-/* The table over which an aggregate is being computed. */
+/* The table over which an aggregate such as sum(chain(0).weight) is computed, row by row. */
 struct rows {
-    struct column_cells *columns; /* the columns computed so far, the latest first */
-    size_t row, count;
-    bool only_counts; /* the value of a column is its number of rows */
+    struct evaluation *e;
+    const struct tree *aggregate;
+    const struct tree *column; /* the first column in the aggregate; all others must be of the same table */
+    struct quantity argument[EXPRESSION_ARGUMENTS]; /* the arguments of the table's command */
+    const struct column *columns;
+    const struct cell *cells; /* the current row */
+    size_t count;             /* the number of rows so far */
+    struct quantity value;    /* the value of the aggregate over these rows */
+    bool failed;
 };
 
 struct lookup {
@@ -62,32 +55,35 @@ static bool arguments_evaluate(struct evaluation *e, const struct tree *t,
     return true;
 }
 
-/* A sink (answer.h) that keeps one column of the answer. */
-static void column_take(struct answer *answer, const struct cell *cells, const char *reason)
+/* A sink (answer.h) that evaluates the child of an aggregate in each row. */
+static void row_take(struct answer *answer, const struct cell *cells, const char *reason)
 {
-    struct column_cells *column = answer->sink.context;
-    int index = 0;
+    struct rows *rows = answer->sink.context;
+    const struct tree *t = rows->aggregate;
+    struct quantity value;
     (void)reason;
-    while (answer->columns[index].key && strcmp(answer->columns[index].key, column->key) != 0)
-        index++;
-    column->is_missing = !answer->columns[index].key;
-    if (column->is_missing || column->status != DOM_OK)
+    rows->columns = answer->columns;
+    rows->cells = cells;
+    rows->count++;
+    if (rows->failed || t->index == AGGREGATE_COUNT)
         return;
-    if (column->count == column->room) {
-        column->room = column->room ? 2 * column->room : 16;
-        struct cell *more = realloc(column->cell, column->room * sizeof *more);
-        column->status = more ? DOM_OK : DOM_NO_MEMORY;
-        if (!more)
-            return;
-        column->cell = more;
-    }
-    column->unit = expression_unit(answer->columns[index].unit);
-    column->cell[column->count++] = cells[index];
+    if (!expression_evaluate(rows->e, t->child, &value))
+        rows->failed = true;
+    else if (rows->count == 1)
+        rows->value = value;
+    else if (!quantity_alike(value, rows->value)) {
+        expression_report(rows->e->error, t->at, false, "%s and %s are in different rows of the same column",
+                          expression_kind(rows->value), expression_kind(value));
+        rows->failed = true;
+    } else
+        rows->value.value = t->index == AGGREGATE_SUM   ? rows->value.value + value.value
+                            : t->index == AGGREGATE_MIN ? quad_smaller(rows->value.value, value.value)
+                                                        : quad_larger(rows->value.value, value.value);
 }
 
-/* Runs a command in an expression. If `column` is not NULL, it receives this column of the answer. */
+/* Runs a command in an expression. `rows` receives the rows of a table; otherwise it is NULL. */
 static bool command_run(struct evaluation *e, const struct tree *t, const struct quantity *argument,
-                        struct answer *answer, struct column_cells *column)
+                        struct answer *answer, struct rows *rows)
 {
     const struct lookup *lookup = e->context;
     const struct command *c = t->refers;
@@ -101,8 +97,8 @@ static bool command_run(struct evaluation *e, const struct tree *t, const struct
     query.given = &given;
     query.next = NULL;
     *answer = answer_kept(&query, c, answer->kept);
-    answer->sink.take = column ? column_take : NULL;
-    answer->sink.context = column;
+    answer->sink.take = rows ? row_take : NULL;
+    answer->sink.context = rows;
     return command_compute(c, &query, answer, lookup->problem);
 }
 
@@ -119,99 +115,58 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
 
 /* ---- Columns of tables ---- */
 
-/* Computes a column, unless it has been computed for an earlier row. All columns of an aggregate must have
- * the same number of rows. */
-static __attribute__((noinline)) struct column_cells *column_compute(struct evaluation *e,
-                                                                     const struct tree *t)
-{
-    struct quantity argument[EXPRESSION_ARGUMENTS];
-    const struct lookup *lookup = e->context;
-    struct rows *rows = lookup->rows;
-    struct cell cells[ANSWER_CELLS];
-    struct answer answer = {.kept = cells};
-    struct column_cells *column = calloc(1, sizeof *column);
-    if (!column) {
-        query_status(lookup->query, lookup->problem, DOM_NO_MEMORY);
-        return NULL;
-    }
-    *column = (struct column_cells){.node = t, .next = rows->columns};
-    column->key = ((const struct command *)t->refers)->columns[t->index].key;
-    rows->columns = column;
-    if (!arguments_evaluate(e, t, argument) || !command_run(e, t, argument, &answer, column))
-        return NULL;
-    if (column->status != DOM_OK)
-        query_status(lookup->query, lookup->problem, column->status);
-    else if (column->is_missing)
-        expression_report(e->error, t->at, true, "%s.%s is not in the table here; enter '%s' to see why",
-                          t->name, column->key, t->name);
-    else if (column->next && column->count != rows->count)
-        expression_report(
-            e->error, t->at, true, "%s.%s has %zu rows and %s.%s has %zu; take columns of the same length",
-            t->name, column->key, column->count, column->next->node->name, column->next->key, rows->count);
-    else {
-        rows->count = column->count;
-        return column;
-    }
-    return NULL;
-}
-
+/* Finds the number of a column in the current row. All columns of an aggregate must be of the same table. */
 static bool column_quantity(struct evaluation *e, const struct tree *t, struct quantity *result)
 {
-    const struct lookup *lookup = e->context;
-    struct rows *rows = lookup->rows;
-    struct column_cells *column = rows->columns;
-    while (column && column->node != t)
-        column = column->next;
-    if (!column && !(column = column_compute(e, t)))
+    struct quantity argument[EXPRESSION_ARGUMENTS];
+    const struct rows *rows = ((const struct lookup *)e->context)->rows;
+    const char *key = ((const struct command *)t->refers)->columns[t->index].key;
+    int index = 0;
+    if (!rows)
+        return expression_wrong(e->error, t->at,
+                                "'with' must stand outside the aggregate, as in '(sum(%s.%s) with s 0.3)'",
+                                t->name, key);
+    bool is_same = t->refers == rows->column->refers;
+    if (is_same && t != rows->column && !arguments_evaluate(e, t, argument))
         return false;
-    *result = (struct quantity){.value = (domq_real)column->count};
-    if (rows->only_counts)
-        return true;
-    *result = column->unit;
-    if (column->count == 0)
-        return expression_no_value(e->error, t->at, "the answer of '%s' has no rows here", t->name);
-    const struct cell cell = column->cell[rows->row];
+    for (int i = 0; is_same && t != rows->column && i < t->count; i++)
+        is_same =
+            quantity_alike(argument[i], rows->argument[i]) && argument[i].value == rows->argument[i].value;
+    if (!is_same)
+        return expression_wrong(e->error, t->at, "'%s' is another table; all columns must be of one table",
+                                t->name);
+    while (rows->columns[index].key && strcmp(rows->columns[index].key, key) != 0)
+        index++;
+    if (!rows->columns[index].key)
+        return expression_no_value(e->error, t->at, "%s.%s is not in the table here; enter '%s' to see why",
+                                   t->name, key, t->name);
+    const struct cell cell = rows->cells[index];
     if (cell.kind == CELL_WORD)
         return expression_wrong(e->error, t->at, "%s.%s consists of words, which only 'count' takes", t->name,
-                                column->key);
+                                key);
     if (cell.kind == CELL_NONE)
-        return expression_no_value(
-            e->error, t->at, "%s.%s has no value in row %zu of %zu; 'if' can choose another value there",
-            t->name, column->key, rows->row + 1, column->count);
+        return expression_no_value(e->error, t->at,
+                                   "%s.%s has no value in row %zu; 'if' can choose another value there",
+                                   t->name, key, rows->count);
+    *result = expression_unit(rows->columns[index].unit);
     result->value *= cell.number;
     return true;
 }
 
-/* Evaluates the child of an aggregate in each row of a table. */
 static __attribute__((noinline)) bool aggregate_quantity(struct evaluation *e, const struct tree *t,
                                                          struct quantity *result)
 {
     struct lookup *lookup = e->context;
-    struct rows rows = {.only_counts = t->index == AGGREGATE_COUNT}, *outer = lookup->rows;
-    struct quantity value;
-    bool good = true;
+    struct rows rows = {.e = e, .aggregate = t, .column = column_in(t->child)}, *outer = lookup->rows;
+    struct cell cells[ANSWER_CELLS];
+    struct answer answer = {.kept = cells};
     lookup->rows = &rows;
-    do {
-        if (dom_raised(lookup->query->scene->compute.interrupt))
-            good = query_status(lookup->query, lookup->problem, DOM_INTERRUPTED);
-        else if (!(good = expression_evaluate(e, t->child, &value)))
-            break;
-        else if (rows.row == 0)
-            *result = value;
-        else if (!quantity_alike(value, *result))
-            good = expression_wrong(e->error, t->at, "%s and %s are in different rows of the same column",
-                                    expression_kind(*result), expression_kind(value));
-        else
-            result->value = t->index == AGGREGATE_SUM   ? result->value + value.value
-                            : t->index == AGGREGATE_MIN ? quad_smaller(result->value, value.value)
-                                                        : quad_larger(result->value, value.value);
-    } while (good && !rows.only_counts && ++rows.row < rows.count);
+    const bool good = arguments_evaluate(e, rows.column, rows.argument) &&
+                      command_run(e, rows.column, rows.argument, &answer, &rows) && !rows.failed;
     lookup->rows = outer;
-    for (struct column_cells *column; (column = rows.columns) != NULL;) {
-        rows.columns = column->next;
-        free(column->cell);
-        free(column);
-    }
+    *result = t->index == AGGREGATE_COUNT ? (struct quantity){.value = (domq_real)rows.count} : rows.value;
+    if (good && rows.count == 0 && t->index != AGGREGATE_COUNT)
+        return expression_no_value(e->error, t->at, "the answer of '%s' has no rows here", rows.column->name);
     return good;
 }
 
@@ -253,9 +208,12 @@ static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const 
     }
     if (!query_with(outer, assigned, count, &state, &changed, lookup->problem))
         return false;
+    struct rows *rows = lookup->rows;
     lookup->query = &changed;
+    lookup->rows = NULL;
     bool good = expression_evaluate(e, t->child, result);
     lookup->query = outer;
+    lookup->rows = rows;
     return good;
 }
 

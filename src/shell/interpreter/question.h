@@ -142,6 +142,9 @@ struct resolver {
 /* Resolves a name. Is the callback parse.names; parse->context is a struct resolver. */
 bool name_resolve(struct parse *parse, struct tree *name);
 
+/* Returns the first column of a table in a tree that no aggregate takes, or NULL. */
+const struct tree *column_in(const struct tree *tree);
+
 /* Returns false, with an error in *error, if the value of a tree depends on the row of a table. */
 bool is_single(struct expression_error *error, const struct tree *tree);
 

@@ -23,8 +23,7 @@ static bool symbol(struct tree *t, enum symbol kind, const void *refers, int ind
 
 /* ---- Columns of tables ---- */
 
-/* Returns a column of a table in a tree, unless an aggregate takes it, or NULL. */
-static const struct tree *column_in(const struct tree *t)
+const struct tree *column_in(const struct tree *t)
 {
     const struct tree *found = t->kind == TREE_SYMBOL && t->symbol == SYMBOL_COLUMN ? t : NULL;
     if (t->kind == TREE_SYMBOL && t->symbol == SYMBOL_AGGREGATE)
