@@ -43,7 +43,6 @@ END
 10|help set show|^help: 'show' .*too many.*help \[NAME\]
 8|thetac 1|^thetac: '1' .*too many.*usage: thetac
 12|theta1 0.1 0.2|^theta1: '0.2' .*too many.*theta1 T
-14|curve 0.1 0.9|^curve: .*missing.*curve FROM TO N
 17|curve 0.1 0.9 5 6|^curve: '6' .*too many.*curve FROM TO N
 6|count|^count: .*missing.*count H \[R\]
 9|print 1 2|^print: '2' .*too many.*print VALUE
@@ -56,20 +55,14 @@ END
 @test "a value that is not a number: the message says where and what" {
     sed -E 's/^([0-9]+) (.*)/\1|set s \2|^set: (s at|s:|s =|unexpected .* after the value of s;)/' <<'END' | all_wrong
 7 nan
-8 -nan
-7 inf
 7 0x10
 8 1,5
-7 abc
 10 0.4.1
-8 1e
-7 .
 8 -
 9 1/
 7 /2
 9 1/0x2
 7 '0.4'
-7 "0.4"
 END
     all_wrong <<'END'
 8|set s -1e5000|^set: s.*too large

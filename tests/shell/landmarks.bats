@@ -9,18 +9,13 @@ load common
     all_worth <<'END'
 112|m|domtoren
 2240|-|domtoren / 5 cm
-330|m|eiffel
 96|m|big_ben
-96|m|big ben
 96|m|Big Ben
 96|m|(big ben)
-96|m|elizabeth tower
 426|m|big ben + eiffel tower
-381|m|empire state
 381|m|empire state building
 508|m|taipei 101
 2|-|Burj Khalifa / (828 m / 2)
-161.53|m|ulm
 20|-|count(domtoren)
 END
     # the heights that are defined in other units, by these units; the table rounds them
@@ -31,8 +26,6 @@ liberty|305 ft + 1 in
 empire_state|1250 ft
 one_world_trade|1776 ft
 washington_monument|555 ft + 5.125 in
-gateway_arch|630 ft
-space_needle|605 ft
 giza|280 * 52.36 cm
 END
 }
@@ -45,8 +38,6 @@ END
         same "$name" "$("$DOMINO" -e 'count 96 m 1.3')" "$("$DOMINO" -e "count $name 1.3")"
     done
     all_print <<'END'
-eiffel|330 m
-Big Ben|96 m
 eiffel tower / 330 m|1
 big ben to ft|314.961 ft
 set h big ben; print h|96 m

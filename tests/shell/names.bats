@@ -14,14 +14,11 @@ load common
 bar|barrier
 thetac|thetac
 chai 0.1|chain 0.1
-du|duration
-cou 112|count 112
 set s 0.3; sho s|set s 0.3; show s
 prin rmax|print rmax
 print(3)|print 3
 set dig 3; show dig|set digits 3; show digits
 set fuel p; fuel|set fuel paper; fuel
-set ang d; thetac|set angle deg; thetac
 print rmax.r_max_p|print rmax.r_max_paper
 rmax; print ans.r_max_p|rmax; print ans.r_max_paper
 END
@@ -34,14 +31,12 @@ END
 # bats test_tags=rows,chance,pictures,sweeps
 @test "messages suggest the right name after a misspelling, and list the candidates after an ambiguous abbreviation" {
     all_wrong <<'END'
-1|barier|^unknown command 'barier'; did you mean 'barrier'\?$
 1|lauch|^unknown command 'lauch'; did you mean 'launch'\?$
 5|set outptu json|^set: unknown parameter 'outptu'; did you mean 'output'\?$
 6|help barier|^help: unknown topic 'barier'; did you mean 'barrier'\?$
 1|mu 0.2|^unknown command 'mu'; did you mean 'set friction MU'\?$
 1|separation 0.3|^unknown command 'separation'; did you mean 'set s VALUE'\?$
 5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$
-6|help zzz|^help: unknown topic 'zzz'$
 8|effect mu 0.2|^effect: unknown parameter 'mu'; did you mean 'friction'\?$
 7|sweep mu 0 0.3 4 : rmax|^sweep: unknown parameter 'mu'; did you mean 'friction'\?$
 7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
@@ -56,7 +51,6 @@ END
 1|the|^'the' is ambiguous: thetac, theta1$
 6|show t|^show: 't' is ambiguous: tol, threads, timing$
 12|set timing o|^set: 'o' is ambiguous: off, on
-7|print rmax.r_|^print:.*'r_' is ambiguous: r_max, r_max_exact, r_max_paper
 END
 }
 

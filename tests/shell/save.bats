@@ -51,14 +51,10 @@ s 1/3
 r pi/3
 d 7.1 mm / 48 mm
 q hollow
-q 10/3
 tol 1e-9/3
 h 1 ft
-g 1.62 m/s^2
 fuel paper
-digits 17
 angle deg
-timing on
 END
     # 'output' is checked alone, because the other checks set it.
     "$DOMINO" -e 'set output csv; set s 0.3; save output.dom; set s 0.2; save output.dom'

@@ -44,17 +44,13 @@ columns_in_line() { # WHAT FILLED
         same "show $name: lines" 2 "$("$DOMINO" -e "show $name" | wc -l)"
     done <<END
 s h 0.4
-r - 1.5
 d h 0.14583333333333334
 q - 4
 tol - 1e-12
 h m 0.048
-g m/s^2 9.81
 fuel - exact
 output - table
-digits - 6
 angle - rad
-timing - off
 END
 }
 
@@ -103,12 +99,9 @@ END
 @test "a parameter's name shows it, '=' and 'to' set it, '?' explains it" {
     all_mean <<'END'
 q|show q
-output|show output
-friction|show friction
 r = 2; r|set r 2; show r
 r=rmax*0.99; r|set r 0.99*rmax; show r
 set r = 2; r|set r 2; show r
-set r=2; r|set r 2; show r
 set r to 2; r|set r 2; show r
 fuel = paper; show fuel|set fuel paper; show fuel
 friction = 0.2; friction|effect friction 0.2; show friction

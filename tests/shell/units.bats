@@ -28,7 +28,6 @@ shown() { # KEY COMMANDS
 0|m|12 in - 1 ft
 0.009525|m|3/8 in
 -0.009525|m|-3/8in
-0.5|m|1/2 m
 0.01905|m|2*3/8 in
 1.5|m|1/2 m + 1 m
 0.5|m s^-1|1 / 2 m/s
@@ -38,23 +37,18 @@ shown() { # KEY COMMANDS
 25|m s^-1|90 km/h
 0.00694444444444|m s^-2|90 km/h^2
 26.8224|m s^-1|60 mph
-120|s|2 min
 10800|s|3 hours
 7200|s|2 hr
-30|s|30 sec
 1|-|48 mm/h
 0|-|5 - max(4, min(5, 6))
 0.01|kg|10 g
 0.005|kg|(2 + 3) g
-2000|kg|2 t
 0.45359237|kg|1 lb
 0.028349523125|kg|1 oz
 0.038349523125|kg|10 g + 1 oz
 0|kg|16 oz - 1 lb
-600|kg m^-3|600 kg/m^3
 600|kg m^-3|0.6 g/cm^3
 2|kg|sqrt(4 kg^2)
-0.002|kg|min(1 kg, 2 g)
 5|-|5 g / 1 g
 9.81|m s^-2|g
 0.0048929663608562693|s^2|h/g
@@ -62,17 +56,12 @@ shown() { # KEY COMMANDS
 9.81|m^2 s^-2|1 m*g
 9.81|kg m s^-2|1 kg*g
 0.00981|kg m s^-2|1 g*g
-0.002|s|2 ms
 1.5707963267948966|rad|90 deg
 1.1|m|10 cm + 1 m
-250|-|10 m/4 cm
 9.81|m s^-2|981 cm/s^2
 9.81|m s^-2|9.81 m*s^-2
 5|m^2|5m^2
-25|m^2|(5 m)^2
-0.0004|m^2|4 cm^2
 0.5|m s^-1|1 m/2 s
-6|m|2 * 3 m
 0.05|m|(2 + 3) cm
 90|-|asin(1) / 1 deg
 0|rad|180 deg - pi
@@ -88,24 +77,19 @@ END
 s|.5|0.5
 s|5e-1|0.5
 s|5.E-1|0.5
-s|1/2/2|0.25
-r|3/2|1.5
 d|7/48|0.14583333333333334
 q|solid|4
 q|massive|4
 d|0.7/4.8|0.14583333333333334
 d|7 mm / 48 mm|0.14583333333333334
 d|7 mm/h|0.14583333333333334
-h|4.8 cm|0.048
 h|1 ft|0.3048
-mass|10 g|0.01
 mass|600 kg/m^3 * 7 mm * 24 mm * 48 mm|0.0048384
 density|0.6 g/cm^3|600
 g|981 cm/s^2|9.81
 g|2 * 4.905 m / (1 s)^2|9.81
 tol|10^-9|1e-9
 q|7/2|3.5
-digits|2*4|8
 END
     same 'theta1 10 deg' "$(json "theta1 pi/18")" "$(json 'theta1 10 deg')"
     same 'theta1 10deg' "$(json "theta1 pi/18")" "$(json 'theta1 10deg')"
@@ -229,13 +213,10 @@ END
 
 @test "'to' converts" {
     all_print <<'END'
-112 m to ft|367.454 ft
 rmax to percent|164.423 %
 0.9*rmax(0.3) to %|136.301 %
-10 g to oz|0.35274 oz
 600 kg/m^3 to g/cm^3|0.6 g/cm^3
 thetac to deg|36.8699 deg
-pi/2 to deg|90 deg
 print duration.speed to mm/s|214.37 mm/s
 END
     same json '{"value":10000,"unit":"mm"}' "$(json '10 m to mm')"

@@ -7,14 +7,10 @@ load common
 
 @test "let: a variable keeps its value and its unit" {
     all_print <<'END'
-let x = 2; x|2
 let x = 2; x = 3; x^2|9
 let x = 0.9*rmax; set s 0.9; x|1.47981
-let tall = 112 m; tall/2|56 m
 let tall = 112 m; tall to ft|367.454 ft
 let p = 600 kg/m^3; density = p; density*1|600 kg m^-3
-let x = 0.3; rmax x; ans.s|0.3
-let x = 1; let x = x + 1; x|2
 let big = 0.5; rmax big; ans.s|0.5
 END
 }
@@ -37,11 +33,8 @@ END
         same "complete $line" "$words" "$("$DOMINO" -e "$all" -e "complete $line" | paste -sd ' ' -)"
     done <<'END'
 x|xx
-show x|xx
 reset x|xx
-help x|xx
 let x|xx
-let y = 3*x|3*xx
 print 2+x|2+xx
 print 2+ff|2+ff(
 count x|xx
@@ -69,27 +62,18 @@ END
     wrong 'let rmax = 2' "'rmax' is a command"
     wrong 'let m = 2' "'m' is a unit"
     wrong 'let sin = 2' "'sin' is a built-in value"
-    wrong 'let ans = 2' "'ans' is a built-in value"
     wrong 'let x' "enter, for example, 'let x"
     wrong 'let x =' "the value of 'x' is missing"
-    wrong 'let x 2' "enter, for example, 'let x"
-    wrong 'let f(a = 3' 'enter, for example,'
     wrong 'let f(a,b,c,d,e) = 3' 'a function with 1 to 4 arguments'
     wrong 'let f(a,a) = 3' "two values of 'f' have the same name 'a'"
     wrong 'let f(a) = a +' "ends before '\+'"
-    wrong 'let f(a) = (a' "this '\(' is never closed"
     wrong 'let f(a) = a; f(1, 2)' "'f\(a\)' takes 1 value"
     wrong 'let f(a) = foo*a; f(1)' "in 'f\(a\)': 'foo' has no value"
     wrong 'let f(a) = f(a); f(1)' "'f\(a\)' uses itself"
     wrong 'let f(a) = a; let k(a) = f(a); let f(a) = k(a); k(1)' "'k\(a\)' uses itself"
     wrong 'let x = (1 m)^12' 'an exponent above 9'
-    wrong 'y = 3' "'y' is not a parameter; 'let y = VALUE' defines a variable"
     wrong 'frictoin = 0.2' "did you mean 'friction'"
     wrong 'z(a) = 3' "'let z\(...\) = VALUE' defines a function"
-    wrong 'foo+1' "'foo' has no value"
-    wrong '1/0' 'division by zero'
-    wrong 's 0.3' "'s' is a parameter; enter 'set s VALUE'"
-    wrong 'q 3' "'q' is a parameter"
 }
 
 @test "variables are listed by 'show' and read back after 'save'" {
