@@ -456,7 +456,8 @@ static const struct command fit_commands[] = {
          "run. A column 'error' gives the standard errors. Repeated measurements are lines of their own.\n\n"
          "Hits are those of the row of 'set row' or, without it, of a row with the growth r. Each residual "
          "is divided by its error, and 'fit' finds the values with the smallest sum of squares. It also "
-         "finds their standard deviations and correlations. 'fit ... > fit.svg' (or .png, .pdf) draws the "
+         "finds their standard deviations and correlations. 'plot fit ... > fit.svg' (or .png, .pdf) draws "
+         "the "
          "measurements against the fitted values.",
      .see = "plot solve duration fall sensitivity",
      .access.files = true,

@@ -44,8 +44,8 @@ static void line_show(const struct session *reader, const char *before, const ch
 static bool reader_types(struct session *reader, const char *command)
 {
     bool waits = true, has_typed = false;
-    line_show(reader, "Type: ", command);
     while (waits && !has_typed) {
+        line_show(reader, "Type: ", command);
         char *line = line_edit(reader, prompt);
         const char *typed = line ? skip_blanks(line) : "q";
         if (!line)

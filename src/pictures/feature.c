@@ -11,8 +11,8 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-extern const struct plot limit_plots[], cycle_plots[], cost_plots[];
+extern const struct plot limit_plots[], cycle_plots[];
 
-static const struct plot *const plots[] = {limit_plots, cycle_plots, cost_plots, NULL};
+static const struct plot *const plots[] = {limit_plots, cycle_plots, NULL};
 
 const struct feature pictures_feature = {.name = "pictures", .groups = groups, .plots = plots};

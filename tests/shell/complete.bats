@@ -91,12 +91,8 @@ plot sweep fr|friction
 plot sweep s 0.1 0.3 3 : rm|rmax
 plot energy |(nothing)
 plot energy r|(nothing)
-plot co|cost
 plot fit fr|friction
-plot co r|rmax
-plot cost rmax |(nothing)
 cost |fuel launch barrier duration rmax pair
-plot cost |fuel launch barrier duration rmax pair
 set precision |float double quad
 set s |(nothing)
 set s b|best

@@ -16,8 +16,8 @@ setup() {
 on_terminal() { # COLUMNS ROWS COMMANDS
     python3 "$BATS_TEST_DIRNAME/terminal.py" "$1" "$2" env PATH="${programs:-$PATH}" "$DOMINO" -n -e "$3"
 }
-scenes=('plot growth' 'effect row 6; effect friction 0.1; plot fall'
-    'effect row 8; plot speed' 'plot sweep q 3, 4 s 0.2 0.8 13 : rmax' 'plot sweep s 0.1 0.9 9 d 0.05 0.4 8 : rmax')
+scenes=('plot growth' 'effect row 6; effect friction 0.1; plot fall' 'effect row 8; plot speed'
+    'plot sweep q 3, 4 s 0.2 0.8 13 : rmax' 'plot sweep s 0.1 0.9 9 d 0.05 0.4 8 : rmax')
 
 screens() {
     local scene

@@ -51,15 +51,3 @@ load ../shell/common
     run -1 "$DOMINO" --keep-going -e 'set r 9; cost launch'
     [[ $output == *'r s = 3.6 > 1'* ]]
 }
-
-# bats test_tags=pictures,explain,engine
-@test "plot cost: the labels of the picture, and its data" {
-    run -0 "$DOMINO" -e 'plot cost launch'
-    for words in 'What accuracy costs' 'time per answer' 'this program, quad' 'recipe'; do
-        grep -q "$words" <<<"$output"
-    done
-    "$DOMINO" -e 'plot cost launch > a.svg'
-    grep -q 'this program, double' a.svg
-    same 'csv has the data' method,precision,tol,error,dominoes,passes,time,times \
-        "$("$DOMINO" -e 'set output csv; plot cost launch' | head -n 1)"
-}

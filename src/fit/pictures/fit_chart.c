@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws a fit, for 'plot fit' and for 'fit ... > FILE': measured values against fitted values. */
+/* The plot 'fit': measured values against fitted values. */
 #include "fit/fit.h"
 #include "interpreter/feature.h"
 #include "language/text.h"
@@ -23,10 +23,8 @@ static void run_points(struct chart *chart, const struct fit *f, size_t i, size_
         const struct fit_run *run = &f->data.run[i];
         const double clock = f->data.kind == FIT_HITS ? f->computed[run->first] : 0;
         for (size_t k = run->first; k < run->first + run->count; k++) {
-            const double x = f->computed[k] - clock, y = f->data.point[k].measured - clock,
-                         error = f->data.point[k].error;
-            chart_range(chart, points, x, y, error > 0 ? y - error : (double)NAN,
-                        error > 0 ? y + error : (double)NAN);
+            const double x = f->computed[k] - clock, y = f->data.point[k].measured - clock;
+            chart_point(chart, points, x, y);
             *most = fmax(*most, fmax(x, y));
         }
     }
@@ -53,25 +51,6 @@ static void points_draw(struct chart *chart, const struct fit *f)
     chart_point(chart, line, most, most);
 }
 
-static bool fit_draw(const struct query *query, struct answer *a, struct chart *chart,
-                     struct problem *problem)
-{
-    struct fit f;
-    if (!chart)
-        return run_fit(query, a, problem);
-    const bool done = fit_make(query, &f, problem);
-    if (done)
-        points_draw(chart, &f);
-    fit_free(&f);
-    return done;
-}
-
-static bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
-{
-    const struct plot plot = {.run = fit_draw, .title = "", .columns = a->columns};
-    return plot_write(&plot, query, a, problem);
-}
-
 /* Parses the arguments of 'fit' after 'plot fit' and stores them as a question in q->parsed. */
 static bool plot_fit_parse(struct reader *r, struct question *q)
 {
@@ -85,13 +64,22 @@ static bool plot_fit_parse(struct reader *r, struct question *q)
 static bool plot_fit(const struct query *query, struct answer *a, struct chart *chart,
                      struct problem *problem)
 {
-    const struct question *fit = query->given->bound;
+    const struct question *question = query->given->bound;
     struct call call;
-    if (!fit)
+    struct fit f;
+    if (!question)
         return problem_error(
             problem,
             "'plot fit' needs a parameter and a file of measurements, as in 'plot fit friction FILE'");
-    const bool done = question_bind(fit, query, &call, problem) && fit_draw(&call.query, a, chart, problem);
+    bool done = question_bind(question, query, &call, problem);
+    if (done && !chart) {
+        done = run_fit(&call.query, a, problem);
+    } else if (done) {
+        done = fit_make(&call.query, &f, problem);
+        if (done)
+            points_draw(chart, &f);
+        fit_free(&f);
+    }
     arena_free(&call.given.memory);
     return done;
 }
@@ -110,6 +98,4 @@ static const struct plot fit_plots[] = {
 
 static const struct plot *const plots[] = {fit_plots, NULL};
 
-static const struct feature_picture picture[] = {{"fit", picture_fit}, {NULL, NULL}};
-
-const struct feature fit_pictures_feature = {.name = "fit_pictures", .plots = plots, .picture = picture};
+const struct feature fit_pictures_feature = {.name = "fit_pictures", .plots = plots};

@@ -37,26 +37,20 @@ int shade_colour(double shade)
     return rgb;
 }
 
-bool term_begins(const char *const *names)
-{
-    const char *term = getenv("TERM");
-    while (*names && !(term && strncmp(term, *names, strlen(*names)) == 0))
-        names++;
-    return *names != NULL;
-}
-
 struct display display_of(FILE *stream)
 {
-    static const char *const without_braille[] = {"dumb", "linux", "vt", "cons", NULL};
-    const char *term = getenv("TERM"), *all = getenv("COLORTERM");
+    static const char *const without_braille[] = {"dumb", "linux", "vt", "cons"};
+    const char *term = getenv("TERM");
     struct display display = {.colours = COLOURS_NONE};
     if (!terminal_shows(stream) || !term)
         return display;
-    display.braille = terminal_utf8() && !term_begins(without_braille);
+    display.braille = terminal_utf8();
+    for (size_t k = 0; k < sizeof without_braille / sizeof *without_braille; k++)
+        display.braille =
+            display.braille && strncmp(term, without_braille[k], strlen(without_braille[k])) != 0;
     if (terminal_colour(stream))
-        display.colours = all && (strcmp(all, "truecolor") == 0 || strcmp(all, "24bit") == 0)    ? COLOURS_ALL
-                          : strstr(term, "256") || strstr(term, "kitty") || strstr(term, "foot") ? COLOURS_256
-                                                                                                 : COLOURS_8;
+        display.colours =
+            strstr(term, "256") || strstr(term, "kitty") || strstr(term, "foot") ? COLOURS_256 : COLOURS_8;
     return display;
 }
 
@@ -191,13 +185,11 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
 enum ground { GROUND_FRONT = 38, GROUND_BACK = 48 };
 
 /* Writes the escape sequence for a colour. A negative `rgb` stands for the default colour of the terminal. */
-static void colour_write(const struct canvas *c, enum ground ground, int rgb, FILE *out)
+static void colour_write(enum ground ground, int rgb, FILE *out)
 {
     int red = rgb >> 16, green = rgb >> 8 & 255, blue = rgb & 255;
     if (rgb < 0)
         fprintf(out, "\033[%dm", ground + 1);
-    else if (c->display.colours == COLOURS_ALL)
-        fprintf(out, "\033[%d;2;%d;%d;%dm", ground, red, green, blue);
     else /* the palette has a cube of 6 x 6 x 6 colours */
         fprintf(out, "\033[%d;5;%dm", ground,
                 16 + 36 * ((red + 25) / 51) + 6 * ((green + 25) / 51) + (blue + 25) / 51);
@@ -211,7 +203,7 @@ static void ink_write(const struct canvas *c, enum ink ink, FILE *out)
     if (c->display.colours == COLOURS_8 && inks[ink].of_8)
         fprintf(out, "\033[%dm", inks[ink].of_8);
     else if (c->display.colours > COLOURS_8 && ink != INK_TEXT)
-        colour_write(c, GROUND_FRONT, inks[ink].rgb, out);
+        colour_write(GROUND_FRONT, inks[ink].rgb, out);
 }
 
 static bool is_shaded(const struct canvas_cell *cell)
@@ -236,8 +228,8 @@ static enum ink cell_write(const struct canvas *c, const struct canvas_cell *cel
 {
     char glyph[GLYPH];
     if (is_shaded(cell)) {
-        colour_write(c, GROUND_FRONT, cell->upper < 0 ? cell->lower : cell->upper, out);
-        colour_write(c, GROUND_BACK, cell->upper < 0 ? -1 : cell->lower, out);
+        colour_write(GROUND_FRONT, cell->upper < 0 ? cell->lower : cell->upper, out);
+        colour_write(GROUND_BACK, cell->upper < 0 ? -1 : cell->lower, out);
         fputs(cell->upper < 0 ? "▄\033[0m" : "▀\033[0m", out);
         return INK_TEXT;
     }

@@ -31,13 +31,10 @@ int shade_colour(double shade);
  * than `least`. */
 double ruler_step(double least);
 
-/* Returns true if $TERM begins with one of the names in this NULL-terminated list. */
-bool term_begins(const char *const *names);
-
 /* What the terminal of a stream can show. Files and pipes get plain characters. */
 struct display {
     bool braille; /* the terminal shows braille, box-drawing characters and half blocks */
-    enum { COLOURS_NONE, COLOURS_8, COLOURS_256, COLOURS_ALL } colours;
+    enum { COLOURS_NONE, COLOURS_8, COLOURS_256 } colours;
 };
 struct display display_of(FILE *stream);
 

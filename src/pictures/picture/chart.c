@@ -36,7 +36,7 @@ struct chart_curve *chart_curve(struct chart *c, enum chart_kind kind, enum ink 
     return curve;
 }
 
-void chart_range(struct chart *c, struct chart_curve *curve, double x, double y, double low, double high)
+void chart_point(struct chart *c, struct chart_curve *curve, double x, double y)
 {
     if (curve->count == curve->room) {
         size_t room = 2 * curve->room + 16;
@@ -47,12 +47,7 @@ void chart_range(struct chart *c, struct chart_curve *curve, double x, double y,
         curve->point = more;
         curve->room = room;
     }
-    curve->point[curve->count++] = (struct chart_point){x, y, low, high};
-}
-
-void chart_point(struct chart *c, struct chart_curve *curve, double x, double y)
-{
-    chart_range(c, curve, x, y, (double)NAN, (double)NAN);
+    curve->point[curve->count++] = (struct chart_point){x, y};
 }
 
 void chart_event(struct chart *c, double x, const char *name)
@@ -133,13 +128,12 @@ static void curve_fit(const struct chart *c, struct chart_curve *curve)
             p->y = p[-1].y;
         p->x = axis_within(&c->x, p->x);
         p->y = axis_within(&c->y, p->y);
-        p->low = axis_within(&c->y, p->low);
     }
 }
 
 void chart_prepare(struct chart *c)
 {
-    double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL, aside = 0;
+    double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL;
     int kept = 0;
     if (c->map.value) {
         cells_fit(&c->x, c->map.across);
@@ -150,15 +144,12 @@ void chart_prepare(struct chart *c)
             const struct chart_point *p = &c->curve[k].point[i];
             axis_include(&c->x, p->x, &x0, &x1);
             axis_include(&c->y, p->y, &y0, &y1);
-            axis_include(&c->y, p->low, &y0, &y1);
-            axis_include(&c->y, p->high, &y0, &y1);
-            aside = c->curve[k].kind == CHART_RANGES ? 0.6 : aside;
         }
         if (c->curve[k].count > 0)
             c->curve[kept++] = c->curve[k];
     }
     c->curves = kept;
-    axis_fit(&c->x, x0 - aside, x1 + aside, 0);
+    axis_fit(&c->x, x0, x1, 0);
     axis_fit(&c->y, y0, y1, 0.06);
     for (int k = 0; k < c->curves; k++)
         curve_fit(c, &c->curve[k]);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Charts with two axes. They show curves, points, ranges or a map. A command fills a chart with data, and
+/* Charts with two axes. They show curves, points or a map. A command fills a chart with data, and
  * chart_show (picture.c) then draws the chart to the destination of the answer. */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
@@ -11,13 +11,11 @@ enum chart_kind {
     CHART_LINE,
     CHART_POINTS,
     CHART_MARKED, /* a line through points */
-    CHART_STEPS,  /* y is constant from each x to the next; a NaN repeats the previous y */
-    CHART_RANGES, /* a vertical line from low to high at each x */
-    CHART_BOTH    /* points with their ranges, connected by a line */
+    CHART_STEPS   /* y is constant from each x to the next; a NaN repeats the previous y */
 };
 
 struct chart_point {
-    double x, y, low, high; /* y is NaN at a gap in a line; `low` and `high` are NaN if there is no range */
+    double x, y; /* y is NaN at a gap in a line */
 };
 
 struct chart_curve {
@@ -71,9 +69,8 @@ void chart_free(struct chart *chart);
 struct chart_curve *chart_curve(struct chart *chart, enum chart_kind kind, enum ink ink, int dash,
                                 const char *format, ...) __attribute__((format(printf, 5, 6)));
 
-/* chart_point adds a point without a range to a curve, and chart_range adds a point with a range. */
+/* Adds a point to a curve. */
 void chart_point(struct chart *chart, struct chart_curve *curve, double x, double y);
-void chart_range(struct chart *chart, struct chart_curve *curve, double x, double y, double low, double high);
 
 /* Adds a grey horizontal line across the whole chart. */
 void chart_level(struct chart *chart, double y, const char *title);

@@ -116,9 +116,8 @@ static void points_script(const struct chart_curve *curve, int k, FILE *out)
     fprintf(out, "$curve%d << END\n", k);
     for (size_t i = 0; i < curve->count; i++) {
         const struct chart_point *p = &curve->point[i];
-        const double number[] = {p->x, p->y, p->low, p->high};
-        for (int n = 0; n < 4; n++)
-            number_script(number[n], out);
+        number_script(p->x, out);
+        number_script(p->y, out);
         putc('\n', out);
     }
     fprintf(out, "END\n");
@@ -161,23 +160,19 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     static const struct {
         const char *how;
-        double width; /* the width of the line, or 0 for the usual width */
-        double size;  /* the size of the points, or 0 for no points */
-        bool dashed;
+        double size; /* the size of the points, or 0 for no points */
     } styles[] = {
-        [CHART_LINE] = {"1:2 with lines", .dashed = true},
-        [CHART_POINTS] = {"1:2 with points", 1.5, 1.3, false},
-        [CHART_MARKED] = {"1:2 with linespoints", 0, 0.8, true},
-        [CHART_STEPS] = {"1:2 with steps", .dashed = true},
-        [CHART_RANGES] = {"1:3:(0):($4-$3) with vectors heads size screen 0.007,90", .width = 4},
-        [CHART_BOTH] = {"1:2:3:4 with yerrorlines", 0, 1, true},
+        [CHART_LINE] = {"lines", 0},
+        [CHART_POINTS] = {"points", 1.3},
+        [CHART_MARKED] = {"linespoints", 0.8},
+        [CHART_STEPS] = {"steps", 0},
     };
     const struct chart_curve *curve = &c->curve[k];
     char title[ROOM];
-    double usual = curve->ink == INK_GREY ? 1.5 : 2.5, width = styles[curve->kind].width;
-    fprintf(out, "%s$curve%d using %s lc rgb '#%06x' lw %g", k ? ", " : "plot ", k, styles[curve->kind].how,
-            (unsigned)ink_colour(curve->ink), width > 0 ? width : usual);
-    if (styles[curve->kind].dashed)
+    const bool is_thin = curve->ink == INK_GREY || curve->kind == CHART_POINTS;
+    fprintf(out, "%s$curve%d using 1:2 with %s lc rgb '#%06x' lw %g", k ? ", " : "plot ", k,
+            styles[curve->kind].how, (unsigned)ink_colour(curve->ink), is_thin ? 1.5 : 2.5);
+    if (curve->kind != CHART_POINTS)
         fprintf(out, " dt %d", curve->dash + 1);
     if (styles[curve->kind].size > 0)
         fprintf(out, " pt %d ps %g", points[curve->ink], styles[curve->kind].size);

@@ -96,28 +96,6 @@ static void curve_draw(const struct frame *f, const struct chart_curve *curve)
     }
 }
 
-static void ranges_draw(const struct frame *f, const struct chart_curve *curve)
-{
-    const struct canvas *c = f->canvas;
-    for (size_t i = 0; i < curve->count; i++) {
-        const struct chart_point *p = &curve->point[i];
-        double x = dot_x(f, p->x), low = f->top * c->down, high = f->bottom * c->down - 1;
-        double y0 = clamp(dot_y(f, p->low), low, high), y1 = clamp(dot_y(f, p->high), low, high);
-        int phase = 0;
-        if (isnan(p->low) || isnan(p->high) || isnan(x))
-            continue;
-        for (int row = (int)y1; row <= (int)y0 && !c->display.braille; row++)
-            canvas_text(f->canvas, (int)x, row, "|", curve->ink);
-        if (!c->display.braille)
-            continue;
-        canvas_line(f->canvas, x, y0, x, y1, curve->ink, 0, &phase);
-        for (int k = -1; k <= 1; k++) {
-            canvas_dot(f->canvas, (int)x + k, (int)y0, curve->ink);
-            canvas_dot(f->canvas, (int)x + k, (int)y1, curve->ink);
-        }
-    }
-}
-
 /* ---- Maps ---- */
 
 static void map_ends(const struct chart_map *m, double *low, double *high)
@@ -226,7 +204,7 @@ static void events_draw(const struct frame *f)
 
 static bool has_points(enum chart_kind kind)
 {
-    return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
+    return kind == CHART_POINTS || kind == CHART_MARKED;
 }
 
 /* Writes the legend: the titles of the curves. `row` is its first row. If `row` is negative, writes nothing
@@ -244,8 +222,6 @@ static int legend(const struct frame *f, int row)
         canvas_sample(c, curve->ink, curve->dash, sample);
         if (braille && has_points(curve->kind))
             snprintf(sample, sizeof sample, "●");
-        else if (curve->kind == CHART_RANGES)
-            snprintf(sample, sizeof sample, "%s", braille ? "│" : "|");
         snprintf(text, sizeof text, " %s", curve->title);
         int first = utf8_columns(sample), wide = first + utf8_columns(text);
         if (rows == 0 || column + wide > c->width) {
@@ -296,9 +272,7 @@ static void data_draw(const struct frame *f)
     events_draw(f);
     for (int k = 0; k < chart->curves; k++) {
         const struct chart_curve *curve = &chart->curve[k];
-        if (curve->kind == CHART_RANGES || curve->kind == CHART_BOTH)
-            ranges_draw(f, curve);
-        if (curve->kind != CHART_RANGES && curve->kind != CHART_POINTS)
+        if (curve->kind != CHART_POINTS)
             curve_draw(f, curve);
         if (has_points(curve->kind))
             points_draw(f, curve);

@@ -113,14 +113,11 @@ static void curves_fill(const struct plot *plot, const struct plot_rows *rows, s
 {
     for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
         const struct plot_curve *from = &plot->curve[k];
-        bool ranges = from->kind == CHART_RANGES || from->kind == CHART_BOTH;
         int x = plot_column(rows, plot->x.key), y = plot_column(rows, from->key);
-        int low = ranges ? plot_column(rows, "low") : -1, high = ranges ? plot_column(rows, "high") : -1;
-        for (size_t i = 0; i < rows->count && (y >= 0 || ranges); i++) {
+        for (size_t i = 0; i < rows->count && y >= 0; i++) {
             const double *n = rows->row[i].number;
             if (from->series == 0 || n[0] == from->series - 1)
-                chart_range(chart, &chart->curve[k], n[x], y < 0 ? (double)NAN : n[y],
-                            low < 0 ? (double)NAN : n[low], high < 0 ? (double)NAN : n[high]);
+                chart_point(chart, &chart->curve[k], n[x], n[y]);
         }
     }
 }
@@ -132,7 +129,7 @@ static void chart_finish(const struct plot *plot, const struct answer *a, struct
         for (size_t i = 0; i < chart->curve[k].count; i++) {
             const struct chart_point *p = &chart->curve[k].point[i];
             x = fmax(x, isfinite(p->x) ? p->x : 0);
-            y = fmax(fmax(y, p->y), p->high);
+            y = fmax(y, p->y);
         }
     chart->x.unit = axis_label(&chart->x, &plot->x, a, x);
     chart->y.unit = axis_label(&chart->y, &plot->y, a, y);
@@ -200,14 +197,8 @@ static const struct column *plot_columns(int k, const char **name, const char **
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = plot_at((int)q->item[0].number);
-    const struct argument *argument = plot->argument;
-    if (!argument)
-        return problem_error(r->problem, "'plot %s' takes no arguments", plot->name);
-    if (!(argument->parse                     ? argument->parse(r, q)
-          : argument->kind == ARGUMENT_CHOICE ? item_parse_choice(r, argument, &q->item[1])
-                                              : item_parse(r, argument, &q->item[1])))
-        return false;
-    return reader_ends(r) || problem_error(r->problem, "'%.20s' is one argument too many", r->at);
+    return plot->argument ? plot->argument->parse(r, q)
+                          : problem_error(r->problem, "'plot %s' takes no arguments", plot->name);
 }
 
 static bool more_bind(const struct question *q, const struct query *query, struct arguments *given,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plots 'energy', 'omega', 'inertia' and 'chain': one cycle of a train, plotted against the tilt of its
+/* The plots 'energy', 'omega' and 'chain': one cycle of a train, plotted against the tilt of its
  * head. */
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -14,9 +14,6 @@ enum { STEPS = 160 };
  * extends to this multiple of that tilt, but not beyond theta_c. */
 #define BEYOND_STOP 4
 
-/* 'plot climb' extends to this multiple of the tilt at the top of the barrier. */
-#define ABOUT_BARRIER 2.2
-
 /* The lines of distant dominoes would lie too close to the line for theta_f. A line is drawn for domino i
  * only if theta_f - theta_i > LINES_APART theta_f at the launch. */
 #define LINES_APART ((domq_real)2 / 100)
@@ -26,8 +23,7 @@ struct cycle {
     struct domq_event event[DOM_EVENTS_MAX];
     int events;
     struct domq_angles angles;
-    domq_real end;  /* the largest tilt of the head in the chart */
-    domq_real most; /* `end` is not larger than this, unless this is 0 */
+    domq_real end; /* the largest tilt of the head in the chart */
 };
 
 /* The tilts of the head and its first followers at one moment. */
@@ -53,8 +49,6 @@ static bool cycle_find(struct cycle *c, struct problem *problem)
     c->end = c->angles.theta_c;
     if (stops)
         c->end = quad_smaller(c->end, BEYOND_STOP * c->event[c->events - 1].theta);
-    if (c->most > 0)
-        c->end = quad_smaller(c->angles.theta_c, c->most);
     return true;
 }
 
@@ -186,42 +180,6 @@ static bool plot_energy(const struct query *query, struct answer *a, struct char
     return cycle_plot(&c, false, a, chart, problem);
 }
 
-/* The part of the cycle in which the train climbs its barrier, with the energy that the launch gives it. */
-static bool plot_climb(const struct query *query, struct answer *a, struct chart *chart,
-                       struct problem *problem)
-{
-    struct cycle c = {.query = query};
-    struct domq_barrier b;
-    enum dom_status status = any_barrier_find(&query->scene->train, query_compute(query), &b);
-    if (status != DOM_OK && status != DOM_STOPS)
-        return problem_status(problem, query->scene, status);
-    if (!(b.theta_m > 0))
-        return problem_no_answer(
-            problem, "there is no barrier to climb: the train releases energy from the launch on");
-    c.most = b.theta_m * (domq_real)ABOUT_BARRIER;
-    if (!cycle_plot(&c, false, a, chart, problem) || !chart)
-        return chart == NULL;
-    const double barrier = (double)b.barrier, kinetic = (double)b.kinetic;
-    const bool is_near = kinetic < 10 * barrier;
-    chart->y.low = -0.1 * barrier;
-    chart->y.high = 1.15 * (is_near ? fmax(kinetic, barrier) : barrier);
-    snprintf(chart->note, sizeof chart->note,
-             "The train needs %.3g to climb its barrier. The launch gives it %.3g%s.", barrier, kinetic,
-             is_near ? "" : ", which is above the chart");
-    if (is_near) {
-        struct chart_curve *launch = chart_curve(chart, CHART_LINE, INK_RED, 1, "energy of the launch");
-        chart_point(chart, launch, 0, kinetic);
-        chart_point(chart, launch, chart->x.high, kinetic);
-    }
-    return true;
-}
-
-static bool plot_inertia(const struct query *query, struct answer *a, struct chart *chart,
-                         struct problem *problem)
-{
-    return cycle_plot(&(struct cycle){.query = query}, false, a, chart, problem);
-}
-
 static bool plot_omega(const struct query *query, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {
@@ -255,8 +213,6 @@ static bool plot_chain(const struct query *query, struct answer *a, struct chart
 #define INERTIA COLUMN("J", "", "inertia of the train (20; c2)", 0)
 #define EVENT   COLUMN("event", "", "the event at this tilt (launch, top, fall, stop or hit), if any", 6)
 static const struct column energy_columns[] = {THETA, DH, KINETIC, INERTIA, EVENT, {NULL, NULL, NULL, 0}};
-static const struct column climb_columns[] = {THETA, DH, KINETIC, EVENT, {NULL, NULL, NULL, 0}};
-static const struct column inertia_columns[] = {THETA, INERTIA, EVENT, {NULL, NULL, NULL, 0}};
 static const struct column omega_columns[] = {
     THETA,
     {"omegasq", "", "tau^2 omega(theta)^2 (21; c3)", 0},
@@ -278,17 +234,9 @@ const struct plot cycle_plots[] = {
      .y = {NULL, "energy, in units of m g h/2 of the head"},
      .curve = {{"dH", "rise in potential energy since the launch", CHART_LINE, INK_BLUE, 0},
                {"kinetic", "kinetic energy", CHART_LINE, INK_RED, 1}}},
-    {"climb", plot_climb, "the barrier of a cycle, with the energy that the launch gives the train",
-     climb_columns, .title = "The climb over the barrier", .x = {"theta", "tilt of the head"},
-     .y = {NULL, "energy, in units of m g h/2 of the head"},
-     .curve = {{"dH", "rise in potential energy since the launch", CHART_LINE, INK_BLUE, 0}}},
     {"omega", plot_omega, "the angular velocity of the head over one cycle", omega_columns,
      .title = "Angular velocity over a cycle", .x = {"theta", "tilt of the head"},
      .y = {"omega", "angular velocity"}, .curve = {{"omega", "", CHART_LINE, INK_BLUE, 0}}},
-    {"inertia", plot_inertia, "the inertia of the train over one cycle", inertia_columns,
-     .title = "Inertia over a cycle", .x = {"theta", "tilt of the head"},
-     .y = {NULL, "inertia J of the moving dominoes, 1 for the head alone"},
-     .curve = {{"J", "J (20; c2)", CHART_LINE, INK_BLUE, 0}}},
     {"chain", plot_chain, "the tilts of the first dominoes over one cycle", chain_columns,
      .title = "Tilts over a cycle", .x = {"theta", "tilt of the head"}, .y = {"theta_i", "tilt of domino i"},
      .curve = {{"theta_i", "i = 0, the head", CHART_LINE, INK_BLUE, 0, 1},

@@ -46,7 +46,7 @@ struct plot_axis {
     bool percent;      /* show the numbers as percentages */
 };
 
-/* A curve that shows the column `key`. Ranges extend from the column "low" to the column "high". */
+/* A curve that shows the column `key`. */
 struct plot_curve {
     const char *key, *title;
     enum chart_kind kind;
@@ -83,8 +83,5 @@ struct plot {
 /* Writes the rows of a plot as csv or json, or draws them. */
 bool plot_write(const struct plot *plot, const struct query *query, struct answer *a,
                 struct problem *problem);
-
-/* Draws the answer of the command 'sweep', for output to a picture file. */
-bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

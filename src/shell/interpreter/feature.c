@@ -54,15 +54,6 @@ const struct feature *feature_at(int k)
     return features[k];
 }
 
-const struct feature_picture *feature_picture(const struct command *command)
-{
-    for (const struct feature *const *f = features; *f; f++)
-        for (const struct feature_picture *p = (*f)->picture; p && p->command; p++)
-            if (strcmp(p->command, command->name) == 0)
-                return p;
-    return NULL;
-}
-
 const struct command_group *command_groups(void)
 {
     return groups;

@@ -9,17 +9,10 @@
 struct engine_driver;
 struct plot;
 
-/* Draws the answer of another feature's command if the answer goes to a picture file, such as 'train.svg'. */
-struct feature_picture {
-    const char *command;
-    bool (*draw)(const struct query *query, struct answer *answer, struct problem *problem);
-};
-
 struct feature {
     const char *name;                            /* its folder; a_b for a folder b in a folder a */
     const struct command_group *groups;          /* its commands; the last title is NULL */
     const struct plot *const *plots;             /* tables of charts for 'plot'; the last one is NULL */
-    const struct feature_picture *picture;       /* the last command is NULL */
     const struct engine_driver *engine;          /* a rigid-body engine */
     const struct parameter *(*parameter)(int k); /* its effects, from k = 0; NULL after the last one */
 };
@@ -32,8 +25,5 @@ void features_register(const struct feature *const *list);
 
 /* Returns feature number k, counted from 0, or NULL if there are no more. */
 const struct feature *feature_at(int k);
-
-/* Returns what draws the command's answer, or NULL. */
-const struct feature_picture *feature_picture(const struct command *command);
 
 #endif

@@ -41,8 +41,6 @@ static bool run_function(struct session *session, const struct command *c, const
     }
     if (c->act)
         return c->act(session, query->given, answer, problem);
-    if (answer->path && extension_of(answer->path)->terminal && feature_picture(c))
-        return feature_picture(c)->draw(query, answer, problem);
     return command_compute(c, query, answer, problem);
 }
 
@@ -170,7 +168,6 @@ static const char *endings_of(const struct command *c)
 {
     return c->writes == WRITES_PICTURES   ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_FILMS    ? ".gif (for the data: .csv or .json)"
-           : feature_picture(c)           ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf or .gp)"
            : c->columns || c->access.runs ? ".csv, .json or .txt"
                                           : ".txt";
 }
@@ -178,7 +175,7 @@ static const char *endings_of(const struct command *c)
 static bool extension_fits(const struct command *c, const char *path, struct problem *problem)
 {
     const struct extension *extension = extension_of(path);
-    const bool draws = is_picture(c) || feature_picture(c);
+    const bool draws = is_picture(c);
     bool fits = true;
     if (extension->kind == EXTENSION_OTHER)
         return problem_error(problem, "the file extension of '%s' is unknown; use %s", names_shown(path),

@@ -12,7 +12,4 @@ static const struct command_group groups[] = {
 
 static const struct plot *const plots[] = {sweep_plots, NULL};
 
-static const struct feature_picture picture[] = {{"sweep", plot_sweep}, {NULL, NULL}};
-
-const struct feature sweeps_pictures_feature = {
-    .name = "sweeps_pictures", .groups = groups, .plots = plots, .picture = picture};
+const struct feature sweeps_pictures_feature = {.name = "sweeps_pictures", .groups = groups, .plots = plots};

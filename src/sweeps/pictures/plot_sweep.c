@@ -228,8 +228,3 @@ const struct plot sweep_plots[] = {
      sweep_columns, .title = "", .draw = plot_sweep_draw, .argument = &grid_argument},
     {.name = NULL},
 };
-
-bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
-{
-    return plot_write(sweep_plots, query, a, problem);
-}
