@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "answer/measure.h"
+#include "answer/cell.h"
 #include "language/quad.h"
 #include "rows/rows.h"
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #ifndef SHELL_STAGE_H
 #define SHELL_STAGE_H
 
-#include "answer/measure.h"
+#include "answer/cell.h"
 #include "pictures/picture/canvas.h"
 #include "pictures/picture/picture.h"
 #include "precision/any.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/answer.h"
-#include "answer/reference.h"
 #include "io/escape.h"
 #include "io/io.h"
 #include "io/terminal.h"
@@ -152,18 +151,6 @@ static void answer_open(struct answer *a)
         progress_end();
     if (a->progress.blank_above && a->style.format->for_people)
         putc('\n', a->out);
-}
-
-struct answer answer_part(const struct answer *a, FILE *out, size_t row)
-{
-    struct answer part = *a;
-    part.out = out;
-    part.kept = NULL;
-    part.details.rest = NULL;
-    part.errors.row = row;
-    part.progress.has_rows = part.progress.has_rows || row > 0;
-    part.progress.is_open = part.progress.is_open || row > 0;
-    return part;
 }
 
 /* ---- Rows ---- */

@@ -7,7 +7,7 @@
 #ifndef SHELL_ANSWER_H
 #define SHELL_ANSWER_H
 
-#include "answer/measure.h"
+#include "answer/cell.h"
 #include "io/output.h"
 #include "language/units.h"
 #include <signal.h>
@@ -191,11 +191,6 @@ bool answer_row(struct answer *answer, const struct cell *cells, const char *rea
 /* Fixes the layout before the first row is known. The layout becomes what it would be if the first row were
  * `sample`. If `sample` is NULL, no column shows errors. */
 void answer_plan(struct answer *answer, const struct cell *sample);
-
-/* Returns a copy of the answer that writes its rows to another stream. The layout must be fixed already, so
- * that all copies write the same columns. `row` is the index of the first row of the copy; if it is 0, the
- * copy also writes the lines above that row. */
-struct answer answer_part(const struct answer *answer, FILE *out, size_t row);
 
 /* Returns true if no more rows can be written, because the disk is full or a pipe has no reader, or if no
  * more are wanted, because the user has interrupted the command. Every loop over rows asks this function. */

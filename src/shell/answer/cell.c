@@ -202,3 +202,147 @@ const char *cell_plain_error(const struct answer_style *style, struct cell cell,
         cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2));
     return has_error ? error_text(printed_error(cell, cell_plain(style, cell, number)), text) : none;
 }
+
+/* ---- Units ---- */
+
+/* The units for display, such as mm, so that 0.005 m is shown as 5 mm. A number in the unit `base` is shown
+ * in the first unit of the list that has this base and a limit `below` larger than the number. For example,
+ * 0.5 m is shown as 50 cm, because 0.5 is below 1 but not below 1/100. If the list has no such unit, the
+ * number is shown in `base`. */
+static const struct {
+    const char *base;
+    domq_real below;
+    struct measure measure;
+} measures[] = {{"m", (domq_real)1 / 100, {"mm", 3}},
+                {"m", 1, {"cm", 2}},
+                {"kg", 1, {"g", 3}},
+                {"kg", 10000, {"kg", 0}},
+                {"kg", (domq_real)1e30, {"t", -3}}, /* otherwise, as for unknown numbers: kg */
+                {"share", (domq_real)HUGE_VAL, {"%", 2}}};
+
+struct measure measure_of(const char *unit, domq_real largest)
+{
+    /* With this factor, 10 mm is shown as 1 cm in spite of rounding errors. */
+    const domq_real almost = 1 + (domq_real)1e-12;
+    for (size_t i = 0; *unit && i < sizeof measures / sizeof *measures; i++)
+        if (strcmp(unit, measures[i].base) == 0 && quad(fabs)(largest) * almost < measures[i].below)
+            return measures[i].measure;
+    return (struct measure){unit, 0};
+}
+
+domq_real measure_number(struct measure measure, domq_real value)
+{
+    char text[2 * WIDE_TEXT];
+    if (measure.power == 0 || !isfinite(value))
+        return value;
+    quad_exact(value, WIDE_DIGITS, text);
+    char *exponent = strchr(text, 'e');
+    int power = measure.power + (exponent ? atoi(exponent + 1) : 0);
+    char *end = exponent ? exponent : text + strlen(text);
+    snprintf(end, sizeof text - (size_t)(end - text), "e%d", power);
+    return quad_read(text, NULL);
+}
+
+struct measured measured(domq_real value, const char *unit, int digits)
+{
+    struct measured result;
+    struct measure measure = measure_of(unit, value);
+    domq_real shown = measure_number(measure, value), limit = 1;
+    for (int n = 0; n < digits; n++)
+        limit *= 10;
+    /* With only two digits, for example, printf would write 100 as 1e+02. */
+    for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10)
+        digits++;
+    snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits), *measure.unit ? " " : "",
+             measure.unit);
+    return result;
+}
+
+struct measured measured_share(domq_real value, int digits)
+{
+    struct measured result = measured(value, "share", digits);
+    while (value != 1 && strcmp(result.text, "100 %") == 0 && digits < 15)
+        result = measured(value, "share", ++digits);
+    return result;
+}
+
+struct axis_unit measure_axis(double longest)
+{
+    return longest >= 2     ? (struct axis_unit){"m", 1}
+           : longest >= 0.2 ? (struct axis_unit){"cm", 0.01}
+                            : (struct axis_unit){"mm", 0.001};
+}
+
+/* ---- Errors ---- */
+
+void reference_add(struct reference *r, size_t at, const struct cell *cells, size_t columns)
+{
+    if (r->rows == 0) {
+        r->first = at;
+        r->columns = columns;
+    }
+    if (r->rows == r->room && !r->is_void) {
+        const size_t room = r->room ? 2 * r->room : 4;
+        void *all = realloc(r->cell, room * r->columns * sizeof *r->cell);
+        r->cell = all ? all : r->cell;
+        r->room = all ? room : r->room;
+        r->is_void = !all;
+    }
+    if (r->is_void || columns != r->columns) {
+        r->is_void = true;
+        return;
+    }
+    struct cell *row = r->cell + r->columns * r->rows++;
+    memcpy(row, cells, columns * sizeof *cells);
+    for (size_t i = 0; i < columns; i++)
+        if (row[i].kind == CELL_WORD) { /* the word may be gone when it is compared */
+            row[i].word = strdup(row[i].word);
+            r->is_void = r->is_void || !row[i].word;
+        }
+}
+
+void reference_free(struct reference *r)
+{
+    for (size_t i = 0; i < r->rows * r->columns; i++)
+        if (r->cell[i].kind == CELL_WORD)
+            free((char *)r->cell[i].word);
+    free(r->cell);
+}
+
+/* Returns true if the two rows come to the same conclusions. */
+static bool rows_agree(const struct cell *a, const struct cell *b, size_t columns)
+{
+    for (size_t i = 0; i < columns; i++) {
+        if (a[i].kind == CELL_WORD && b[i].kind == CELL_WORD && strcmp(a[i].word, b[i].word) != 0)
+            return false;
+        const bool is_conclusion = a[i].kind == CELL_COUNT || a[i].kind == CELL_FLAG;
+        if (is_conclusion && a[i].kind == b[i].kind && a[i].number != b[i].number)
+            return false;
+    }
+    return true;
+}
+
+/* Returns the relative distance between neighbouring numbers of the style's precision. */
+static domq_real rounding(const struct answer_style *style)
+{
+    return (domq_real)any_arithmetic(style->precision).epsilon;
+}
+
+void reference_compare(const struct reference *r, size_t at, const struct answer_style *style,
+                       struct cell *cells, size_t columns)
+{
+    const bool has_row = !r->is_void && at >= r->first && at - r->first < r->rows && columns == r->columns;
+    const struct cell *exact = has_row ? r->cell + r->columns * (at - r->first) : NULL;
+    if (exact && !rows_agree(cells, exact, columns))
+        exact = NULL;
+    for (size_t i = 0; i < columns; i++) {
+        struct cell *cell = &cells[i];
+        const bool is_open = !exact || exact[i].kind != CELL_REAL;
+        const domq_real difference = is_open ? DOMQ_NAN : quad(fabs)(cell->number - exact[i].number);
+        const bool has_none = !cell->computed && (isnan(cell->error) || !(difference > 0));
+        if (cell->kind != CELL_REAL || has_none)
+            continue;
+        const domq_real uncertainty = isnan(cell->error) ? 0 : cell->error;
+        cell->error = difference + rounding(style) * quad(fabs)(cell->number) + uncertainty;
+    }
+}

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The cells of an answer, and how their numbers are written. */
+/* The cells of an answer: how their numbers are written, in which units, and with which errors. */
 #ifndef SHELL_CELL_H
 #define SHELL_CELL_H
 
@@ -21,7 +21,7 @@ struct answer_style {
     enum precision precision;
     double tol;      /* the tolerance to which numbers are computed */
     int all_digits;  /* the number of digits needed for an exact round trip at this precision */
-    unsigned errors; /* show errors: see answer/reference.h */
+    unsigned errors; /* show errors: see struct reference */
 };
 
 struct cell {
@@ -83,5 +83,84 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
 /* Returns the text of the cell's error in csv and json. If the error is not known, returns `none`. */
 const char *cell_plain_error(const struct answer_style *style, struct cell cell, const char *none,
                              char text[CELL_TEXT]);
+
+/* ---- Units ---- */
+
+/*
+ * Units that are easy to read. Cells, csv and json contain base units: m, kg, and fractions of 1. Tables and
+ * sentences convert values to other units:
+ *
+ *   "m"      mm below 1 cm, cm below 1 m, otherwise m
+ *   "kg"     g below 1 kg, kg below 10,000 kg, otherwise t
+ *   "share"  %
+ *
+ * A column of a table has one unit in all rows (see answer_announce). In a sentence, measured(value, "m",
+ * 4).text is a value with its unit.
+ */
+
+/* A unit for display. A number in the base unit is multiplied by 10^power. */
+struct measure {
+    const char *unit;
+    int power;
+};
+
+/* Returns the unit for a column whose largest absolute value is `largest`. */
+struct measure measure_of(const char *unit, domq_real largest);
+
+/* Returns value * 10^power, correctly rounded, so that 4.8 cm has the same digits as 0.048 m. */
+domq_real measure_number(struct measure measure, domq_real value);
+
+/* Formats a value with its unit, as in "4.8 cm" or "11 %". The result has at most `digits` significant
+ * digits. If the value has more digits than this before the decimal point, as in 1234 %, all of them are
+ * shown. */
+struct measured {
+    char text[CELL_TEXT];
+};
+struct measured measured(domq_real value, const char *unit, int digits);
+
+/* Returns a fraction in percent, with enough digits to differ from 100 %, as in "99.97 %". */
+struct measured measured_share(domq_real value, int digits);
+
+/* The unit of an axis or a ruler. */
+struct axis_unit {
+    const char *name;
+    double size; /* in m */
+};
+
+/* Returns the unit for an axis or a ruler that shows lengths up to `longest` m. The unit is mm if `longest`
+ * is below 0.2, cm if it is below 2, and otherwise m. So lengths in mm and cm need at most three digits
+ * before the decimal point, and a ruler has no room for more. */
+struct axis_unit measure_axis(double longest);
+
+/* ---- Errors ---- */
+
+/*
+ * The errors of an answer. If 'errors' is on, an answer is computed twice: as the session asks, and with the
+ * digits of quad precision. The error of a number is the difference, plus the rounding error of the number,
+ * plus the uncertainty that the search for it has left (cell_uncertain). This is not a proof: if both
+ * computations make the same mistake, the difference does not show it.
+ */
+
+/* The rows of the same answer in quad precision. */
+struct reference {
+    struct cell *cell; /* the cells of all rows */
+    size_t columns;    /* the number of cells in a row */
+    size_t first;      /* the index of the first row: with --shard, it may be above 0 */
+    size_t rows, room;
+    /* True if nothing can be compared with these rows: the computation failed, or a part of it has only one
+     * precision. */
+    bool is_void;
+};
+
+/* Adds the row with the index `at`. Rows come in order. */
+void reference_add(struct reference *reference, size_t at, const struct cell *cells, size_t columns);
+
+/* Sets the errors of the numbers in the row with the index `at`. If a word, a count or a yes-or-no cell of
+ * this row differs from the reference, no error of the row is known: the two computations have come to
+ * different conclusions. */
+void reference_compare(const struct reference *reference, size_t at, const struct answer_style *style,
+                       struct cell *cells, size_t columns);
+
+void reference_free(struct reference *reference);
 
 #endif

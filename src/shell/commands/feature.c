@@ -6,7 +6,6 @@
 #include <gsl/gsl_version.h>
 #include <readline/readline.h>
 #include <string.h>
-#include <sys/utsname.h>
 
 #if defined __clang__
 #define COMPILER "clang " __clang_version__
@@ -18,11 +17,8 @@
 
 static const struct column version_columns[] = {
     {"version", "", "the version of this program and of its library", 0},
-    {"system", "", "the operating system and the machine", 0},
     {"compiler", "", "the compiler that built this program", 0},
     {"quad", "", "the C type that quad precision uses", 0},
-    {"quad_bits", "",
-     "the number of bits in the significand of this type, or 0 if there is no quad precision", 0},
     {"gsl", "", "the version of the GNU Scientific Library", 0},
     {"readline", "", "the version of GNU Readline", 0},
     {"features", "", "what this build has besides the calculator of the paper, separated by blanks", 0},
@@ -32,20 +28,16 @@ static const struct column version_columns[] = {
 static bool run_version(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct domq_arithmetic quad = any_arithmetic(IN_QUAD);
-    struct utsname name = {.sysname = ""};
-    char system[sizeof name.sysname + sizeof name.machine], names[256] = "";
+    char names[256] = "";
     const struct feature *f;
     for (int k = 0; (f = feature_at(k)) != NULL; k++)
         if (!strchr(f->name, '_') && strcmp(f->name, "shell") != 0 && strcmp(f->name, "train") != 0)
             text_add(names, sizeof names, "%s%s", *names ? " " : "", f->name);
     (void)query;
     (void)problem;
-    (void)uname(&name);
-    snprintf(system, sizeof system, "%s %s", name.sysname, name.machine);
     answer_say(a, "domino %s\n", dom_version());
-    return answer_cells(a, cell_word(dom_version()), cell_word(system), cell_word(COMPILER),
-                        cell_word(quad.type), cell_count(quad.bits), cell_word(gsl_version),
-                        cell_word(rl_library_version), cell_word(names));
+    return answer_cells(a, cell_word(dom_version()), cell_word(COMPILER), cell_word(quad.type),
+                        cell_word(gsl_version), cell_word(rl_library_version), cell_word(names));
 }
 
 static const struct command version_commands[] = {

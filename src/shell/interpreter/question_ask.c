@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "answer/reference.h"
+#include "answer/cell.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "precision/any.h"

@@ -65,8 +65,26 @@ static bool is_written(const struct target *t, const struct target *except)
     return false;
 }
 
-const char *target_begin(struct target *t, const char *path, bool may_be_standard,
-                         const struct target *except)
+static void target_end(struct target *t)
+{
+    struct target **at = &targets;
+    while (*at != t)
+        at = &(*at)->next;
+    *at = t->next;
+    free(t->path);
+    free(t->folder);
+}
+
+/*
+ * Registers a file that will be written. Returns NULL, or a message on failure. Apart from system errors,
+ * registering fails in these cases:
+ * - The path contains characters that have to be escaped.
+ * - The file is standard output, and `may_be_standard` is false.
+ * - The session is already writing the file for another target. This is allowed, however, if the other
+ *   target is `except` (which may be NULL), or if the file is a device or a FIFO.
+ */
+static const char *target_begin(struct target *t, const char *path, bool may_be_standard,
+                                const struct target *except)
 {
     /* a person who reads a script must be able to see which file the script writes */
     if (escape_needed(path))
@@ -80,16 +98,6 @@ const char *target_begin(struct target *t, const char *path, bool may_be_standar
     if (wrong)
         target_end(t);
     return wrong;
-}
-
-void target_end(struct target *t)
-{
-    struct target **at = &targets;
-    while (*at != t)
-        at = &(*at)->next;
-    *at = t->next;
-    free(t->path);
-    free(t->folder);
 }
 
 /* ---- The output ---- */

@@ -28,20 +28,6 @@ struct target {
     struct target *next;
 };
 
-/*
- * Registers a file that will be written. Returns NULL, or a message on failure. Apart from system errors,
- * registering fails in these cases:
- * - The path contains characters that have to be escaped.
- * - The file is standard output, and `may_be_standard` is false.
- * - The session is already writing the file for another target. This is allowed, however, if the other
- *   target is `except` (which may be NULL), or if the file is a device or a FIFO.
- */
-const char *target_begin(struct target *target, const char *path, bool may_be_standard,
-                         const struct target *except);
-
-/* Removes a target, so that its file may be written again. */
-void target_end(struct target *target);
-
 struct output {
     struct output *below; /* NULL at the bottom */
     FILE *out;            /* receives the answers */

@@ -20,12 +20,6 @@ char *line_edit(struct session *session, const char *prompt);
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
 
-/* Readline's functions for completion and for quoting file names. Set prompt_session first, because Readline
- * passes no context. */
-extern struct session *prompt_session;
-char **complete_word(const char *text, int start, int end);
-char *complete_quote(char *name, int match, char *quote);
-
 /*
  * Writes the path of one of the user's files:
  * - If the environment variable `variable` is an absolute path, the file is $variable/domino/name.

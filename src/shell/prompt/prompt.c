@@ -23,6 +23,9 @@
 #include <readline/history.h>
 #include <readline/readline.h>
 
+/* The session for Readline's functions, which pass no context. */
+static struct session *prompt_session;
+
 /* ---- The history, which all sessions share; each line is appended to its file before it runs ---- */
 
 /* The number of lines that are kept. A file is shortened when it has twice as many. */
@@ -124,6 +127,67 @@ static void history_keep(struct session *session, const char *text)
     const int reason = *history_file ? file_add(text) : 0;
     if (reason)
         history_fails(session, strerror(reason));
+}
+
+/* ---- Completion ---- */
+
+static struct {
+    char **word;
+    size_t count, next;
+} candidates;
+
+static void candidate_add(const char *candidate, void *context)
+{
+    (void)context;
+    char **more = realloc(candidates.word, (candidates.count + 1) * sizeof *more);
+    if (!more)
+        return;
+    candidates.word = more;
+    candidates.word[candidates.count] = strdup(candidate);
+    candidates.count += candidates.word[candidates.count] != NULL;
+}
+
+/* Readline calls this function until it returns NULL, the first time with `state` = 0. Readline also frees
+ * the candidates. */
+static char *candidate_next(const char *text, int state)
+{
+    (void)text;
+    candidates.next = state ? candidates.next : 0;
+    return candidates.next < candidates.count ? candidates.word[candidates.next++] : NULL;
+}
+
+/* Quotes a file name, or the beginning that several names share. Within quotes, two quotes stand for one.
+ * Readline frees the text. */
+static char *complete_quote(char *name, int match, char *quote)
+{
+    char *quoted = malloc(2 * strlen(name) + 3), *to = quoted;
+    (void)quote;
+    if (!quoted)
+        return strdup(name);
+    *to++ = '"';
+    for (; *name; *to++ = *name++)
+        if (*name == '"')
+            *to++ = '"';
+    if (match == SINGLE_MATCH)
+        *to++ = '"';
+    *to = '\0';
+    return quoted;
+}
+
+static char **complete_word(const char *text, int start, int end)
+{
+    char *line = strndup(rl_line_buffer, (size_t)end);
+    (void)start;
+    /* If there are no candidates, Readline must not complete the names of files instead. */
+    rl_attempted_completion_over = 1;
+    candidates.count = 0;
+    if (line)
+        complete_line(prompt_session, line, !prompt_session->run_context.safe, candidate_add, NULL);
+    free(line);
+    const char *first = candidates.count ? candidates.word[0] : "";
+    /* After the '(' of a function, Readline must not append a blank. */
+    rl_completion_suppress_append = *first && first[strlen(first) - 1] == '(';
+    return rl_completion_matches(text, candidate_next);
 }
 
 /* ---- Keys ---- */

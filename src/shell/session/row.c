@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/row.h"
-#include "answer/measure.h"
+#include "answer/cell.h"
 #include "language/quad.h"
 #include <stdlib.h>
 #include <string.h>

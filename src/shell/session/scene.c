@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/scene.h"
-#include "answer/measure.h"
+#include "answer/cell.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include <stdio.h>

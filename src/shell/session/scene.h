@@ -5,7 +5,7 @@
 #ifndef SHELL_SCENE_H
 #define SHELL_SCENE_H
 
-#include "answer/measure.h"
+#include "answer/cell.h"
 #include "language/variables.h"
 #include "precision/any.h"
 #include "session/problem.h"
