@@ -60,20 +60,6 @@ load common
     [ -p fifo ]
 }
 
-@test "the writer of a FIFO gets an answer before it writes the next command" {
-    mkfifo ask answer
-    soon "$DOMINO" -f ask >answer 3>&- &
-    exec 5<answer 4>ask
-    for k in 1 2; do
-        echo "print 41 + $k" >&4
-        read -r -t 20 said <&5
-        [ -n "$said" ] || read -r -t 20 said <&5 # a blank line separates answers
-        same "answer $k" "$((41 + k))" "$said"
-    done
-    exec 4>&- 5<&-
-    wait
-}
-
 @test "the command in '> >(...)' reads the answer" {
     answer=$("$DOMINO" -e fuel)
     mkfifo over

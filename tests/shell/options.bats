@@ -186,18 +186,6 @@ END
     same '-f' 0.3 "$("$DOMINO" --safe -f plain -e 'set output json; show s' | values value)"
 }
 
-@test "-n is accepted; no start-up file is read without a terminal" {
-    mkdir -p config/domino
-    echo 'set s 0.3' >config/domino/init.dom
-    close fuel 0.177287017324780688790030782681 "$(json fuel | values fuel)"
-    differ 'what the file would change' "$(json fuel)" "$(json 'set s 0.3; fuel')"
-    for option in -n --no-init --safe --bail --keep-going; do
-        same "$option" "$(json fuel)" "$(XDG_CONFIG_HOME=$PWD/config "$DOMINO" "$option" -e 'set output json; fuel')"
-        same "$option, stdin" "$(json fuel)" \
-            "$(echo 'set output json; fuel' | XDG_CONFIG_HOME=$PWD/config "$DOMINO" "$option")"
-    done
-}
-
 @test "a message says which file cannot be read and why, and the other files run" {
     echo 'set output json; show s' >good
     ln -s loop loop

@@ -125,42 +125,6 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     run -2 "$examples/rmax.py" ''
 }
 
-@test "a program in quad gets more digits than double has" {
-    cat >quad.c <<'C'
-#define _GNU_SOURCE
-#include <domino_quad.h>
-#include <stdio.h>
-#include <stdlib.h>
-int main(void)
-{
-    const struct domq_arithmetic *quad = domq_arithmetic();
-    struct domq_train train = domq_train_default();
-    struct domq_compute compute = domq_compute_default();
-    struct domq_limit limit;
-    char text[64];
-    compute.tol = quad->tol_default;
-    if (domq_limit_rmax(&train, &compute, &limit) != DOM_OK)
-        return 1;
-#ifdef DOMQ_REAL_FLOAT128
-    strfromf128(text, sizeof text, "%.33g", limit.r_max);
-#else
-    snprintf(text, sizeof text, "%.33Lg", limit.r_max);
-#endif
-    printf("%d %s %.15g %.17g\n", quad->digits, text, (double)limit.r_max, dom_rmax(0.4, 7.0 / 48, 4));
-}
-C
-    known=1.64422903953514910728136563949904
-    install_there
-    for way in shared --static; do
-        build_with $way quad.c -o quad
-        read -r digits wide converted narrow < <(./quad)
-        [ "$digits" -gt 15 ]
-        same "$way: $digits digits" "${known:0:digits}" "${wide:0:digits}"
-        same "$way: as a double" 1.64422903953515 "$converted"
-        close "$way: in double" "$known" "$narrow" 1e-12
-    done
-}
-
 @test "pkg-config passes -DDOM_NO_FLOAT128 if the library was built without __float128" {
     for flags in '' -DDOM_NO_FLOAT128; do
         pc=$PWD/pc$flags

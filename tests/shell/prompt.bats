@@ -62,7 +62,7 @@ same_at_the_prompt() { # FORMAT
 @test "letters: ASCII in an ASCII locale" { prompt ascii; }
 @test "colour: on terminals with colours, but not in pipes" { prompt colour; }
 @test "colour: off with NO_COLOR, TERM=dumb, and without TERM" { prompt no_colour; }
-@test "progress: on stderr, for a terminal only" { prompt progress; }
+@test "progress: for a terminal only" { prompt progress; }
 @test "lines of 4000 letters" { prompt long_line; }
 @test "watch works only at the prompt, and says so" {
     wrong 'watch s 0.1 0.9: rmax' 'works only at the prompt of a terminal .* lists the answers'

@@ -81,31 +81,6 @@ END
     same_file expected obtained
 }
 
-# bats test_tags=rows,sweeps
-@test "a log into a FIFO, or into a non-blocking pipe, gets every byte from a program whose reader is slow" {
-    local rows='set output csv; sweep s 0.001 0.999 4000 : print s*1' to
-    "$DOMINO" -n -e "$rows" >expected
-    mkfifo fifo
-    cat >log.py <<'END'
-import os, subprocess, sys
-reader, writer = os.pipe()
-os.set_blocking(writer, False)
-path = f"/dev/fd/{writer}" if sys.argv[1] == "pipe" else "fifo"
-domino = subprocess.Popen([os.environ["DOMINO"], "-n", "-e", f"log {path}; {sys.argv[2]}"],
-                          stdout=subprocess.DEVNULL, pass_fds=[writer])
-os.close(writer)
-file = reader if sys.argv[1] == "pipe" else os.open("fifo", os.O_RDONLY)
-while open(f"/proc/{domino.pid}/stat").read().rsplit(")", 1)[1].split()[0] not in "SZ":
-    pass
-sys.stdout.buffer.write(open(file, "rb").read())
-sys.exit(domino.wait())
-END
-    for to in pipe fifo; do
-        soon python3 log.py $to "$rows" | sed -n '1,2d; s/^# //p' >obtained
-        same_file expected obtained
-    done
-}
-
 # bats test_tags=rows,chance,sweeps
 @test "a study that is killed has written its rows, but not each row by itself" {
     exec 5< <(exec "$DOMINO" -n -e 'set output csv; set threads 1; effect row 12; effect placement 5 mm; sweep seed 1 100000 100000 : placement 300' 3>&-)

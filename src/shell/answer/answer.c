@@ -273,31 +273,14 @@ char *rest_end(struct rest *rest)
     return text;
 }
 
-/* Before the first row: prepares the rest for rows with all columns, and leaves those out of the answer that
- * answer->details.brief does not list. */
-static void rest_begin_rows(struct answer *a)
+bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
-    a->details.has_rows = true;
-    if (rest_answer(a))
-        rest_copy(a, a->details.rest);
-    columns_leave_out(a, a->details.brief, false);
-}
-
-/* Returns the number of cells in a row, including those that are left out. */
-static int cells_count(const struct answer *a)
-{
-    int count = 0;
+    struct cell row[ANSWER_COLUMNS];
+    int count = 0; /* of all cells, including those that are left out */
     for (unsigned left = a->left_out; left; left &= left - 1)
         count++;
     for (const struct column *c = a->columns; c->key; c++)
         count++;
-    return count;
-}
-
-bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
-{
-    struct cell row[ANSWER_COLUMNS];
-    const int count = cells_count(a);
     memcpy(row, cells, (size_t)count * sizeof *row);
     for (int i = 0; i < count && a->in_double; i++)
         row[i].in_double = true;
@@ -309,8 +292,12 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
         reference_compare(a->errors.reference, a->errors.row, &a->style, row, (size_t)count);
     a->errors.row++;
     const bool is_brief = a->details.brief && *a->details.brief != '*' && answer_for_people(a);
-    if (is_brief && !a->details.has_rows)
-        rest_begin_rows(a);
+    if (is_brief && !a->details.has_rows) { /* the rest has all columns, and the answer those of `brief` */
+        a->details.has_rows = true;
+        if (rest_answer(a))
+            rest_copy(a, a->details.rest);
+        columns_leave_out(a, a->details.brief, false);
+    }
     if (is_brief && rest_answer(a))
         answer_row(a->details.rest->answer, row, NULL);
     for (int i = 0, n = 0; a->left_out && i < count; i++)

@@ -76,14 +76,6 @@ static const char *error_text(domq_real error, char text[WIDE_TEXT])
     return quad_write(error * (domq_real)1.06, 2, text);
 }
 
-/* Returns how many digits of a number to print. Rounding then adds little to the error. */
-static int error_digits(struct cell cell, int all)
-{
-    domq_real ratio = quad(fabs)(cell.number) / cell.error;
-    int digits = ratio > 1 ? (int)quad_smaller(quad(floor)(quad(log10)(ratio)), 40) + 3 : 2;
-    return digits < all ? digits : all;
-}
-
 /* Returns the error of the printed number, including its rounding error. */
 static domq_real printed_error(struct cell cell, const char *text)
 {
@@ -103,8 +95,11 @@ static const char *real_text(struct cell cell, int digits, bool errors, char tex
                                                                cell.digits ? cell.digits : digits, text);
     if (cell.error == 0)
         quad_exact(cell.number, digits, number);
-    else
-        quad_write(cell.number, error_digits(cell, digits), number);
+    else { /* rounding to so many digits adds little to the error */
+        const domq_real ratio = quad(fabs)(cell.number) / cell.error;
+        const int most = ratio > 1 ? (int)quad_smaller(quad(floor)(quad(log10)(ratio)), 40) + 3 : 2;
+        quad_write(cell.number, most < digits ? most : digits, number);
+    }
     domq_real error = printed_error(cell, number);
     if (error > 0)
         snprintf(text, CELL_TEXT, "%s +/- %s", number, error_text(error, shown));

@@ -42,24 +42,20 @@ size_t line_break(const char *text, int columns)
     return n;
 }
 
-static int longest_piece(const char *text)
-{
-    int longest = 0;
-    for (size_t n; *text; text += n + (text[n] != '\0')) {
-        n = piece_length(text);
-        int columns = utf8_width(text, n);
-        longest = columns > longest ? columns : longest;
-    }
-    return longest;
-}
-
 void write_wrapped(FILE *out, const char *text, int left, int right)
 {
     enum { BELOW = 4 };
+    int longest = 0;
     text += strspn(text, " ");
+    for (const char *piece = text; *piece && right; piece += *piece != '\0') {
+        const size_t n = piece_length(piece);
+        const int columns = utf8_width(piece, n);
+        longest = columns > longest ? columns : longest;
+        piece += n;
+    }
     /* If the longest piece does not fit between `left` and `right`, the text begins on the next line, with
      * less indentation. */
-    if (right && left > BELOW && left + longest_piece(text) > right) {
+    if (right && left > BELOW && left + longest > right) {
         left = BELOW;
         fprintf(out, "\n%*s", left, "");
     }

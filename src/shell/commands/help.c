@@ -173,14 +173,6 @@ static const struct first_line {
     {"quit", "ends the session; ^C stops a computation"},
 };
 
-/* Returns true if this build has the command of a line, and the parameter that it sets. */
-static bool line_runs(const char *line)
-{
-    char command[16] = "", parameter[16] = "";
-    sscanf(line, "%15s %15s", command, parameter);
-    return command_find(command) && (strcmp(command, "set") != 0 || parameter_find(parameter));
-}
-
 /* Prints one screen: the lines to type, and the names of all commands, in groups. */
 static void help_screen(FILE *out)
 {
@@ -188,12 +180,16 @@ static void help_screen(FILE *out)
     int width = terminal_width(out);
     width = width && width < LINE ? width : LINE;
     say(out, "The first five minutes: type what follows the '>'");
-    for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++)
-        if (line_runs(first_lines[i].line)) {
+    for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++) {
+        /* a build may not have the command of a line, or the parameter that it sets */
+        char command[16] = "", parameter[16] = "";
+        sscanf(first_lines[i].line, "%15s %15s", command, parameter);
+        if (command_find(command) && (strcmp(command, "set") != 0 || parameter_find(parameter))) {
             const int left = fprintf(out, "> %-14s ", first_lines[i].line);
             write_wrapped(out, first_lines[i].does, left, width);
             putc('\n', out);
         }
+    }
     const struct command_group *g = command_groups();
     for (const char *word = g->word; g->title; word = g->word) {
         char names[512] = "";

@@ -181,17 +181,6 @@ change_say(const struct query *query, struct answer *a, const char *format, ...)
         run_context_note(query->run_context, "%s", text);
 }
 
-/* Prints the value that 'on' gave to an effect, because the user may not know it. */
-static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
-{
-    bool listed = effect_file(query->scene, p->which);
-    change_say(query, a, "%s is %s with %s%s%s: the %s. 'set %s' sets another value.", p->name,
-               before ? "on" : "on now", listed ? "" : p->value->name, listed ? "" : " = ",
-               effect_setting(query->scene, p->which),
-               listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
-               parameter_usage(p));
-}
-
 /* Refuses a height that has no unit and is far from the current height. 'set h 5' means 5 m, but the user
  * probably means 5 cm. */
 static bool height_likely(const struct query *query, struct problem *problem)
@@ -266,8 +255,15 @@ static bool run_set(const struct query *query, struct answer *a, struct problem 
                    precision == IN_QUAD ? "" : "; 'set precision quad' has more");
     if (!query->run_context->sourced)
         row_say(query, a, p);
-    if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
-        effect_say(query, a, p, before != EFFECT_OFF);
+    if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON) {
+        /* The user may not know the value that 'on' has given. */
+        const bool is_file = effect_file(&next->scene, p->which);
+        change_say(query, a, "%s is %s with %s%s%s: the %s. 'set %s' sets another value.", p->name,
+                   before == EFFECT_OFF ? "on now" : "on", is_file ? "" : p->value->name,
+                   is_file ? "" : " = ", effect_setting(&next->scene, p->which),
+                   is_file ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
+                   parameter_usage(p));
+    }
     return true;
 }
 
@@ -323,19 +319,6 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
     return done;
 }
 
-/* Returns the absolute path of a file's directory, which the caller frees. Returns NULL for a device or a
- * FIFO, or if there is no such path. */
-static char *folder_of(const char *path)
-{
-    struct stat status;
-    const char *slash = strrchr(path, '/');
-    char *named = slash ? strndup(path, (size_t)(slash + 1 - path)) : strdup(".");
-    bool regular = stat(path, &status) != 0 || S_ISREG(status.st_mode);
-    char *folder = named && regular ? realpath(named, NULL) : NULL;
-    free(named);
-    return folder;
-}
-
 /* Returns true if 'save' may write to this path. A script must not replace a picture, a table or the file of
  * the row. */
 static bool save_allowed(const struct scene *scene, const char *path, struct problem *problem)
@@ -369,7 +352,8 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
         return false;
     const char *wrong = output_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
-        char *folder = folder_of(path);
+        /* a script in a device or a FIFO has no folder */
+        char *folder = file->draft >= 0 ? realpath(file->target.folder, NULL) : NULL;
         fprintf(file->out, "# A session of domino " DOM_VERSION
                            "; run it with 'source', 'domino -f' or, to stay, 'domino -i'.\n");
         for (int k = 0; (p = parameter_in_order(query->state, k)) != NULL; k++)

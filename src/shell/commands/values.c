@@ -175,24 +175,17 @@ static bool body_parse(struct reader *r, struct variable *v)
     return v->body != NULL;
 }
 
-/* If nothing but the name of a variable follows, as in 'let x', reads the name and returns the variable.
- * Otherwise returns NULL. */
-static const struct variable *defined_parse(struct reader *r)
-{
-    char name[VARIABLE_NAME];
-    size_t n = strcspn(r->at, " \t;>#(=");
-    const char *end = skip_blanks(r->at + n);
-    if (!name_copy(r->at, n, name, sizeof name) || !(command_ends(end) || *end == '>'))
-        return NULL;
-    const struct variable *v = variable_find(&r->query->state->variables, name);
-    r->at = v ? end : r->at;
-    return v;
-}
-
 static bool definition_parse(struct reader *r, struct question *q)
 {
-    if ((q->variable = defined_parse(r)) != NULL)
+    /* as in 'let x', which shows a variable */
+    char name[VARIABLE_NAME];
+    const size_t n = strcspn(r->at, " \t;>#(=");
+    const char *end = skip_blanks(r->at + n);
+    if (name_copy(r->at, n, name, sizeof name) && (command_ends(end) || *end == '>') &&
+        (q->variable = variable_find(&r->query->state->variables, name)) != NULL) {
+        r->at = end;
         return true;
+    }
     struct definition *d = q->parsed = reader_memory(r, sizeof *d);
     if (!d)
         return false;

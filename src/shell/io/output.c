@@ -108,44 +108,41 @@ void output_flush(struct output *o)
     io_stdout_flush();
 }
 
-/* Opens the file that receives the text: the draft or, for a device, a FIFO and standard output, the target
- * itself. Returns -1 on failure. */
-static int file_open(struct output *o)
-{
-    const struct target *t = &o->target;
-    o->draft = -1;
-    if (t->exists && access(t->path, W_OK) != 0)
-        return -1;
-    if (is_standard(t) || (t->exists && !S_ISREG(t->status.st_mode))) {
-        io_stdout_flush();
-        return is_standard(t) ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
-                              : io_open(t->path, O_WRONLY, 0, o->interrupt);
-    }
-    o->draft = io_temporary(t->folder, NULL);
-    if (o->draft < 0 && o->append && t->exists) /* the draft of an append may be in another folder */
-        o->draft = io_temporary(NULL, NULL);
-    return o->draft;
-}
-
 const char *output_push(struct output **top, const char *path, bool append,
                         const volatile sig_atomic_t *interrupt)
 {
     struct output *o = malloc(sizeof *o);
     if (!o)
         return strerror(ENOMEM);
-    *o = (struct output){.below = *top, .path = path, .append = append, .interrupt = interrupt};
-    const char *wrong = target_begin(&o->target, path, true, NULL);
-    if (!wrong) {
-        const int file = file_open(o);
-        o->out = file >= 0 ? io_stream(file, "w", interrupt) : NULL;
-        wrong = o->out ? NULL : strerror(errno);
-        if (wrong)
-            target_end(&o->target);
-    }
-    if (wrong)
+    *o = (struct output){.below = *top, .path = path, .append = append, .interrupt = interrupt, .draft = -1};
+    struct target *t = &o->target;
+    const char *wrong = target_begin(t, path, true, NULL);
+    if (wrong) {
         free(o);
-    else
+        return wrong;
+    }
+    int file = -1;
+    if (t->exists && access(t->path, W_OK) != 0)
+        file = -1;
+    else if (is_standard(t) || (t->exists && !S_ISREG(t->status.st_mode))) {
+        /* A device, a FIFO and standard output get the text itself. */
+        io_stdout_flush();
+        file = is_standard(t) ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
+                              : io_open(t->path, O_WRONLY, 0, interrupt);
+    } else {
+        file = io_temporary(t->folder, NULL);
+        if (file < 0 && append && t->exists) /* the draft of an append may be in another folder */
+            file = io_temporary(NULL, NULL);
+        o->draft = file;
+    }
+    o->out = file >= 0 ? io_stream(file, "w", interrupt) : NULL;
+    if (o->out) {
         *top = o;
+        return NULL;
+    }
+    wrong = strerror(errno);
+    target_end(t);
+    free(o);
     return wrong;
 }
 

@@ -119,16 +119,6 @@ static void emit_units(const struct completion *c)
     }
 }
 
-/* If a name begins with a number, as in "5c", the user may be typing a unit. Returns the end of the number,
- * or NULL if there is no number. */
-static const char *number_end(const char *name)
-{
-    char *end = NULL;
-    if (isdigit((unsigned char)*name))
-        strtod(name, &end);
-    return end && end > name ? end : NULL;
-}
-
 /* ---- Keys and files ---- */
 
 /* Emits the keys of the command whose name comes before the dot, as in 'rmax.' or 'rmax(0.3).'. */
@@ -195,7 +185,9 @@ void complete_line(struct session *session, const char *line, bool files, void (
     c.name = last_name(c.word);
     line_preview(session, line, (size_t)(c.word - line), PREVIEW_CURSOR, &at_word);
     line_preview(session, line, (size_t)(c.name - line), PREVIEW_CURSOR, o);
-    const char *unit = number_end(c.name);
+    char *unit = NULL; /* the end of the number in a name such as "5c", behind which a unit may be typed */
+    if (isdigit((unsigned char)*c.name))
+        strtod(c.name, &unit);
     if (files && at_word.kinds & OFFER_FILE)
         emit_files(&c);
     else if (c.name > c.word && c.name[-1] == '.')

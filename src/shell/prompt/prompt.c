@@ -196,26 +196,12 @@ static char **complete_word(const char *text, int start, int end)
  * such command. */
 static char *unfinished;
 
-static bool is_joined;  /* The running command was typed on several lines. */
-static bool has_warned; /* The user has been warned that unsaved changes will be lost. */
-static bool was_empty;  /* Nothing had been typed when ^C ended the last line. */
+static bool is_joined; /* The running command was typed on several lines. */
+static bool was_empty; /* Nothing had been typed when ^C ended the last line. */
 
 static bool is_raised(void)
 {
     return dom_raised(prompt_session->state.scene.compute.interrupt);
-}
-
-/* Waits for a key, or for a signal. */
-static void key_wait(int file)
-{
-    fd_set input;
-    FD_ZERO(&input);
-    FD_SET(file, &input);
-    /* If a signal arrives after the check, it stays blocked until pselect is called. */
-    sigset_t before = io_block();
-    if (!rl_pending_signal() && !is_raised())
-        pselect(file + 1, &input, NULL, NULL, NULL, &before);
-    io_unblock(&before);
 }
 
 /* Reads a key for Readline. After a signal that interrupts the line, the key is Enter, which ends the line,
@@ -224,6 +210,7 @@ static int key_read(FILE *in)
 {
     const unsigned long several = RL_STATE_MULTIKEY | RL_STATE_NUMERICARG | RL_STATE_VIMOTION;
     struct pollfd keys = {.fd = fileno(in), .events = POLLIN};
+    fd_set input;
     for (;;) {
         const bool was_suspended = rl_pending_signal() == SIGTSTP;
         rl_check_signals();
@@ -235,7 +222,13 @@ static int key_read(FILE *in)
         }
         if (poll(&keys, 1, 0) > 0)
             return rl_getc(in);
-        key_wait(keys.fd);
+        FD_ZERO(&input);
+        FD_SET(keys.fd, &input);
+        /* If a signal arrives after the check, it stays blocked until pselect is called. */
+        sigset_t before = io_block();
+        if (!rl_pending_signal() && !is_raised())
+            pselect(keys.fd + 1, &input, NULL, NULL, NULL, &before);
+        io_unblock(&before);
     }
 }
 
@@ -313,17 +306,6 @@ static char *line_whole(char *line)
     return goes_on ? NULL : whole;
 }
 
-/* Warns of unsaved changes to the row and keeps the session open. A second attempt to leave succeeds. */
-static void leave_warn(struct session *session)
-{
-    if (has_warned || !row_unsaved(&session->state.scene))
-        return;
-    has_warned = true;
-    session->quit = false;
-    session_note(session, "the changes to the row are not saved; 'save FILE' or 'row > FILE.csv' saves them; "
-                          "to leave without saving, enter 'quit' or press ^D once more");
-}
-
 /* Runs a typed line, or the lines of a pasted text. A pasted text with the line ends of other systems has an
  * empty line after each line, which does not end an unfinished command. */
 static void lines_run(struct session *session, char *text)
@@ -341,20 +323,10 @@ static void lines_run(struct session *session, char *text)
     }
 }
 
-/* Handles ^C at the prompt. If the user has typed something, it is discarded. If the line is empty, prints
- * how to leave the program. */
-static void line_discard(void)
-{
-    if (was_empty && !unfinished)
-        fputs("'quit' or ^D leaves\n", rl_outstream);
-    fflush(rl_outstream);
-    free(unfinished);
-    unfinished = NULL;
-}
-
 void line_prompt(struct session *session, volatile sig_atomic_t *raised)
 {
     char prompt[64];
+    bool has_warned = false; /* The user has been warned that unsaved changes will be lost. */
     prompt_session = session;
     session->source.name = NULL;
     history_load(session);
@@ -363,18 +335,25 @@ void line_prompt(struct session *session, volatile sig_atomic_t *raised)
     while (!session->quit && (*raised == 0 || *raised == SIGINT)) {
         *raised = 0;
         char *line = line_read(session, prompt_text(session, prompt, sizeof prompt));
-        if (*raised)
-            line_discard();
-        else if (line)
+        if (*raised) { /* ^C discards what was typed */
+            fputs(was_empty && !unfinished ? "'quit' or ^D leaves\n" : "", rl_outstream);
+            fflush(rl_outstream);
+            free(unfinished);
+            unfinished = NULL;
+        } else if (line)
             lines_run(session, line);
         else {
             putc('\n', session->output->out);
             session->quit = true;
         }
-        if (session->quit)
-            leave_warn(session);
-        else
-            has_warned = false;
+        /* With unsaved changes to the row, the first attempt to leave only warns. */
+        const bool warns = session->quit && !has_warned && row_unsaved(&session->state.scene);
+        if (warns)
+            session_note(session,
+                         "the changes to the row are not saved; 'save FILE' or 'row > FILE.csv' saves them; "
+                         "to leave without saving, enter 'quit' or press ^D once more");
+        session->quit = session->quit && !warns;
+        has_warned = warns;
         free(line);
     }
     free(unfinished);
