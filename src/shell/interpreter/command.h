@@ -50,14 +50,13 @@ struct argument {
     enum argument_kind kind;
     const char *parameter; /* for ARGUMENT_VALUE_OF: the name of the parameter */
     int which; /* for ARGUMENT_VALUE_OF: the index of the value, if the parameter has several values */
-    /* The noun for the value in messages, such as "picture". If an ARGUMENT_ANY has a noun, completion offers
-     * no values for this argument. */
+    /* The noun in messages, such as "picture". For an ARGUMENT_ANY with a noun, completion offers no values.
+     */
     const char *noun;
     bool optional;
     names_list *choices;
-    /* Some arguments have a syntax of their own: the kinds from ARGUMENT_GRID to ARGUMENT_UNIT. The function
-     * `parse` reads such an argument and stores its result in question->parsed. The function `bind` computes
-     * values from this result and stores them in given->bound. */
+    /* For the kinds from ARGUMENT_GRID on, which have a syntax of their own: `parse` reads the argument and
+     * stores its result in question->parsed, from which `bind` computes given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
@@ -71,28 +70,24 @@ struct arguments {
     domq_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* the elements of `number` with their units */
     const char *word[ARGUMENTS_MAX];
-    const char *typed[ARGUMENTS_MAX]; /* where the argument begins in the line; may be NULL */
-    int column[ARGUMENTS_MAX];        /* the column of each argument in the typed line, for messages */
-    /* The parameter that was named as an ARGUMENT_PARAMETER. NULL if there is none. */
-    const struct parameter *parameter;
-    /* The variable that an argument names. The argument may be an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or
-     * the name after 'let'. NULL if no variable was named. */
-    const struct variable *variable;
-    bool details;        /* the answer includes what 'details' would print */
-    void *bound;         /* the result of argument.bind */
-    struct arena memory; /* for arguments_take */
+    const char *typed[ARGUMENTS_MAX];  /* where the argument begins in the line; may be NULL */
+    int column[ARGUMENTS_MAX];         /* the column of each argument in the typed line, for messages */
+    const struct parameter *parameter; /* the one that an ARGUMENT_PARAMETER names, or NULL */
+    const struct variable *variable;   /* the one that a parameter, a topic or 'let' names, or NULL */
+    bool details;                      /* the answer includes what 'details' would print */
+    void *bound;                       /* the result of argument.bind */
+    struct arena memory;               /* for arguments_take */
 };
 
 /* A command. Strings and pointers that a command does not need are NULL. */
 struct command {
     const char *name;
     struct {
-        /* Two words that stand for this command, such as "step back". In its table, this command follows the
-         * command whose name is the first word, directly or after others with the same first word. Help
-         * shows these words, and `name` is a synonym that help does not mention. */
+        /* Two words for this command, such as "step back". Help shows them instead of the name. In its table,
+         * the command follows the one whose name is the first word, or others with the same first word. */
         const char *phrase;
-        /* The name of a command with the same first argument that replaces this command if its name follows
-         * that argument, as in "count 112 m fewest". */
+        /* The command with the same first argument that replaces this one if its name follows that argument,
+         * as in "count 112 m fewest". */
         const char *variant;
         bool is_hidden; /* help and completion do not mention the command, which remains for scripts */
     } typed;
@@ -104,8 +99,8 @@ struct command {
     const char *example;
     const char *see; /* related commands */
     const struct column *columns;
-    /* For a command whose columns depend on its first argument: stores the name and the summary of its value
-     * number k, counted from 0, and returns the columns of the answer. Returns NULL if there are no more. */
+    /* For a command whose columns depend on its first argument: returns the columns for value k of it, and
+     * stores its name and summary. Returns NULL after the last value. */
     const struct column *(*parts)(int k, const char **name, const char **summary);
     const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */
@@ -113,34 +108,28 @@ struct command {
      * NULL if the answer is whole without 'details'. */
     const char *brief;
     struct {
-        /* The name of the parameter whose value a column of the answer only repeats, such as "s". A sweep
-         * over this parameter already shows its values, so the sweep leaves the column out. If an argument
-         * replaces the value, as in 'rmax 0.4', the sweep keeps the column. NULL if no column repeats a
-         * parameter. */
+        /* The parameter whose value a column of the answer only repeats, such as "s", or NULL. A sweep over
+         * this parameter leaves the column out, unless an argument replaces the value, as in 'rmax 0.4'. */
         const char *echo;
-        /* The key of the last column, if this column takes a long time to compute. Sweeps leave this column
-         * out, and expressions can use it only as a column of 'ans'. NULL if no column is slow. */
+        /* The key of the last column if it takes long to compute, or NULL. Sweeps leave it out, and
+         * expressions can use it only as a column of 'ans'. */
         const char *slow_column;
-        /* Why 'sweep' refuses this command, worded for the message "'plot' cannot be varied: it draws". NULL
-         * if 'sweep' accepts the command. A command without columns needs no reason here, because 'sweep'
-         * accepts no such command. */
+        /* Why 'sweep' refuses this command although it has columns, worded for the message "'plot' cannot be
+         * varied: it draws", or NULL. */
         const char *refusal;
-        /* The numbers of the answer are only meaningful if its verdict is yes, so a search for the best
-         * number leaves out places where the verdict is no (run_context.seeks_yes). */
+        /* The numbers suppose that the verdict is yes, so a search for the best number leaves out places
+         * where it is no (run_context.seeks_yes). */
         bool needs_yes;
     } sweep;
-    /* For a command whose energies are in J if masses are known: returns true if they are known in this
-     * scene. If they are not, the unit is "mgh/2". NULL if the units of the columns do not depend on the
-     * scene. */
+    /* Returns true if energies are in J because masses are known in this scene; otherwise their unit is
+     * "mgh/2". NULL for a command whose units do not depend on the scene. */
     bool (*in_joules)(const struct scene *scene);
-    bool train; /* the answer is about the endless train */
-    /* The answer is the value of an expression. Messages do not mention 'print', because the user can omit
-     * it. */
-    bool is_print;
+    bool train;    /* the answer is about the endless train */
+    bool is_print; /* the answer is the value of an expression, and messages leave out the name */
     enum {
         PRECISION_MIXED,
-        /* The whole answer is computed in the precision of the session. Then the numbers have errors: their
-         * differences from a computation in quad precision. */
+        /* The whole answer is in the precision of the session, so its numbers have errors: their differences
+         * from a computation in quad precision. */
         PRECISION_AS_SET,
         PRECISION_DOUBLE, /* the answer is computed in double, whatever the precision of the session is */
     } precision;
@@ -192,14 +181,12 @@ const char *answer_keys(const void *command, int k);  /* the columns of a comman
 const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
 /* A names_list of the names that are known in expressions: the built-in names, 'sum', landmarks, 'ans', the
- * variables of the state `context`, and all commands and parameters, even those without a value, such as
- * 'quit'. If `context` is NULL, the list has no variables, nor 'sum' and landmarks, which a variable may
- * hide. */
+ * variables of the state `context`, and all commands and parameters, even those without a value. If `context`
+ * is NULL, the list has no variables, nor 'sum' and landmarks, which a variable may hide. */
 const char *value_names(const void *context, int k);
 
-/* Several topics can have the same synonym, such as 'speed'. Returns the name of topic number k, counted from
- * 0, among those with this synonym. Returns NULL if there are no more. If the word is the first synonym of a
- * parameter, only this parameter is returned. */
+/* Returns the name of topic number k, counted from 0, among those with this synonym, or NULL after the last.
+ * If the word is the first synonym of a parameter, this parameter is the only one. */
 const char *topic_by_synonym(const char *word, int k);
 
 const struct command *command_find(const char *name);
@@ -214,8 +201,8 @@ const char *command_unit(const struct command *command, int column, const struct
 /* Returns the index of the command's principal column. The command must have one. */
 int command_principal(const struct command *command);
 
-/* Returns the maximum number of values that the command takes in parentheses and stores the minimum in
- * *fewest. Returns -1 if the command needs an argument that is not a value. */
+/* Returns the most values that the command takes in parentheses, and stores the fewest in *fewest. Returns -1
+ * if the command needs an argument that is not a value. */
 int command_values(const struct command *command, int *fewest);
 
 /* Like command_values. Also returns -1 if the command has no value in an expression. */
@@ -225,14 +212,13 @@ int command_arity(const struct command *command, int *fewest);
  * The command may be NULL. */
 bool command_is_table(const struct command *command);
 
-/* Returns a string that shows the arguments of a command, such as "rmax [S]". The string is in a compound
- * literal, so it lives until the end of the block that contains the call. */
+/* Returns a command with its arguments, such as "rmax [S]". The text lives until the end of the block. */
 enum { USAGE_SIZE = 96 };
 #define command_usage(command) command_usage_write(command, (char[USAGE_SIZE]){""})
 const char *command_usage_write(const struct command *command, char usage[USAGE_SIZE]);
 
-/* Returns true if the session may run the command. In safe mode (--safe), a session must not run commands
- * that read or write files. For such a command, sets *problem and returns false. */
+/* Returns true unless the session is safe (--safe) and the command reads or writes files, which is reported.
+ */
 static inline bool command_allowed(const struct run_context *run_context, const struct command *command,
                                    struct problem *problem)
 {
@@ -248,8 +234,8 @@ struct answer answer_kept(const struct query *query, const struct command *comma
  * number, the quantity is 1. */
 struct quantity argument_unit(const struct argument *argument);
 
-/* Checks whether the value of an argument has a suitable unit and is in the range that the argument allows.
- * If so, stores the value in SI units. Otherwise, sets *problem and returns false. */
+/* Checks the unit and the range of an argument's value, and stores the value in SI units. On failure, sets
+ * *problem and returns false. */
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
 

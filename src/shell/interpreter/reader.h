@@ -40,9 +40,8 @@ struct reader {
     /* Additional characters that end a word or value, such as ','. May be NULL. */
     const char *stops;
     const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
-    int depth,
-        deepest; /* the level of the next value, and the largest level in the last one (struct parse) */
-    struct resolver *resolver; /* the expression in which the assignments of a 'with' are read, or NULL */
+    int depth, deepest;  /* the level of the next value, and the largest one in the last (struct parse) */
+    struct resolver *resolver; /* the expression around the assignments of a 'with', or NULL */
     bool unresolved;     /* names in expressions are left unresolved, as in the definition of a function */
     bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
     bool last;           /* the last argument of the command is being read */
@@ -82,18 +81,14 @@ bool word_is_next(const struct reader *reader, const char *word);
  * the cursor, completion offers `word`. */
 bool reader_takes(struct reader *reader, const char *word);
 
-/* These functions allocate memory in the arena. The memory from reader_memory is filled with zeros, and
- * reader_copy copies the first `length` bytes of a string. If memory runs out, they set the reader's problem
- * and return NULL. */
+/* Return zeroed memory, and a copy of the first `length` bytes of a string, in the arena. If memory runs out,
+ * set the reader's problem and return NULL. */
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 
-/*
- * Reads a word and returns a copy in the arena. A word ends at a blank, at a ';' or at one of the characters
- * in `stops`. If `quotes` is true, the word may also be a string in double quotes, which may contain these
- * characters. In this string, '""' stands for one '"'. If the closing quote is missing, sets the reader's
- * problem and returns NULL.
- */
+/* Reads a word, up to a blank, a ';' or one of the characters in `stops`, and returns a copy in the arena. If
+ * `quotes` is true, it may also be a string in double quotes, in which '""' stands for one '"'. If the
+ * closing quote is missing, sets the reader's problem and returns NULL. */
 char *read_word(struct reader *reader, bool quotes);
 
 /* Reads a word or quoted text as it was typed, without replacing Greek letters. */

@@ -207,7 +207,8 @@ static const struct parameter every_parameter[] = {
      .words = SWITCH, .words_only = true, .setting = true},
     DOM_DYNAMICS(DYNAMICS)
     DOM_EFFECTS(EFFECT)
-    ENGINE_EFFECTS(ENGINE_EFFECT)
+    ENGINE_EFFECT(feet)
+    ENGINE_EFFECT(bounce)
     ERROR_EFFECTS(ERROR_EFFECT)
     {.name = NULL},
 };

@@ -125,11 +125,10 @@ bool parameter_is_number(const struct parameter *p)
     return !p->words_only && !p->effect;
 }
 
-domq_real parameter_value(const struct state *state, const struct parameter *p, int i)
+domq_real parameter_get(const struct state *state, const struct parameter *p)
 {
     const char *place = (const char *)state + p->offset;
-    return p->words_only ? *(const unsigned *)(const void *)place
-                         : ((const domq_real *)(const void *)place)[i];
+    return p->words_only ? *(const unsigned *)(const void *)place : *(const domq_real *)(const void *)place;
 }
 
 bool parameter_equal(const struct state *a, const struct state *b, const struct parameter *p)
@@ -168,7 +167,11 @@ _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) =
                    sizeof(enum precision) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned int");
 
-bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem)
+/* Sets parameters in a copy of a state. Sets *problem and returns false if a value is out of range, or cannot
+ * be combined with the others. Ranges of assigned.others are not checked, nor is a length, since h may
+ * change. */
+static bool state_assign(struct state *state, const struct assigned *assigned, int count,
+                         struct problem *problem)
 {
     /* parameters that take only words, such as 'precision', are set first, because the range of tol depends
      * on the precision */

@@ -66,12 +66,11 @@ extern const struct parameter *session_parameters;
 /* The words that every effect takes: off and on. */
 extern const struct word effect_words[];
 
-/* Returns true if `effect` cannot be on without the effect `other`. An effect that is about rows waits until
- * there is a row. */
+/* Returns true if `effect` cannot be on without the effect `other`, which is not 'row'. */
 bool effect_needs(int effect, int other);
 
-/* Returns true if an effect can be turned on: all effects that it needs must be on, and the current 'fuel'
- * must not exclude it. If the effect cannot be turned on, sets *problem and returns false. */
+/* Returns true if all effects that an effect needs are on, and the current 'fuel' does not exclude it.
+ * Otherwise, sets *problem. */
 bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem);
 
 /* Leaves out the parameters of features for which `has` returns false. */
@@ -109,9 +108,8 @@ const char *parameter_offered(const void *parameter, int k);
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/* Returns the parameter that has a word as a synonym, or NULL if there is none. If `any` is false, only the
- * first synonym of each parameter counts. If `any` is true, all synonyms count. If several parameters have
- * the synonym, returns the one in whose list the synonym comes earliest. */
+/* Returns the parameter that has a word as its first synonym or, if `any` is true, as any synonym: the one in
+ * whose list it comes earliest. Returns NULL if there is none. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
 /* Like names_find, but the message also suggests names that have the word as a synonym, and an abbreviation
@@ -128,10 +126,8 @@ bool parameter_is_number(const struct parameter *parameter);
 /* Returns the word that stands for a value of the parameter, or NULL if no word does. */
 const char *parameter_word(const struct parameter *parameter, domq_real value);
 
-/*
- * Returns the range of value number i, such as "1e-12 .. 1". If the value must be one of several words,
- * returns the list of these words, such as "exact|paper". The text lives until the end of the caller's block.
- */
+/* Returns the range of value number i, such as "1e-12 .. 1", or the words that it can be, such as
+ * "exact|paper". The text lives until the end of the caller's block. */
 enum { PARAMETER_RANGE = 64 };
 #define parameter_range(state, parameter, i)                                                                 \
     parameter_range_write(state, parameter, i, (char[PARAMETER_RANGE]){""})
@@ -144,13 +140,8 @@ const char *parameter_text(const struct parameter *parameter, domq_real value, i
 
 /* ---- Values ---- */
 
-/* Returns value number i of a parameter. The first value of an effect that is off is EFFECT_OFF. */
-domq_real parameter_value(const struct state *state, const struct parameter *parameter, int i);
-
-static inline domq_real parameter_get(const struct state *state, const struct parameter *parameter)
-{
-    return parameter_value(state, parameter, 0);
-}
+/* Returns the first value of a parameter: EFFECT_OFF for an effect that is off. */
+domq_real parameter_get(const struct state *state, const struct parameter *parameter);
 
 /* Returns true if two states have the same values of a parameter. */
 bool parameter_equal(const struct state *a, const struct state *b, const struct parameter *parameter);
@@ -172,12 +163,6 @@ struct assigned {
 };
 enum { ASSIGNED_MAX = 8 };
 
-/* Sets parameters in a state that is a copy of another state. The copy shares the memory of the original, so
- * it must not be closed. Sets *problem and returns false if a value is out of range, or cannot be combined
- * with the other values. The ranges of assigned.others are not checked, nor is a length, since h may change.
- */
-bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
-
 /* Returns the length for struct assigned if the value of the parameter was given as a length, or the push as
  * a speed. */
 static inline struct typed_length share_length(const struct parameter *parameter,
@@ -190,8 +175,8 @@ static inline struct typed_length share_length(const struct parameter *parameter
 /* Returns true if the lengths that were given fit to the height. */
 bool lengths_check(const struct state *state, struct problem *problem);
 
-/* Makes *changed a copy of `query` in which the parameters in `assigned` have their new values. The caller
- * provides *state, which holds the state of the copy and must live as long as the copy. On failure, sets
+/* Makes *changed a copy of `query` in which the parameters in `assigned` have their new values. *state
+ * becomes the state of the copy; it shares memory with the original and must not be closed. On failure, sets
  * *problem and returns false. */
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
@@ -203,14 +188,12 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    const struct typed_length *length, struct problem *problem);
 
-/* Lists the parameters in the order in which a saved script must set them. In another order, a command could
- * be rejected because a parameter that it depends on does not have its saved value yet. Returns parameter k,
- * counted from 0, or NULL after the last one. */
+/* Returns parameter k, counted from 0, in the order in which a saved script must set them: each after those
+ * that decide whether it is accepted. Returns NULL after the last one. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
-/* Returns true if the parameters can be saved as a script. A saved script names the file of the row. If the
- * path contains a control character, the text after it might be read as another command, so this is reported
- * as a problem. */
+/* Returns true if the parameters can be saved as a script, which names the file of the row. Text after a
+ * control character in this name might be read as another command, so this is reported as a problem. */
 bool parameters_savable(const struct scene *scene, struct problem *problem);
 
 /* Writes the commands that set a parameter to its current values. `folder` is the directory of the script, or

@@ -13,9 +13,6 @@
 
 /* ---- Effects: first those of the library, then those that features of the program describe ---- */
 
-/* The effects of the rigid-body engine, which the feature 'engine' describes. */
-#define ENGINE_EFFECTS(X) X(feet) X(bounce)
-
 /* The kinds of random error that have their own effect, which the feature 'chance' describes, and the feature
  * without which there is no such effect. Errors in gaps and heights belong to 'placement'. */
 #define ERROR_EFFECTS(X)                                                                                     \
@@ -25,13 +22,11 @@
     X(lean, "chance")                                                                                        \
     X(radius, "chance") X(friction, "chance") X(slope, "chance") X(floor, "engine") X(push, "chance")
 
+/* The numbers of the shell's effects continue after the library's last effect. */
 enum {
-    /* The numbers of the shell's effects continue after the library's last effect. */
-    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1,
-#define ENGINE_EFFECT_ENUM(name) EFFECT_##name,
-    ENGINE_EFFECTS(ENGINE_EFFECT_ENUM)
-#undef ENGINE_EFFECT_ENUM
-        EFFECT_ENGINE_END,
+    EFFECT_feet = DOM_EFFECT_COUNT,
+    EFFECT_bounce,
+    EFFECT_ENGINE_END,
     EFFECTS_BEFORE_ERRORS = EFFECT_ENGINE_END - 1,
 #define ERROR_EFFECT_ENUM(name, feature) EFFECT_error_##name,
     ERROR_EFFECTS(ERROR_EFFECT_ENUM)
@@ -103,13 +98,10 @@ struct listed_row {
     size_t *holders;
 };
 
-/* The parameters that are shares of the height h, and the push. If the user has given a length instead of a
- * share, it stays the same length when h changes. If the user has given the push as the speed of the first
- * domino's upper edge, it stays the same speed when the height of this domino changes. */
-#define SHARES(X)        X(s) X(d) X(width) X(walls) X(edges) X(push)
-#define SHARE_ENUM(name) SHARE_##name,
-enum share { SHARE_NONE, SHARES(SHARE_ENUM) SHARE_COUNT };
-#undef SHARE_ENUM
+/* The parameters that are shares of the height h, and the push. A length that was given instead of a share
+ * stays the same when h changes, and so does a push that was given as the speed of the first domino's upper
+ * edge. */
+enum share { SHARE_NONE, SHARE_s, SHARE_d, SHARE_width, SHARE_walls, SHARE_edges, SHARE_push, SHARE_COUNT };
 
 struct typed_length {
     domq_real m;  /* the length in m, or 0 for a share; for the push, the speed in m/s */
