@@ -13,6 +13,7 @@ promised() { # WHAT EXPECTED OBTAINED WITHIN
         { printf '%s\nexpected: %s\nobtained: %s\nwithin: %s\n' "$1" "$2" "$3" "$4" && false; }
 }
 
+# The last two lines have two maxima, of which the larger one in the range is found.
 @test "one parameter: maxima and minima in closed form" {
     while IFS='|' read -r line place value; do
         best=$(json "$line")
@@ -25,24 +26,8 @@ minimize s : s + 0.09/s|0.3|0.6
 maximize r : r^(1/r)|exp(1)|exp(exp(-1))
 minimize s 0.1 to 0.9 : (s-1/3)^2|1/3|0
 maximize s from 0.1 to 0.9 : sin(3*s)|atan2(1,0)/3|1
-END
-}
-
-# The maxima of -(s - 0.3)^2 (s - 0.7)^2 + s/100, by Newton's method on the derivative.
-@test "one parameter: the larger one of two maxima" {
-    while IFS='|' read -r from to start; do
-        read -r place value < <(awk -v s="$start" 'BEGIN {
-            for (i = 0; i < 50; i++) {
-                a = s - 0.3; b = s - 0.7
-                s -= (-2*a*b*(a+b) + 0.01) / (-2*(b*(a+b) + a*(a+b) + 2*a*b))
-            }
-            printf "%.15g %.15g\n", s, -(s-0.3)^2*(s-0.7)^2 + s/100 }')
-        best=$(json "maximize s $from $to : -(s-0.3)^2*(s-0.7)^2 + s/100")
-        promised "place to $to" "$place" "$(values value <<<"$best")" "$(values within <<<"$best")"
-        close "value to $to" "$value" "$(values answer <<<"$best")" 1e-12
-    done <<'END'
-0.02|1|0.72
-0.02|0.36|0.32
+maximize s 0.02 1 : -(s-0.3)^2*(s-0.7)^2 + s/100|0.725971945688398|0.00713732240219101
+maximize s 0.02 0.36 : -(s-0.3)^2*(s-0.7)^2 + s/100|0.345752546070536|0.0031948351772779
 END
 }
 

@@ -40,15 +40,6 @@ set r 1.8; barrier||too little energy and stops at theta.*before the top of the 
 END
 }
 
-@test "a physical no: the verdict, and what limits the growth" {
-    same verdict 'no fuel' "$(json 'set s 0.001; barrier' | values verdict)"
-    same verdict 'stops' "$(json 'set r 1.8; barrier' | values verdict)"
-    same verdict 'goes on' "$(json 'barrier' | values verdict)"
-    same none none "$(json 'rmax 0.001' | values ends_by)"
-    same none none "$(json 'pair 0.1' | values ends_by)"
-    same reach reach "$(json 'rmax 0.9' | values ends_by)"
-}
-
 # bats test_tags=rows
 @test "rmax names two limits if they differ: for a row that starts, and for a train that is already moving" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax details')
