@@ -56,8 +56,9 @@ struct hunt {
     double noise; /* the relative error of the answers */
     struct line line[VARIED_MOST];
     double place[VARIED_MOST];
-    struct problem fault; /* the last error in the question itself; its kind is PROBLEM_NONE before */
-    size_t missing;       /* the number of points along the first parameter without an answer */
+    struct problem fault;  /* the last error in the question itself; its kind is PROBLEM_NONE before */
+    bool is_wrong[POINTS]; /* the question itself turned out to be wrong at this point */
+    size_t missing;        /* the number of points along the first parameter without an answer */
     struct peak peak[VARIED_MOST]; /* the result for each parameter */
     domq_real best;                /* the best answer, with its own sign */
     char reason[PROBLEM_TEXT / 2]; /* why the first of the missing answers is missing */
@@ -100,13 +101,15 @@ static struct spot top_around(struct line *l, size_t k, double grain)
     struct spot top = l->point[k];
     const struct spot here = top;
     double bound[2] = {here.x, here.x};
+    const bool is_outer = l->axis + 1 < l->hunt->varied->count;
     for (int side = 0; side < 2; side++) {
         if (side ? k + 1 == l->count : k == 0)
             continue;
         struct spot beside = l->point[side ? k + 1 : k - 1], last = here;
         if (isnan(beside.value)) { /* the values end before it */
             l->level = -HUGE_VAL;
-            seek_edge(line_above, l, &last, &beside, 1e-4 * l->grain);
+            /* a value may change much near its end */
+            seek_edge(line_above, l, &last, &beside, is_outer ? 1e-4 * l->grain : 0);
             beside = (struct spot){last.x, line_at(last.x, l)};
             top = beside.value > top.value ? beside : top;
         }
@@ -151,12 +154,11 @@ static void peak_measure(struct line *l, struct peak *p)
     p->low = plateau_end(l, p->x, -1);
     p->high = plateau_end(l, p->x, 1);
     const bool is_plateau = p->high - p->low > part;
+    const double off = fmax(l->grain, fmax(p->x - p->low, p->high - p->x));
     if (!is_plateau) {
         p->end = p->x - l->from < near / 2 ? PEAK_AT_FROM
                  : l->to - p->x < near / 2 ? PEAK_AT_TO
                                            : PEAK_INSIDE;
-        p->within =
-            p->end != PEAK_INSIDE || l->whole ? 0 : fmax(l->grain, fmax(p->x - p->low, p->high - p->x));
         p->low = p->high = p->x;
     }
     if (p->end == PEAK_INSIDE)
@@ -167,8 +169,15 @@ static void peak_measure(struct line *l, struct peak *p)
     if (is_plateau && line_above(middle, l) >= 0)
         p->x = middle;
     p->off = noise;
-    for (int side = -1; side < 2 && p->within > 0; side += 2)
-        p->off = fmax(p->off, noise + p->value - line_at(p->x + side * p->within, l));
+    if (is_plateau || l->whole)
+        return;
+    if (p->end == PEAK_INSIDE) {
+        p->within = off;
+        for (int side = -1; side < 2; side += 2)
+            p->off = fmax(p->off, noise + p->value - line_at(p->x + side * off, l));
+    } else if (p->end != PEAK_AT_FROM && p->end != PEAK_AT_TO) {
+        p->within = 1e-2 * l->grain; /* an edge is found more exactly */
+    }
 }
 
 /* Finds the largest value. The search looks around each point whose neighbours are not larger. It can miss a
@@ -233,42 +242,35 @@ static void hunt_begin(struct hunt *h, const struct varied *varied, struct probe
     }
 }
 
-/* The answers along the first parameter, which are computed in parallel. */
-struct points {
-    struct hunt *hunt;
-    bool is_wrong[POINTS]; /* the question itself turned out to be wrong at this point */
-};
-
 /* A dom_task, which computes the answer at point k. Each task has its own copy of the search. */
 static void point_task(size_t k, void *context)
 {
-    struct points *points = context;
-    struct line *all = points->hunt->line;
+    struct hunt *h = context;
     struct hunt mine = {.best = 0};
-    hunt_begin(&mine, points->hunt->varied, points->hunt->probe, points->hunt->sign < 0);
-    all->point[k].value = line_at(all->point[k].x, mine.line);
-    points->is_wrong[k] = mine.fault.kind != PROBLEM_NONE;
+    hunt_begin(&mine, h->varied, h->probe, h->sign < 0);
+    h->line->point[k].value = line_at(h->line->point[k].x, mine.line);
+    h->is_wrong[k] = mine.fault.kind != PROBLEM_NONE;
 }
 
+/* Computes the answers along the first parameter in parallel. */
 static bool points_ask(struct hunt *h, struct problem *problem)
 {
     const struct scene *scene = h->probe.query->scene;
     struct task_pool pool = {.threads = h->probe.query->state->settings.threads,
                              .progress = true,
                              .interrupt = scene->compute.interrupt};
-    struct points points = {.hunt = h};
     struct line *l = h->line;
     points_place(l, false);
-    const enum dom_status status = workers_tasks(l->count, point_task, &points, &pool);
+    const enum dom_status status = workers_tasks(l->count, point_task, h, &pool);
     progress_end();
     if (status != DOM_OK)
         return problem_status(problem, scene, status);
     for (size_t k = 0; k < l->count; k++) {
         const bool is_first = isnan(l->point[k].value) && h->missing++ == 0;
-        if (!is_first && !points.is_wrong[k])
+        if (!is_first && !h->is_wrong[k])
             continue;
         (void)line_at(l->point[k].x, l);
-        if (points.is_wrong[k]) {
+        if (h->is_wrong[k]) {
             *problem = h->fault;
             return false;
         }

@@ -300,8 +300,8 @@ static void root_add(struct scan *s, double x, const char *branch)
 static void root_between(struct scan *s, struct spot a, struct spot b)
 {
     const bool rises = b.value > a.value;
-    const double rise = fabs(b.value - a.value), at_value = (double)s->varied->value.value,
-                 scale = fmax(fabs(at_value), s->most.value - s->least.value);
+    const double rise = fabs(b.value - a.value), value = fabs((double)s->varied->value.value),
+                 scale = value > 0 ? value : s->most.value - s->least.value;
     struct spot good = rises ? b : a, bad = rises ? a : b;
     seek_edge(scan_at, s, &good, &bad, 0);
     const struct spot root = good.value <= -bad.value ? good : bad;
