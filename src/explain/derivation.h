@@ -53,19 +53,16 @@ extern const struct derived derived_list[];
 
 /* A question of the command 'explain', and the quantities that answer it. */
 struct explained {
-    const char *name;
+    const char *name; /* a command, or the label of an equation of the paper */
     /* "theta", "s" or "H" if the user can type a value of this quantity after the question, as in
      * 'explain omega 0.2'. NULL if the question takes no value. */
     const char *value;
-    const char *roots; /* the quantities that answer the question, with blanks between them */
-};
-extern const struct explained explained_list[];
-
-/* An equation of the paper, by its label, and the quantities that it gives: what it defines, or its two
- * sides. The paper's form may need more than a train that falls. */
-struct explained_label {
-    struct explained explained; /* its name is the label */
+    /* The quantities that answer the question, with blanks between them. For an equation, they are what it
+     * defines, or its two sides. */
+    const char *roots;
+    /* what the paper's form of an equation needs more than a train that falls */
     enum needs {
+        COMMAND,        /* the question is a command */
         HOLDS,          /* derived_list has forms for trains with effects */
         BARE,           /* no effects, and the exact fuel */
         PAIR,           /* as BARE, and domino 1 tips over before it hits (5; b0) */
@@ -73,9 +70,9 @@ struct explained_label {
         LEANING_AT_HIT, /* as LEANING, but when the head is hit, at the tilt 0 */
     } needs;
 };
-extern const struct explained_label explained_labels[];
+extern const struct explained explained_list[];
 
-/* A names_list of the questions. */
+/* A names_list of the questions that are commands. */
 const char *explained_names(const void *context, int k);
 
 /* ---- A derivation ---- */
@@ -99,7 +96,7 @@ struct step {
 struct derivation {
     struct query query; /* a query about the member `state` */
     /* A copy of the session's state, with changes. It shares memory with the original. */
-    struct state *state;
+    struct state state;
     struct problem *problem;
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
@@ -118,8 +115,7 @@ struct derivation {
 /* Makes the steps of a derivation: one for each quantity that the answer to the question depends on. The
  * caller must call derivation_end, even after a failure. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
-                     const struct explained *explained, domq_real value, struct state *state,
-                     struct problem *problem);
+                     const struct explained *explained, domq_real value, struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
 /* Evaluates an expression of the calculator, such as "launch.J0", in the state of a query. Sets *value to NaN

@@ -49,7 +49,7 @@ static bool library_value(struct derivation *d, const char *library, domq_real *
 {
     char text[512];
     if (*library == '$') {
-        *value = parameter_get(d->state, parameter_find(library + 1));
+        *value = parameter_get(&d->state, parameter_find(library + 1));
         *value = *value == EFFECT_OFF ? 0 : *value;
         return true;
     }
@@ -99,7 +99,7 @@ static bool chain_add(const struct domq_link *link, void *context)
  * are added until both are equally long. The terms of the added dominoes are 0. */
 static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
 {
-    const struct scene *scene = &d->state->scene;
+    const struct scene *scene = &d->state.scene;
     struct chain *const chain[] = {&d->at, &d->launch};
     struct domq_angles angles = {.theta_f = DOMQ_NAN};
     enum dom_status status = any_angles_find(&scene->train, &scene->compute, &angles);
@@ -138,7 +138,7 @@ static bool sum_value(struct derivation *d, struct step *s)
     s->terms = d->launch.count - 1;
     s->term = status == DOM_OK ? arena_take(&d->arena, s->terms * sizeof *s->term) : NULL;
     if (!s->term)
-        return problem_status(d->problem, &d->state->scene, status == DOM_OK ? DOM_NO_MEMORY : status);
+        return problem_status(d->problem, &d->state.scene, status == DOM_OK ? DOM_NO_MEMORY : status);
     for (d->i = 0; d->i < s->terms; d->i++)
         s->term[d->i] = equation_value(d, s);
     while (s->terms > 1 && s->term[s->terms - 1] == 0)
@@ -180,7 +180,7 @@ static const char *words_of(struct derivation *d, const struct derived *q)
     if (ends & HAS_LOSS)
         n = snprintf(words, sizeof words,
                      "%s; with %s, energy is not conserved, so the equation of motion is integrated",
-                     q->words, losses_of(&d->state->scene.train));
+                     q->words, losses_of(&d->state.scene.train));
     else if (ends & HAS_DETACHED_AT_TILT)
         n = snprintf(words, sizeof words, "%s; at this tilt the follower has slid off the head", q->words);
     else
@@ -209,7 +209,7 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     s->words = words_of(d, q);
     if (s->words)
         return s;
-    problem_status(d->problem, &d->state->scene, DOM_NO_MEMORY);
+    problem_status(d->problem, &d->state.scene, DOM_NO_MEMORY);
     return NULL;
 }
 
@@ -276,14 +276,14 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
  * other questions. */
 static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
 {
-    struct domq_train *train = &d->state->scene.train;
+    struct domq_train *train = &d->state.scene.train;
     struct domq_limit limit;
     if (!e->value || strcmp(e->value, "s") != 0)
         return true;
     train->s = isnan(value) ? train->s : value;
-    enum dom_status status = any_limit_rmax(train, &d->state->scene.compute, &limit);
+    enum dom_status status = any_limit_rmax(train, &d->state.scene.compute, &limit);
     if (status != DOM_OK)
-        return problem_limit(d->problem, &d->state->scene, status, &limit);
+        return problem_limit(d->problem, &d->state.scene, status, &limit);
     if (limit.ends == DOM_END_NONE)
         return problem_no_answer(d->problem, "no growth is possible here: 'rmax' says why");
     train->r = limit.r_max;
@@ -294,7 +294,7 @@ static bool train_set(struct derivation *d, const struct explained *e, domq_real
 static bool conditions_find(struct derivation *d, bool reach)
 {
     struct domq_angles angles;
-    const struct scene *scene = &d->state->scene;
+    const struct scene *scene = &d->state.scene;
     enum dom_status status = any_angles_find(&scene->train, &scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(d->problem, scene, status);
@@ -304,14 +304,14 @@ static bool conditions_find(struct derivation *d, bool reach)
 }
 
 bool derivation_make(struct derivation *d, const struct query *query, const struct explained *e,
-                     domq_real value, struct state *state, struct problem *problem)
+                     domq_real value, struct problem *problem)
 {
     bool reach = false, of_height = e->value && strcmp(e->value, "H") == 0;
-    *d = (struct derivation){.state = state, .problem = problem};
-    if (!query_with(query, NULL, 0, state, &d->query, problem))
+    d->problem = problem;
+    if (!query_with(query, NULL, 0, &d->state, &d->query, problem))
         return false;
-    state->variables = (struct variables){.list = NULL}; /* a variable must not hide a quantity */
-    state->settings.style.angle = ANGLE_RAD;
+    d->state.variables = (struct variables){.list = NULL}; /* a variable must not hide a quantity */
+    d->state.settings.style.angle = ANGLE_RAD;
     d->theta = e->value && strcmp(e->value, "theta") == 0 ? value : DOMQ_NAN;
     d->height = of_height ? value : DOMQ_NAN;
     if (!train_set(d, e, value, &reach) || !conditions_find(d, reach))

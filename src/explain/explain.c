@@ -38,14 +38,6 @@ static const char *deep_names(const void *context, int k)
     return k == 0 ? "deep" : NULL;
 }
 
-enum { LABELS = 1000 /* question LABELS + k is equation k of explained_labels */ };
-
-static const struct explained *explained_at(domq_real number)
-{
-    return number >= LABELS ? &explained_labels[(int)number - LABELS].explained
-                            : &explained_list[(int)number];
-}
-
 /* Returns true if the word can be the number or the label of an equation, such as 24, c6 or A18. */
 static bool is_label(const char *word, size_t length)
 {
@@ -53,12 +45,14 @@ static bool is_label(const char *word, size_t length)
     return length > letters && length <= 3 && strspn(word + letters, "0123456789") >= length - letters;
 }
 
-/* Parses the name of a command, or an equation of the paper, as in 'explain c6' and 'explain 24'. */
+/* Parses the name of a command, or an equation of the paper, as in 'explain c6' and 'explain 24', which may
+ * be in parentheses. */
 static bool what_parse(struct reader *r, struct question *q)
 {
     static const struct argument what = {.name = "WHAT", .noun = "question", .choices = explained_names};
     struct item *item = &q->item[0];
-    const char *begin = r->at + (*r->at == '('), *shown = r->at;
+    const bool opens = *r->at == '(';
+    const char *begin = r->at + opens;
     const size_t length = strcspn(begin, " \t\r\f\v);>#");
     if (r->offer || !is_label(begin, length)) {
         if (item_parse_choice(r, &what, item))
@@ -70,15 +64,14 @@ static bool what_parse(struct reader *r, struct question *q)
     }
     *item = (struct item){.at = r->at};
     reader_place(r, r->at);
-    r->at = begin + length + (begin > shown && begin[length] == ')');
-    const int number = isdigit((unsigned char)*begin) ? atoi(begin) : 0;
-    for (int k = 0; explained_labels[k].explained.name; k++) {
-        const char *label = explained_labels[k].explained.name;
-        if (number == k + 1 || (strlen(label) == length && strncmp(label, begin, length) == 0)) {
-            item->number = LABELS + k;
+    r->at = begin + length + (opens && begin[length] == ')');
+    int number = atoi(begin);
+    for (const struct explained *e = explained_list; e->name; e++)
+        if (e->needs != COMMAND &&
+            (--number == 0 || (strlen(e->name) == length && strncmp(e->name, begin, length) == 0))) {
+            item->number = e - explained_list;
             return true;
         }
-    }
     return problem_error(r->problem,
                          "the paper has no equation (%.*s), only (1; a1) to (59; e8), which 'man "
                          "domino-model' lists",
@@ -99,7 +92,7 @@ static const struct argument *value_argument(const struct explained *e)
 static bool explain_parse(struct reader *r, struct question *q)
 {
     static const struct argument deep = {.name = "deep", .noun = "word", .choices = deep_names};
-    const struct explained *e = explained_at(q->item[0].number);
+    const struct explained *e = &explained_list[(int)q->item[0].number];
     struct explain_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     struct item word;
     if (!p)
@@ -168,28 +161,16 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
 
 /* ---- The command ---- */
 
-/* Writes the derivation as text, or as rows of csv or json. */
-static bool explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
-                           const struct explain_arguments *bound, struct problem *problem)
-{
-    if (answer_for_people(a))
-        return explain_write(a, d, e, bound, problem);
-    for (int k = 0; k < d->count; k++)
-        if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1))
-            step_row(a, d, &d->step[k]);
-    return true;
-}
-
 /* Checks that an equation of the paper holds for this train, at this tilt of the head. */
-static bool label_holds(const struct query *query, const struct explained_label *l, domq_real tilt,
-                        struct problem *problem)
+static bool equation_holds(const struct query *query, const struct explained *e, domq_real tilt,
+                           struct problem *problem)
 {
     const struct domq_train *train = &query->scene->train;
     const struct domq_effect *effect = domq_first_effect(train);
-    const char *label = l->explained.name;
+    const char *label = e->name;
     struct domq_angles angles;
     struct domq_contact contact;
-    if (l->needs == HOLDS)
+    if (e->needs <= HOLDS)
         return true;
     if (effect)
         return problem_no_answer(problem, "equation (%s) does not include %s; first enter 'set %s off'",
@@ -199,13 +180,13 @@ static bool label_holds(const struct query *query, const struct explained_label 
                                  label);
     enum dom_status status = any_angles_find(train, &query->scene->compute, &angles);
     if (status == DOM_OK)
-        status = any_contact_find(train, &query->scene->compute, l->needs == LEANING ? tilt : 0, &contact);
+        status = any_contact_find(train, &query->scene->compute, e->needs == LEANING ? tilt : 0, &contact);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    if (l->needs == PAIR && angles.theta_u >= angles.theta_c)
+    if (e->needs == PAIR && angles.theta_u >= angles.theta_c)
         return problem_no_answer(problem, "(5; b0) does not hold: domino 1 hits before it tips over; first "
                                           "enter a larger s");
-    if (l->needs >= LEANING && angles.detaches && contact.theta_1 >= angles.theta_leave)
+    if (e->needs >= LEANING && angles.detaches && contact.theta_1 >= angles.theta_leave)
         return problem_no_answer(
             problem, "equation (%s) has no value at this tilt, because domino 2 has slid off domino 1",
             label);
@@ -214,32 +195,30 @@ static bool label_holds(const struct query *query, const struct explained_label 
 
 static bool run_explain(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct explained *e = explained_at(query->given->number[0]);
-    const struct explain_arguments *bound = query->given->bound;
-    struct explain_arguments none = {.value = DOMQ_NAN};
-    /* An equation is about the tilt in the middle of the cycle if no tilt is given. */
+    const struct explained *e = &explained_list[(int)query->given->number[0]];
+    struct explain_arguments asked = {.value = DOMQ_NAN};
     struct domq_angles angles;
-    if (query->given->number[0] >= LABELS && e->value && !bound &&
-        any_angles_find(&query->scene->train, &query->scene->compute, &angles) == DOM_OK) {
-        none.value = angles.theta_c / 2;
-        bound = &none;
-    }
-    if (e->value && strcmp(e->value, "s") != 0 && (!bound || isnan(bound->value)))
+    if (query->given->bound)
+        asked = *(const struct explain_arguments *)query->given->bound;
+    /* An equation is about the tilt in the middle of the cycle if no tilt is given. */
+    if (isnan(asked.value) && e->needs != COMMAND && e->value &&
+        any_angles_find(&query->scene->train, &query->scene->compute, &angles) == DOM_OK)
+        asked.value = angles.theta_c / 2;
+    if (e->value && strcmp(e->value, "s") != 0 && isnan(asked.value))
         return problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,
                              e->name, strcmp(e->value, "H") == 0 ? "112 m" : "0.2");
-    if (query->given->number[0] >= LABELS &&
-        !label_holds(query, &explained_labels[(int)query->given->number[0] - LABELS],
-                     bound ? bound->value : DOMQ_NAN, problem))
+    if (!equation_holds(query, e, asked.value, problem))
         return false;
-    bound = bound ? bound : &none;
     struct derivation *d = calloc(1, sizeof *d);
-    struct state *state = malloc(sizeof *state);
-    bool done = d && state ? derivation_make(d, query, e, bound->value, state, problem)
-                           : problem_status(problem, query->scene, DOM_NO_MEMORY);
-    done = done && d && explain_answer(a, d, e, bound, problem);
-    if (d)
-        derivation_end(d);
-    free(state);
+    if (!d)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    bool done = derivation_make(d, query, e, asked.value, problem);
+    if (done && answer_for_people(a))
+        done = explain_write(a, d, e, &asked, problem);
+    for (int n = 0; n < d->count && done && !answer_for_people(a); n++)
+        if (d->step[n].depth <= (asked.deep ? STEPS_MOST : 1))
+            step_row(a, d, &d->step[n]);
+    derivation_end(d);
     free(d);
     return done;
 }

@@ -172,7 +172,7 @@ static void effect_write(const struct writer *w, const char *with, const struct 
 static void equations_write(const struct writer *w)
 {
     const struct derivation *d = w->derivation;
-    const struct scene *scene = &d->state->scene;
+    const struct scene *scene = &d->state.scene;
     int given = 0, written = 0;
     bool ends = false;
     for (int k = 0; k < d->count; k++) {
