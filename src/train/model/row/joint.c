@@ -97,30 +97,21 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= row_lean(row, k);
 }
 
-/* Computes the result of row_end for the case where domino k or the next domino leans at the start. */
-static struct tilt lean_end(const struct row_request *row, size_t k)
-{
-    const struct geometry self = {.lean = row_lean(row, k)};
-    const struct tilt lies = {1, 0, 1};
-    struct contact contact;
-    struct tilt tilt;
-    if ((real)row->domino[k + 1].gap > (real)row->domino[k].height * (1 + REACH_ROUNDED))
-        return lies;
-    bool touches = lean_touch(row, k, &contact, &tilt);
-    if (touches)
-        return tilt;
-    return contact.arm > 0 ? geometry_rest(&self) : lies;
-}
-
 /* Returns the tilt of domino k at which it hits the next domino, or at which it lies on the floor if it hits
  * nothing. */
 static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
 {
+    const struct tilt lies = {1, 0, 1};
+    const struct dom_domino *self = &row->domino[k], *next = self + 1;
+    struct contact contact;
+    struct tilt tilt;
     if (k + 1 == row->count)
-        return (struct tilt){1, 0, 1};
-    if (row->domino[k + 1].lean != 0 || row_lean(row, k) != 0)
-        return lean_end(row, k);
-    return geometry_hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
+        return lies;
+    if (next->lean == 0 && geometry->lean == 0)
+        return geometry_hit(geometry, next->gap / self->height);
+    if (next->gap > self->height * (1 + REACH_ROUNDED))
+        return lies;
+    return lean_touch(row, k, &contact, &tilt) ? tilt : contact.arm > 0 ? geometry_rest(geometry) : lies;
 }
 
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row)
@@ -155,54 +146,37 @@ static bool positive(dom_real value)
     return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
 }
 
-static enum dom_status settings_check(const struct row_request *row)
-{
-    return row->count == 0                                                         ? DOM_BAD_COUNT
-           : !positive(row->g)                                                     ? DOM_BAD_G
-           : !(row->tol >= dom_arithmetic()->tol_floor && (double)row->tol <= 0.1) ? DOM_BAD_TOL
-           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))   ? DOM_BAD_PUSH
-           : !(row->release >= 0)                                                  ? DOM_BAD_RELEASE
-                                  : dynamics_check(row->effect);
-}
-
-static bool walls_room(const struct row_request *row, size_t k, const struct block *self)
-{
-    const dom_real walls = walls_of_domino(row, k);
-    return !dynamics_on(walls) || walls_fit(self->d, (real)walls);
-}
-
-/* Returns true if a leaning domino with sharp edges tips over neither the front edge nor the back edge of its
- * foot. */
-static bool lean_stands(const struct row_request *row, const struct dom_domino *d)
-{
-    return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
-}
-
 /* The values in `self` are computed from the sizes. They may underflow or overflow even if the sizes do not,
  * so they are checked too. */
 KERNEL_SHARED enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
     const struct block self = block_of(row, k);
-    const bool leans = row_lean(row, k) != 0;
-    return !positive(d->height)                           ? DOM_BAD_HEIGHT
-           : !positive(d->thickness) || !positive(self.d) ? DOM_BAD_THICKNESS
-           : !positive(d->mass) || !positive(self.unit)   ? DOM_BAD_MASS
-           : !(d->gap >= 0) || !isfinite((real)d->gap)    ? DOM_BAD_GAP
-           : !(d->radius >= 0 && (!dynamics_on(row->effect[DOM_EFFECT_edges]) || d->radius < d->height / 2))
-               ? DOM_BAD_RADIUS
-           : dynamics_on(row->effect[DOM_EFFECT_edges]) &&
-                   2 * edges_of_domino(row, k) > d->thickness / d->height
-               ? DOM_NO_ROUND
-           : !walls_room(row, k, &self)            ? DOM_NO_ROOM
-           : leans && edges_of_domino(row, k) != 0 ? DOM_NO_LEAN
-           : leans && !lean_stands(row, d)         ? DOM_BAD_LEAN
-                                                   : DOM_OK;
+    const real walls = walls_of_domino(row, k), thin = d->thickness / d->height;
+    const bool leans = row_lean(row, k) != 0, rounds = row->effect[DOM_EFFECT_edges] != 0;
+    return !positive(d->height)                                          ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(self.d)                ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive(self.unit)                  ? DOM_BAD_MASS
+           : !(d->gap >= 0) || !isfinite(d->gap)                         ? DOM_BAD_GAP
+           : !(d->radius >= 0 && (!rounds || d->radius < d->height / 2)) ? DOM_BAD_RADIUS
+           : rounds && 2 * edges_of_domino(row, k) > thin                ? DOM_NO_ROUND
+           : walls != 0 && !walls_fit(self.d, walls)                     ? DOM_NO_ROOM
+           : leans && edges_of_domino(row, k) != 0                       ? DOM_NO_LEAN
+           /* a leaning domino with sharp edges must not tip over the front or back edge of its foot */
+           : leans && !(fabs(d->lean + row->effect[DOM_EFFECT_slope]) < atan(thin)) ? DOM_BAD_LEAN
+                                                                                    : DOM_OK;
 }
 
+/* Checks the settings and all dominoes. If a domino is bad, sets *wrong to its number. */
 static enum dom_status row_check(const struct row_request *row, size_t *wrong)
 {
-    enum dom_status status = settings_check(row);
+    enum dom_status status = row->count == 0     ? DOM_BAD_COUNT
+                             : !positive(row->g) ? DOM_BAD_G
+                             : !(row->tol >= dom_arithmetic()->tol_floor && (double)row->tol <= 0.1)
+                                 ? DOM_BAD_TOL
+                             : !isnan(row->push) && !(row->push >= 0 && isfinite(row->push)) ? DOM_BAD_PUSH
+                             : !(row->release >= 0)                                          ? DOM_BAD_RELEASE
+                                                    : dynamics_check(row->effect);
     for (size_t k = 0; status == DOM_OK && k < row->count; k++) {
         if (k % CHECK_EVERY == 0 && dom_interrupted(row->interrupt))
             return DOM_INTERRUPTED;
