@@ -7,23 +7,6 @@
 #include "dynamics/dynamics.h"
 #include "geometry/chain.h"
 #include "row/row.h"
-#include <stdlib.h>
-
-KERNEL enum dom_status watch_begin(struct watch *w, const struct row_request *row)
-{
-    w->tilt = calloc(row->count, sizeof *w->tilt);
-    w->omega = calloc(row->count, sizeof *w->omega);
-    for (size_t k = 0; w->tilt && k < row->count; k++)
-        w->tilt[k] = row->domino[k].lean;
-    return w->tilt && w->omega ? DOM_OK : DOM_NO_MEMORY;
-}
-
-KERNEL void watch_free(struct watch *w)
-{
-    free(w->tilt);
-    free(w->omega);
-    clock_free(&w->clock);
-}
 
 /* ---- The state at a given tilt of the head ---- */
 

@@ -241,18 +241,6 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
     return status;
 }
 
-static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool tipped)
-{
-    dom_real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (dom_real)INFINITY;
-    v->domino = fall->domino;
-    if (v->end == DOM_ROW_STOPS || v->end == DOM_ROW_BACK)
-        v->short_by = -fall->margin;
-    else if (!tipped && fall->margin >= 0 && fall->kinetic > 0 && (v->weakest == 0 || spare < v->spare)) {
-        v->weakest = fall->domino;
-        v->spare = spare;
-    }
-}
-
 KERNEL_SHARED struct run row_launch(struct row *row)
 {
     const real push = row->request.push, omega = isnan(push) ? 0 : push * block_of(&row->request, 0).tau;
@@ -299,7 +287,15 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
         fall->floor_hit = required->hit;
         fall->floor_hit_domino = k + 1 - required->hit_domino;
     }
-    verdict_add(&run->verdict, fall, tips);
+    struct dom_verdict *v = &run->verdict;
+    const real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (real)INFINITY;
+    v->domino = k + 1;
+    if (v->end == DOM_ROW_STOPS || v->end == DOM_ROW_BACK)
+        v->short_by = -fall->margin;
+    else if (!tips && fall->margin >= 0 && fall->kinetic > 0 && (v->weakest == 0 || spare < v->spare)) {
+        v->weakest = k + 1;
+        v->spare = spare;
+    }
     return DOM_OK;
 }
 
@@ -422,16 +418,6 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
 
 /* ---- Public ---- */
 
-/* Adds the work of a row to the caller's counters, which may be NULL. */
-static void work_add(struct dom_work *sum, const struct dom_work *self)
-{
-    if (!sum)
-        return;
-    sum->passes += self->passes;
-    sum->dominoes += self->dominoes;
-    sum->longest = self->longest > sum->longest ? self->longest : sum->longest;
-}
-
 static enum dom_status row_answer(const struct row_request *request, bool times, dom_fall_visit *visit,
                                   void *context, struct watch *watch, struct dom_verdict *verdict)
 {
@@ -440,8 +426,6 @@ static enum dom_status row_answer(const struct row_request *request, bool times,
     struct row row;
     counted.work = &work;
     enum dom_status status = row_begin(&counted, &row, &verdict->domino);
-    if (status == DOM_OK && watch)
-        status = watch_begin(watch, request);
     if (status == DOM_OK && watch && row_releases(request))
         watch->tilt[0] = row.geometry[0].lean;
     if (status == DOM_OK) {
@@ -456,7 +440,12 @@ static enum dom_status row_answer(const struct row_request *request, bool times,
             *verdict = run.verdict;
     }
     row_free(&row);
-    work_add(request->work, &work);
+    if (request->work) {
+        struct dom_work *sum = request->work;
+        sum->passes += work.passes;
+        sum->dominoes += work.dominoes;
+        sum->longest = work.longest > sum->longest ? work.longest : sum->longest;
+    }
     return status;
 }
 
@@ -469,11 +458,23 @@ KERNEL enum dom_status row_run(const struct row_request *request, bool times, do
 KERNEL enum dom_status row_watch(const struct row_request *request, const dom_real *times, size_t count,
                                  dom_moment_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    struct watch watch = {.time = times, .times = count, .visit = visit, .context = context};
     for (size_t k = 0; k < count; k++)
         if (isnan(times[k]) || (k > 0 && times[k] < times[k - 1]) || (times[k] < 0 && !isnan(request->push)))
             return DOM_BAD_TIME;
-    enum dom_status status = row_answer(request, true, NULL, NULL, &watch, verdict);
-    watch_free(&watch);
+    const size_t dominoes = request->count > 0 ? request->count : 1;
+    struct watch watch = {.time = times,
+                          .times = count,
+                          .visit = visit,
+                          .context = context,
+                          .tilt = calloc(dominoes, sizeof *watch.tilt),
+                          .omega = calloc(dominoes, sizeof *watch.omega)};
+    enum dom_status status = watch.tilt && watch.omega ? DOM_OK : DOM_NO_MEMORY;
+    for (size_t k = 0; status == DOM_OK && k < request->count; k++)
+        watch.tilt[k] = request->domino[k].lean;
+    if (status == DOM_OK)
+        status = row_answer(request, true, NULL, NULL, &watch, verdict);
+    free(watch.tilt);
+    free(watch.omega);
+    clock_free(&watch.clock);
     return status;
 }

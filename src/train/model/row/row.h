@@ -92,11 +92,7 @@ struct watch {
     struct clock clock; /* of `last` */
 };
 
-/* Allocates the memory for a row. Call watch_free even after an error. */
-KERNEL enum dom_status watch_begin(struct watch *watch, const struct row_request *row);
-KERNEL void watch_free(struct watch *watch);
-
-/* In watch_tip, watch_passage and watch_detach, a NULL `watch` stands for a run without requested times. */
+/* In watch_tip and watch_detach, a NULL `watch` stands for a run without requested times. */
 
 /* Reports the states at those requested times that lie before the first hit. Until then, the first domino
  * tips over its edge. If it touches the next domino before it tips over, it leans on that domino at rest. */
