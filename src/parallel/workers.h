@@ -5,6 +5,7 @@
 #ifndef PARALLEL_WORKERS_H
 #define PARALLEL_WORKERS_H
 
+#include "domino_study.h"
 #include "session/query.h"
 
 struct workers {

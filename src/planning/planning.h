@@ -3,6 +3,7 @@
 #ifndef SHELL_PLANNING_H
 #define SHELL_PLANNING_H
 
+#include "domino_study.h"
 #include "interpreter/question.h"
 
 /* ---- The wishes of 'design' and 'improve' ---- */

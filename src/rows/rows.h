@@ -3,6 +3,7 @@
 #ifndef SHELL_ROWS_H
 #define SHELL_ROWS_H
 
+#include "domino_study.h"
 #include "interpreter/question.h"
 #include "tables/csv.h"
 #include "train/falling.h"

@@ -6,6 +6,7 @@
  * usage: answers [NAME]     computes all answers, or one
  */
 #include "domino_float.h"
+#include "domino_study.h"
 #include "shell/precision/any.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -7,6 +7,7 @@
 #ifndef TEST_ASK_H
 #define TEST_ASK_H
 
+#include "domino_study.h"
 #include "shell/precision/any.h"
 #include <string.h>
 

@@ -6,7 +6,7 @@
  * raised, whatever k is.
  */
 #include "domino_proof.h"
-#include "domino_row.h"
+#include "domino_study.h"
 #include "numerics/interrupt.h"
 #include "suite.h"
 #include <math.h>

@@ -3,7 +3,7 @@
 #ifndef DOM_DRAW_H
 #define DOM_DRAW_H
 
-#include "numerics/api.h"
+#include "rows/model/boxes.h"
 #include <gsl/gsl_rng.h>
 
 struct draw {

@@ -3,7 +3,7 @@
 #ifndef DOM_SHAPE_H
 #define DOM_SHAPE_H
 
-#include "numerics/api.h"
+#include "rows/model/boxes.h"
 
 struct shape {
     const struct dom_row *row; /* the row before any change */

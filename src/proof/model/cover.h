@@ -3,7 +3,9 @@
 #ifndef DOM_PROOF_COVER_H
 #define DOM_PROOF_COVER_H
 
+#pragma GCC visibility push(default) /* precision/shared.awk */
 #include "domino_proof.h"
+#pragma GCC visibility pop
 #include "proof/model/energy.h"
 #include <signal.h>
 

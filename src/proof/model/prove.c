@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The public functions of <domino_proof.h>. They check their arguments and then run the proof. */
+#pragma GCC visibility push(default) /* precision/shared.awk */
 #include "domino_proof.h"
+#pragma GCC visibility pop
 #include "proof/model/cover.h"
 
 #include <fenv.h>

@@ -4,6 +4,9 @@
 #define DOM_BOXES_H
 
 #include "numerics/api.h"
+#pragma GCC visibility push(default) /* precision/shared.awk */
+#include "domino_study.h"
+#pragma GCC visibility pop
 
 static inline double width_of(const struct dom_domino *domino)
 {

@@ -3,6 +3,7 @@
 #ifndef DOM_STUDY_H
 #define DOM_STUDY_H
 
+#include "rows/model/boxes.h"
 #include "search/trial.h"
 
 struct study;

@@ -33,7 +33,7 @@ struct trial {
     struct dom_row row;
     struct dom_compute compute;
     struct dom_domino *domino; /* copy of the row's dominoes, which the trials change */
-    enum dom_window_of of;     /* the property that is changed */
+    int of;                    /* the property that is changed, an enum dom_window_of */
     size_t k;                  /* index of the domino that is changed, from 0 */
     /* distance from the back of the first domino to the back of domino k before the change */
     double place;
