@@ -232,7 +232,7 @@ static void plan_size_table(const struct plan *p, const struct scene *of)
     FILE *out = p->paper.out;
     for (size_t k = 0; k < scene->row.count; k++)
         heaviest = scene->domino[k].mass > heaviest ? scene->domino[k].mass : heaviest;
-    const struct measure unit = scene_mass_measure(of, heaviest);
+    const struct measure unit = measure_of("kg", heaviest);
     fputs("# For the workshop: the sizes of the dominoes\n", out);
     if (has_masses)
         fprintf(out, "In mm and %s.", unit.unit);

@@ -155,7 +155,6 @@ static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row 
         csv_write_others(csv, false, others);
         putc('\0', others);
     }
-    rows->mass_unit = csv->column[MEASURE_MASS] ? csv->unit[MEASURE_MASS] : 0;
     rows->from_volumes = !csv->column[MEASURE_MASS] && (rows->has_masses || !csv->column[RELATIVE]);
     return !*csv->file.problem.text;
 }

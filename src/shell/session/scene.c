@@ -113,18 +113,6 @@ domq_real scene_mass(const struct scene *scene)
     return scene_first_mass(scene, &first);
 }
 
-struct measure scene_mass_measure(const struct scene *scene, domq_real largest)
-{
-    /* The base unit of a column is shown as it is: a pound is shown in the unit that suits the largest mass.
-     */
-    static const struct measure units[] = {{"g", 3}, {"kg", 0}, {"t", -3}};
-    static const double size[] = {0.001, 1, 1000};
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if ((double)scene->listed.mass_unit == size[i])
-            return units[i];
-    return measure_of("kg", largest);
-}
-
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness)
 {
     char which[32] = "the domino";

@@ -84,7 +84,6 @@ struct listed_row {
     struct domq_domino *domino; /* the dominoes, or NULL if the row does not come from a file */
     size_t count;
     bool has_masses;     /* the masses are in kg; otherwise, only their ratios are known */
-    domq_real mass_unit; /* the unit of the file's column of masses in kg, or 0 if it gives none */
     bool from_volumes;   /* the masses follow from the volumes, not from a column "mass" or "relative" */
     char *path;
     /* The columns of the file that the program does not know, as lines of csv. The first line has the names
@@ -203,9 +202,6 @@ domq_real scene_first_mass(const struct scene *scene, const struct domq_domino *
 
 /* Returns the mass in kg of the first domino of the train, or 0 if it is not known. */
 domq_real scene_mass(const struct scene *scene);
-
-/* Returns the unit for a table of masses up to `largest` kg: the unit of the row's file, if it gives one. */
-struct measure scene_mass_measure(const struct scene *scene, domq_real largest);
 
 /* Returns true if the mass of the first domino of the train is known. */
 static inline bool scene_has_mass(const struct scene *scene)
