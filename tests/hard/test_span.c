@@ -85,44 +85,25 @@ static bool within(const mpq_t x, struct span a)
     return is;
 }
 
-enum operation { ADD, SUB, MUL, SCALE, OVER, HULL, OPERATIONS };
-static const char *const name[] = {"add", "sub", "mul", "scale", "over", "hull"};
-
-static struct span computed(enum operation op, struct span a, struct span b)
+static struct span scale(struct span a, struct span b)
 {
-    switch (op) {
-    case ADD:
-        return span_add(a, b);
-    case SUB:
-        return span_sub(a, b);
-    case MUL:
-        return span_mul(a, b);
-    case SCALE:
-        return span_scale(b, a);
-    case OVER:
-        return span_over(a, b);
-    default:
-        return span_hull(a, b);
-    }
+    return span_scale(b, a);
 }
 
-/* Returns false if the operation is not defined for these numbers. */
-static bool exact(enum operation op, mpq_t z, const mpq_t x, const mpq_t y)
+static void first(mpq_t z, const mpq_t x, const mpq_t y)
 {
-    if ((op == SCALE && mpq_sgn(y) < 0) || (op == OVER && mpq_sgn(y) <= 0))
-        return false;
-    if (op == ADD)
-        mpq_add(z, x, y);
-    else if (op == SUB)
-        mpq_sub(z, x, y);
-    else if (op == OVER)
-        mpq_div(z, x, y);
-    else if (op == HULL)
-        mpq_set(z, x);
-    else
-        mpq_mul(z, x, y);
-    return true;
+    (void)y;
+    mpq_set(z, x);
 }
+
+static const struct {
+    const char *name;
+    struct span (*computed)(struct span a, struct span b);
+    void (*exact)(mpq_t z, const mpq_t x, const mpq_t y);
+    int least; /* the smallest sign of y */
+} operation[] = {{"add", span_add, mpq_add, -1}, {"sub", span_sub, mpq_sub, -1},
+                 {"mul", span_mul, mpq_mul, -1}, {"hull", span_hull, first, -1},
+                 {"scale", scale, mpq_mul, 0},   {"over", span_over, mpq_div, 1}};
 
 TEST(operations_with_two_intervals)
 {
@@ -130,23 +111,22 @@ TEST(operations_with_two_intervals)
     size_t checked = 0;
     mpq_init(z);
     samples_make();
-    for (int op = 0; op < OPERATIONS; op++)
+    for (size_t op = 0; op < sizeof operation / sizeof *operation; op++)
         for (const struct sample *a = sample; a < sample + samples; a++)
             for (const struct sample *b = sample; b < sample + samples; b++) {
-                /* these two are for divisors and factors that are not negative */
-                if ((op == SCALE || op == OVER) && (b->span.lo < 0 || b->span.hi <= 0))
+                if (operation[op].least >= 0 && (b->span.lo < 0 || b->span.hi <= 0))
                     continue;
-                const struct span c = computed((enum operation)op, a->span, b->span);
-                for (int i = 0; i < a->members; i++)
-                    for (int j = 0; j < b->members; j++) {
-                        if (!exact((enum operation)op, z, a->member[i], b->member[j]))
-                            continue;
-                        checked++;
-                        if (!within(z, c))
-                            fail_msg("%s of [%a, %a] and [%a, %a]: [%a, %a], without %g", name[op],
-                                     a->span.lo, a->span.hi, b->span.lo, b->span.hi, c.lo, c.hi,
-                                     mpq_get_d(z));
-                    }
+                const struct span c = operation[op].computed(a->span, b->span);
+                for (int k = 0; k < a->members * b->members; k++) {
+                    mpq_srcptr x = a->member[k / b->members], y = b->member[k % b->members];
+                    if (mpq_sgn(y) < operation[op].least)
+                        continue;
+                    operation[op].exact(z, x, y);
+                    checked++;
+                    if (!within(z, c))
+                        fail_msg("%s of [%a, %a] and [%a, %a]: [%a, %a], without %g", operation[op].name,
+                                 a->span.lo, a->span.hi, b->span.lo, b->span.hi, c.lo, c.hi, mpq_get_d(z));
+                }
             }
     assert_true(checked > 100000);
     mpq_clear(z);
