@@ -181,7 +181,9 @@ KERNEL_SHARED bool flow_rough(const struct geometry *geometry, real hi)
 {
     struct flow_context c = {.geometry = geometry};
     geometry->flow->solution.panels = 0;
-    return num_linear_solve(flow_rate, &c, 0, hi, (real)INFINITY, &geometry->flow->solution) == NUM_OK;
+    /* A domino that touches the next one has no way to fall, and then there is no solution. */
+    return hi > 0 &&
+           num_linear_solve(flow_rate, &c, 0, hi, (real)INFINITY, &geometry->flow->solution) == NUM_OK;
 }
 
 /* If the motion stops soon after lo, a long piece would have panels that are too wide to locate the stop. So
