@@ -57,11 +57,6 @@ bool trials_make(const struct query *query, struct problem *problem, size_t rows
 /* Reports that `what` needs random errors. Returns false. */
 bool problem_no_errors(struct problem *problem, const char *what);
 
-/* Runs a study of the scene's row with `rows` random rows. Stores the scene's random errors in `error`. If
- * the scene has no random errors, runs nothing and sets study->rows to 0. */
-bool study_run(const struct query *query, struct problem *problem, size_t rows, struct dom_study *study,
-               struct dom_random_error error[DOM_ERROR_COUNT]);
-
 /* Returns a phrase such as "1795 of 2000 rows fall (88.3 % to 91 %)". */
 struct words study_words(const struct dom_study *study);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'placement' and 'budget', and the table of all commands about rows with random errors. */
 #include "chance/chance.h"
+#include "interpreter/feature.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
@@ -35,21 +36,6 @@ bool problem_no_errors(struct problem *problem, const char *what)
         "%s needs random errors; first enter 'set placement 1 mm', or another error, such as "
         "'set error_thickness 1 %%'",
         what);
-}
-
-bool study_run(const struct query *query, struct problem *problem, size_t rows, struct dom_study *study,
-               struct dom_random_error error[DOM_ERROR_COUNT])
-{
-    struct trials t;
-    enum dom_status status = DOM_OK;
-    *study = (struct dom_study){.rows = 0};
-    if (!trials_make(query, problem, rows, true, &t))
-        return false;
-    if (t.has_errors)
-        status = dom_placement_study(&t.row.row, &t.row.compute, &t.placement, study, NULL);
-    memcpy(error, t.placement.error, sizeof t.placement.error);
-    free(t.row.domino);
-    return row_status(query, problem, status);
 }
 
 struct words study_words(const struct dom_study *s)
@@ -240,7 +226,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
 
 /* ---- The table of commands ---- */
 
-const struct command study_commands[] = {
+static const struct command study_commands[] = {
     {.name = "placement",
      .precision = PRECISION_DOUBLE,
      .synonyms = "probability chance random risk precision",
@@ -278,3 +264,10 @@ const struct command study_commands[] = {
      ANSWER(budget)},
     {.name = NULL},
 };
+
+static const struct command_group groups[] = {
+    {"Rows with random errors", "chances", study_commands},
+    {NULL, NULL, NULL},
+};
+
+const struct feature chance_feature = {.name = "chance", .groups = groups, .parameter = error_parameter};

@@ -99,9 +99,18 @@ static bool plan_make(const struct query *query, struct problem *problem, struct
             k > 0 ? p->back[k - 1] + (double)(scene->domino[k - 1].thickness + scene->domino[k].gap) : 0;
         p->has_leans = p->has_leans || scene->domino[k].lean != 0;
     }
-    const size_t rows = scene->row.engine ? STUDY_ROWS_OF_ENGINE : STUDY_ROWS;
-    bool good = status == DOM_OK ? study_run(query, problem, rows, &p->study, p->error)
-                                 : row_status(query, problem, status);
+    struct trials t;
+    bool good =
+        status == DOM_OK
+            ? trials_make(query, problem, scene->row.engine ? STUDY_ROWS_OF_ENGINE : STUDY_ROWS, true, &t)
+            : row_status(query, problem, status);
+    if (good) {
+        memcpy(p->error, t.placement.error, sizeof p->error);
+        if (t.has_errors)
+            status = dom_placement_study(&t.row.row, &t.row.compute, &t.placement, &p->study, NULL);
+        free(t.row.domino);
+        good = row_status(query, problem, status);
+    }
     if (!good)
         plan_free(p);
     return good;

@@ -213,3 +213,13 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
     }
     release_limit(&draw->row);
 }
+
+enum dom_status placement_run(const struct dom_placement *p, dom_task *batch, void *context)
+{
+    const size_t batches = p->rows / BATCH + (p->rows % BATCH > 0);
+    if (p->parallel)
+        return p->parallel(batches, batch, context, p->pool);
+    for (size_t i = 0; i < batches; i++)
+        batch(i, context);
+    return DOM_OK;
+}

@@ -22,13 +22,10 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
 /* Returns the steepest slope, in rad, on which no domino of a row falls over by itself. */
 double row_steepest(const struct dom_row *row);
 
-/*
- * Each of `rows` rows falls with the probability `share`. This function finds a count of fallen rows that is
- * so large, or so small, that it is unlikely.
- * - If `at_least` is true, returns the smallest k for which P(at least k rows fall) < 2.5 %.
- * - If `at_least` is false, returns the largest k for which P(at most k rows fall) < 2.5 %. If there is none,
- *   returns -1.
- */
-double unlikely_count(double share, double rows, bool at_least);
+/* number of random rows in a batch, large enough to make the time for memory allocation negligible */
+enum { BATCH = 16 };
+
+/* Runs all batches of random rows, in parallel if the placement can. */
+enum dom_status placement_run(const struct dom_placement *placement, dom_task *batch, void *context);
 
 #endif

@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs many rows with random errors, in batches that may run in parallel. */
 #include "chance/model/draw.h"
-#include "rows/model/study.h"
 #include "numerics/quiet.h"
+#include "rows/model/study.h"
 #include <stdatomic.h>
 #include <stdlib.h>
 
 /* Whether a row falls depends only on the signs of its margins, so their values need not be accurate. A
  * smaller tolerance would change about one verdict in a billion. */
 #define VERDICT_TOL 1e-9
-
-/* number of rows in a batch, large enough to make the time for memory allocation negligible */
-enum { BATCH = 16 };
 
 /* The data that all batches of a study share. */
 struct shared {
@@ -78,15 +75,6 @@ static void batch_run(size_t index, void *context)
     draw_end(&b.draw);
 }
 
-/* A dom_parallel that runs one task after the other, without a thread pool. */
-static enum dom_status in_order(size_t count, dom_task *task, void *context, void *pool)
-{
-    (void)pool;
-    for (size_t i = 0; i < count; i++)
-        task(i, context);
-    return DOM_OK;
-}
-
 /* Checks the arguments of a study. The model cannot check all of them. The study changes the gaps and the
  * tolerance before the model sees them, and could thereby hide bad values. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
@@ -111,8 +99,7 @@ static enum dom_status study_run(struct shared *s, struct dom_study *study, size
 {
     const struct dom_placement *p = s->placement;
     dom_quiet_begin();
-    enum dom_status status = (p->parallel ? p->parallel : in_order)(p->rows / BATCH + (p->rows % BATCH > 0),
-                                                                    batch_run, s, p->pool);
+    enum dom_status status = placement_run(p, batch_run, s);
     if (s->status != DOM_OK)
         status = (enum dom_status)s->status;
     else if (status == DOM_OK && s->done < p->rows) /* the thread pool has skipped some batches */

@@ -79,8 +79,6 @@ enum { CHECK = 8 };
  * does not matter. So a changed row is not run if the probability is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
-enum { BATCH = 16 }; /* random rows in a batch */
-
 /* ---- The margins of one row ---- */
 
 struct chance {
@@ -213,13 +211,10 @@ static enum dom_status chance_find(const struct chance *c, const struct dom_domi
     enum dom_status status = s.sums && s.status ? DOM_OK : DOM_NO_MEMORY;
     for (size_t i = 0; i < batches && status == DOM_OK; i++)
         s.status[i] = DOM_INTERRUPTED; /* batch_run replaces this status */
-    if (status == DOM_OK && p->parallel)
-        status = p->parallel(batches, batch_run, &s, p->pool);
-    for (size_t i = 0; i < batches && status == DOM_OK; i++) {
-        if (!p->parallel)
-            batch_run(i, &s);
+    if (status == DOM_OK)
+        status = placement_run(p, batch_run, &s);
+    for (size_t i = 0; i < batches && status == DOM_OK; i++)
         status = s.status[i];
-    }
     for (size_t k = 0; k < rows && fails && status == DOM_OK; k++) {
         fails[k] = 0;
         for (size_t i = 0; i < batches; i++)

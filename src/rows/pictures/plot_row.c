@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The plots 'fall' and 'speed': energies and speeds along the row. */
+#include "interpreter/feature.h"
 #include "language/text.h"
 #include "pictures/plots/plots.h"
 #include "train/falling.h"
@@ -192,7 +193,7 @@ static const struct column speed_columns[] = {
     {"speed", "m/s", "speed of the front from this domino to the next one", 0},
     {NULL, NULL, NULL, 0},
 };
-const struct plot row_plots[] = {
+static const struct plot row_plots[] = {
     {"fall", plot_fall, "how much energy each domino of the row has to spare", fall_columns,
      .title = "Energy to spare, domino by domino", .x = {"domino", "domino"},
      .y = {NULL, "spare energy / energy needed,", .percent = true},
@@ -202,3 +203,7 @@ const struct plot row_plots[] = {
      .y = {"speed", "speed"}, .curve = {{"speed", "", CHART_STEPS, INK_BLUE}}},
     {.name = NULL},
 };
+
+static const struct plot *const plots[] = {row_plots, NULL};
+
+const struct feature rows_pictures_feature = {.name = "rows_pictures", .plots = plots};
