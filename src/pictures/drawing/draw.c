@@ -61,69 +61,58 @@ static bool draw_parse(struct reader *r, struct question *q)
 
 /* ---- Data ---- */
 
-static struct cell cell_double(double value)
-{
-    return cell_real((domq_real)value);
-}
-
 /* Rounding errors become 0. */
 static struct cell cell_place(double value, const struct drawn *k)
 {
     double least = 4 * DBL_EPSILON * (fabs(k->foot) + k->height);
-    return cell_double(fabs(value) < least ? 0 : value);
+    return cell_real(fabs(value) < least ? 0 : (domq_real)value);
 }
 
 /* Writes a line of data for each domino. `forces` is the status of the computation of the forces. */
-static bool stage_rows(const struct stage *stage, enum dom_status forces, struct answer *a)
+static void stage_rows(const struct stage *stage, enum dom_status forces, struct answer *a)
 {
     a->style.errors = 0; /* a picture shows no errors */
     for (size_t n = 0; n < stage->count && !answer_lost(a); n++) {
         const struct drawn *k = &stage->domino[n];
         const struct point *p = k->corner;
-        answer_row(a,
-                   ROW(cell_count((domq_real)k->number), cell_double(k->height), cell_double(k->foot),
-                       cell_double(k->theta), cell_place(p[1].x, k), cell_place(p[1].y, k),
-                       cell_place(p[2].x, k), cell_place(p[2].y, k), cell_place(p[3].x, k),
-                       cell_place(p[3].y, k), cell_place(k->contact.x, k), cell_place(k->contact.y, k),
-                       cell_double(k->force), cell_double(k->of_own)),
-                   !drawn_locked(k) ? NULL
-                   : forces == DOM_OK
-                       ? "the contact is at the hinge: no push, however large, turns this domino"
-                       : dom_status_text(forces));
+        answer_row(
+            a,
+            ROW(cell_count((domq_real)k->number), cell_real((domq_real)k->height),
+                cell_real((domq_real)k->foot), cell_real((domq_real)k->theta), cell_place(p[1].x, k),
+                cell_place(p[1].y, k), cell_place(p[2].x, k), cell_place(p[2].y, k), cell_place(p[3].x, k),
+                cell_place(p[3].y, k), cell_place(k->contact.x, k), cell_place(k->contact.y, k),
+                cell_real((domq_real)k->force), cell_real((domq_real)k->of_own)),
+            !drawn_locked(k)   ? NULL
+            : forces == DOM_OK ? "the contact is at the hinge: no push, however large, turns this domino"
+                               : dom_status_text(forces));
     }
-    return true;
 }
 
 /* ---- The row ---- */
 
-/* Fails if there is no such domino, or if it is never hit. */
-static bool domino_time(struct problem *problem, domq_real domino, const struct falling_row *row,
-                        domq_real *time)
-{
-    size_t count = row->stage.count, end = row->run.verdict.domino;
-    if (!(domino >= 1 && domino <= (domq_real)count) || domino != quad(floor)(domino))
-        return problem_no_answer(
-            problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last one",
-            quad_text(domino, 10), count, count);
-    size_t number = (size_t)domino;
-    *time = (domq_real)falling_row_hit(row, number - 1);
-    return !isnan(*time) || number <= end ||
-           problem_no_answer(problem,
-                             "domino %zu is never hit: the fall ends at domino %zu; 'draw at end' shows how "
-                             "far the row falls",
-                             number, end);
-}
-
-/* Fails if the row has no such moment. */
+/* Fails if the row has no such moment, or if the domino is never hit. */
 static bool moment_time(struct problem *problem, const struct options *options, const struct falling_row *row,
                         domq_real *time)
 {
-    const bool is_end = options->has[DRAW_END];
-    problem->place = options->column[options->has[DRAW_DOMINO] ? DRAW_DOMINO : is_end ? DRAW_END : DRAW_TIME];
-    if (options->has[DRAW_DOMINO])
-        return domino_time(problem, options->value[DRAW_DOMINO], row, time);
-    *time = is_end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
+    const bool is_end = options->has[DRAW_END], is_hit = options->has[DRAW_DOMINO];
+    const domq_real domino = options->value[DRAW_DOMINO];
+    const size_t count = row->stage.count, end = row->run.verdict.domino;
     const char *start = falling_row_start(row);
+    problem->place = options->column[is_hit ? DRAW_DOMINO : is_end ? DRAW_END : DRAW_TIME];
+    *time = is_end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
+    if (is_hit && (!(domino >= 1 && domino <= (domq_real)count) || domino != quad(floor)(domino)))
+        return problem_no_answer(
+            problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last one",
+            quad_text(domino, 10), count, count);
+    if (is_hit) {
+        const size_t number = (size_t)domino;
+        *time = (domq_real)falling_row_hit(row, number - 1);
+        return !isnan(*time) || number <= end ||
+               problem_no_answer(problem,
+                                 "domino %zu is never hit: the fall ends at domino %zu; 'draw at end' shows "
+                                 "how far the row falls",
+                                 number, end);
+    }
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(
             problem, "times count from the %s and cannot be negative; 'draw at 0' shows the row at the %s",
@@ -180,7 +169,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
         for (struct column *c = answer_columns(a, a->columns); c->key; c++)
             c->unit = strcmp(c->unit, "h") == 0 ? "m" : c->unit;
         answer_leave_out(a, "contact_x contact_z force of_own");
-        good = stage_rows(&row.stage, DOM_OK, a);
+        stage_rows(&row.stage, DOM_OK, a);
     }
     falling_row_free(&row);
     return good;
@@ -251,7 +240,8 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
         train_caption(query, &stage, theta, a);
         good = stage_show(&stage, a, query->scene->compute.interrupt, problem);
     } else {
-        good = stage_rows(&stage, forces, a);
+        stage_rows(&stage, forces, a);
+        good = true;
     }
     stage_free(&stage);
     return good;

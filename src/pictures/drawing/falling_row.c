@@ -18,40 +18,32 @@ static bool end_seen(const struct domq_moment *moment, void *context)
     return true;
 }
 
-/* Returns how to draw domino k, counted from 0. `head` is the number of the last domino that was hit, counted
- * from 1, or 0 before the fall. */
-static enum part part_of(const struct falling_row *row, size_t k, size_t head, bool has_moved)
-{
-    const struct domq_verdict *v = &row->run.verdict;
-    if (v->end != DOM_ROW_FALLS && k + 1 == v->domino)
-        return ENDS;
-    if (row->dominoes > 1 && k + 1 == v->weakest && isfinite(v->spare))
-        return WEAKEST;
-    return !has_moved ? STANDS : k + 1 == head ? HEAD : FALLS;
-}
-
 void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
 {
     const struct domq_row *r = &row->run.scene.row;
+    const struct domq_verdict *v = &row->run.verdict;
+    const size_t stops = v->end != DOM_ROW_FALLS ? v->domino : 0, head = moment ? moment->head : 0,
+                 weakest = row->dominoes > 1 && isfinite(v->spare) ? v->weakest : 0;
     double at = 0, rho = (double)r->rho;
     for (size_t k = 0; k < row->stage.count; k++) {
         const struct domq_domino *domino = &row->run.scene.domino[k];
-        struct drawn *d = &row->stage.domino[k];
         double lean = k == 0 ? (double)scene_row_tilt(&row->run.scene) : (double)domino->lean,
-               tilt = moment ? (double)moment->tilt[k] : lean;
-        bool head = moment && k + 1 == moment->head;
-        *d = (struct drawn){.number = (int)k + 1,
-                            .part = part_of(row, k, moment ? moment->head : 0, tilt > lean || head),
-                            .height = (double)domino->height,
-                            .thickness = (double)domino->thickness,
-                            .theta = tilt};
-        d->radius = rho != 0 && domino->radius > 0 ? (double)domino->radius : rho * d->height;
+               tilt = moment ? (double)moment->tilt[k] : lean, height = (double)domino->height;
         at += k > 0 ? (double)domino->gap : 0;
-        d->foot = at + (moment ? row->slid[k] : 0) + d->thickness;
-        at += d->thickness;
-        if (k >= row->dominoes)
-            d->number = NUMBER_TOWER;
-        drawn_corners(d);
+        row->stage.domino[k] =
+            (struct drawn){.number = k >= row->dominoes ? NUMBER_TOWER : (int)k + 1,
+                           .part = k + 1 == stops     ? ENDS
+                                   : k + 1 == weakest ? WEAKEST
+                                   : k + 1 == head    ? HEAD
+                                   : tilt > lean      ? FALLS
+                                                      : STANDS,
+                           .height = height,
+                           .thickness = (double)domino->thickness,
+                           .theta = tilt,
+                           .radius = rho != 0 && domino->radius > 0 ? (double)domino->radius : rho * height,
+                           .foot = at + (moment ? row->slid[k] : 0) + (double)domino->thickness};
+        at += (double)domino->thickness;
+        drawn_corners(&row->stage.domino[k]);
     }
 }
 
@@ -247,38 +239,31 @@ void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
                  domino_words(row, v->weakest).text, energy_words(v->spare + 1).text);
 }
 
-/* Writes what happens at a moment before the end. */
-static void moment_words(const struct falling_row *row, const struct domq_moment *m, char *what, size_t size)
-{
-    if (m->head >= row->dominoes) {
-        snprintf(what, size, "%.40s%s falls%s", domino_words(row, m->head).text,
-                 row->has_tower ? "" : ", the last,",
-                 m->head == row->dominoes && row->has_tower ? " towards the tower" : "");
-        return;
-    }
-    const size_t after = row->dominoes - m->head;
-    if (row->has_tower)
-        snprintf(what, size, "domino %zu falls; %zu and the tower still stand", m->head, after);
-    else
-        snprintf(what, size, "domino %zu falls; %zu domino%s still stand%s", m->head, after,
-                 after == 1 ? "" : "es", after == 1 ? "s" : "");
-}
-
 void falling_row_moment(const struct falling_row *row, const struct domq_moment *m, char text[SENTENCE])
 {
     char what[SENTENCE / 2];
     const double time = (double)m->time;
+    const bool over = time >= row->end, falls = row->run.verdict.end == DOM_ROW_FALLS;
     const size_t after = row->dominoes > m->head ? row->dominoes - m->head : 0;
-    if (!(time >= row->end))
-        moment_words(row, m, what, sizeof what);
-    else if (row->run.verdict.end == DOM_ROW_FALLS)
+    const struct words domino = domino_words(row, m->head);
+    const char *plural = after == 1 ? "" : "es", *stand = after == 1 ? "stands" : "stand";
+    if (over && falls)
         snprintf(what, sizeof what, "%s",
                  row->has_tower      ? "all have fallen, and so has the tower"
                  : row->dominoes > 1 ? "all dominoes have fallen"
                                      : "the domino has fallen");
+    else if (over)
+        snprintf(what, sizeof what, "the fall ends at %.40s; %zu domino%s %s", domino.text, after, plural,
+                 stand);
+    else if (row->has_tower)
+        snprintf(what, sizeof what, "%.40s falls%s", domino.text,
+                 after > 0                  ? "; the tower still stands"
+                 : m->head == row->dominoes ? " towards the tower"
+                                            : "");
+    else if (after == 0)
+        snprintf(what, sizeof what, "%.40s, the last, falls", domino.text);
     else
-        snprintf(what, sizeof what, "the fall ends at %.40s; %zu domino%s stand%s",
-                 domino_words(row, m->head).text, after, after == 1 ? "" : "es", after == 1 ? "s" : "");
+        snprintf(what, sizeof what, "%.40s falls; %zu domino%s still %s", domino.text, after, plural, stand);
     snprintf(text, SENTENCE, "%.3f s %s the %s: %s.", time < 0 ? -time : time, time < 0 ? "before" : "after",
              falling_row_start(row), what);
 }

@@ -7,17 +7,6 @@
 
 /* ---- The rows as numbers ---- */
 
-static void keys_keep(struct plot_rows *rows, const struct answer *a)
-{
-    for (int i = 0; a->columns[i].key; i++) {
-        const struct column *c = &a->columns[i];
-        const bool angle = column_is_angle(c);
-        snprintf(rows->key[i], sizeof rows->key[i], "%s", c->key);
-        snprintf(rows->unit[i], sizeof rows->unit[i], "%s%s", angle ? style_angle_unit(&a->style) : "",
-                 c->unit + (angle ? strlen("rad") : 0));
-    }
-}
-
 static bool rows_grow(struct plot_rows *rows, size_t room)
 {
     struct plot_row *more = realloc(rows->row, room * sizeof *more);
@@ -49,15 +38,19 @@ static void row_keep(struct answer *a, const struct cell *cells, const char *rea
     char text[CELL_TEXT];
     if (rows->is_by_point ? at >= rows->count : at == rows->room && !rows_grow(rows, 2 * at + 64))
         return;
-    if (at == 0)
-        keys_keep(rows, a);
     struct plot_row *row = &rows->row[at];
     *row = (struct plot_row){.word = ""};
     for (int i = 0; a->columns[i].key; i++) {
-        const bool number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
-        const domq_real value =
-            column_is_angle(&a->columns[i]) ? style_angle(&a->style, cells[i].number) : cells[i].number;
+        const struct column *c = &a->columns[i];
+        const bool angle = column_is_angle(c),
+                   number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
+        const domq_real value = angle ? style_angle(&a->style, cells[i].number) : cells[i].number;
         row->number[i] = number ? (double)value : (double)NAN;
+        if (at > 0)
+            continue;
+        snprintf(rows->key[i], sizeof rows->key[i], "%s", c->key);
+        snprintf(rows->unit[i], sizeof rows->unit[i], "%s%s", angle ? style_angle_unit(&a->style) : "",
+                 c->unit + (angle ? strlen("rad") : 0));
     }
     if (cells[0].kind != CELL_NONE)
         snprintf(row->word, sizeof row->word, "%s", cell_plain(&a->style, cells[0], text));
@@ -70,17 +63,6 @@ int plot_column(const struct plot_rows *rows, const char *key)
         if (strcmp(rows->key[i], key) == 0)
             return i;
     return -1;
-}
-
-/* Runs a plot and collects its rows. */
-static bool rows_read(const struct plot *plot, const struct query *query, const struct answer *a,
-                      struct chart *chart, struct problem *problem, struct plot_rows *rows)
-{
-    struct answer answer = *a;
-    answer.sink.take = row_keep;
-    answer.sink.context = rows;
-    return plot->run(query, &answer, chart, problem) &&
-           (!rows->failed || problem_status(problem, query->scene, DOM_NO_MEMORY));
 }
 
 /* ---- Axes and curves ---- */
@@ -108,8 +90,9 @@ static double axis_label(struct chart_axis *to, const struct plot_axis *axis, co
     return size;
 }
 
-/* Adds the points of the rows to the curves that the table of the plot defines. */
-static void curves_fill(const struct plot *plot, const struct plot_rows *rows, struct chart *chart)
+/* Adds the points of the rows to the curves that the table of the plot defines, and labels the axes. */
+static void curves_fill(const struct plot *plot, const struct plot_rows *rows, const struct answer *a,
+                        struct chart *chart)
 {
     for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
         const struct plot_curve *from = &plot->curve[k];
@@ -120,10 +103,6 @@ static void curves_fill(const struct plot *plot, const struct plot_rows *rows, s
                 chart_point(chart, &chart->curve[k], n[x], n[y]);
         }
     }
-}
-
-static void chart_finish(const struct plot *plot, const struct answer *a, struct chart *chart)
-{
     double x = 0, y = 0;
     for (int k = 0; k < chart->curves; k++)
         for (size_t i = 0; i < chart->curve[k].count; i++) {
@@ -133,33 +112,6 @@ static void chart_finish(const struct plot *plot, const struct answer *a, struct
         }
     chart->x.unit = axis_label(&chart->x, &plot->x, a, x);
     chart->y.unit = axis_label(&chart->y, &plot->y, a, y);
-}
-
-bool plot_write(const struct plot *plot, const struct query *query, struct answer *a, struct problem *problem)
-{
-    if (!answer_for_people(a))
-        return plot->run(query, a, NULL, problem);
-    if (!picture_ready(a, problem))
-        return false;
-    struct plot_rows rows = {.count = 0};
-    struct chart chart = chart_make();
-    snprintf(chart.title, sizeof chart.title, "%s", plot->title);
-    for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
-        const struct plot_curve *c = &plot->curve[k];
-        chart_curve(&chart, c->kind, c->ink, c->dash, "%s", c->title);
-    }
-    bool done = rows_read(plot, query, a, &chart, problem, &rows);
-    if (done && plot->draw) {
-        done = plot->draw(query, &rows, &chart, problem);
-    } else if (done && plot->x.key) {
-        curves_fill(plot, &rows, &chart);
-        chart_finish(plot, a, &chart);
-    }
-    free(rows.row);
-    if (done)
-        return chart_show(&chart, a, query->scene->compute.interrupt, problem);
-    chart_free(&chart);
-    return false;
 }
 
 /* ---- The command ---- */
@@ -208,12 +160,37 @@ static bool more_bind(const struct question *q, const struct query *query, struc
     return !plot->argument->bind || plot->argument->bind(q, query, given, problem);
 }
 
+/* As csv or json, a plot is its rows. */
 static bool run_plot(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct plot *plot = plot_at((int)query->given->number[0]);
     a->columns = plot->columns;
     a->style.errors = 0; /* a picture shows no errors */
-    return plot_write(plot, query, a, problem);
+    if (!answer_for_people(a))
+        return plot->run(query, a, NULL, problem);
+    if (!picture_ready(a, problem))
+        return false;
+    struct plot_rows rows = {.count = 0};
+    struct chart chart = chart_make();
+    struct answer answer = *a;
+    answer.sink.take = row_keep;
+    answer.sink.context = &rows;
+    snprintf(chart.title, sizeof chart.title, "%s", plot->title);
+    for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
+        const struct plot_curve *c = &plot->curve[k];
+        chart_curve(&chart, c->kind, c->ink, c->dash, "%s", c->title);
+    }
+    bool done = plot->run(query, &answer, &chart, problem) &&
+                (!rows.failed || problem_status(problem, query->scene, DOM_NO_MEMORY));
+    if (done && plot->draw)
+        done = plot->draw(query, &rows, &chart, problem);
+    else if (done && plot->x.key)
+        curves_fill(plot, &rows, a, &chart);
+    free(rows.row);
+    if (done)
+        return chart_show(&chart, a, query->scene->compute.interrupt, problem);
+    chart_free(&chart);
+    return false;
 }
 
 /* Each plot has its own columns. */

@@ -13,7 +13,7 @@
 
 /* Computes the rows of a plot and writes them to the answer `a`. For csv and json, nothing else is needed,
  * and `chart` is NULL. Otherwise the function also adds notes and marks to the chart. Unless plot.x.key is
- * NULL, plot_write then adds the curves that struct plot lists. On failure, plot_run sets *problem and
+ * NULL, the command then adds the curves that struct plot lists. On failure, plot_run sets *problem and
  * returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
@@ -79,9 +79,5 @@ struct plot {
     {                                                                                                        \
         key, unit, meaning, width                                                                            \
     }
-
-/* Writes the rows of a plot as csv or json, or draws them. */
-bool plot_write(const struct plot *plot, const struct query *query, struct answer *a,
-                struct problem *problem);
 
 #endif
