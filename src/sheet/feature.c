@@ -30,13 +30,10 @@ struct class_row {
     double size;
     struct trial trial[TRIALS]; /* the first one is the row of the session */
     int trials;
-    struct trial rough; /* the row with more friction between the dominoes */
-    double friction;    /* that friction coefficient */
 };
 
 /* Runs a row like that of the session. */
-static bool trial_run(const struct query *query, struct trial *trial, double friction,
-                      struct problem *problem)
+static bool trial_run(const struct query *query, struct trial *trial, struct problem *problem)
 {
     struct state state;
     struct query changed;
@@ -45,11 +42,10 @@ static bool trial_run(const struct query *query, struct trial *trial, double fri
     const struct assigned assigned[] = {
         {.parameter = parameter_find("s"), .length = {.m = (domq_real)trial->gap}},
         {.parameter = parameter_find("row"), .value = (domq_real)trial->dominoes},
-        {.parameter = parameter_find("friction"), .value = (domq_real)friction},
     };
     trial->seconds = (double)NAN;
-    /* A gap or a friction that the scene cannot have is not an error of the user: this trial is left out. */
-    if (query_with(query, assigned, friction > 0 ? 3 : 2, &state, &changed, &ignored) &&
+    /* A gap that the scene cannot have is not an error of the user: this trial is left out. */
+    if (query_with(query, assigned, 2, &state, &changed, &ignored) &&
         row_run(&changed, &ignored, true, &run)) {
         if (run.verdict.end == DOM_ROW_FALLS)
             trial->seconds = (double)run.verdict.seconds;
@@ -97,15 +93,13 @@ static bool class_make(struct class_row *class, struct problem *problem)
                                    {gap_round(class, 1.4 * first.gap), count, 0},
                                    {first.gap, 2 * count, 0}};
     bool good = true;
-    class->trial[class->trials++] = class->rough = first;
+    class->trial[class->trials++] = first;
     for (int k = 0; k < TRIALS - 1 && good; k++) {
         class->trial[class->trials] = others[k];
-        good = trial_run(query, &class->trial[class->trials], 0, problem);
+        good = trial_run(query, &class->trial[class->trials], problem);
         class->trials += good && isfinite(class->trial[class->trials].seconds);
     }
-    const struct effect_state *friction = &scene->effect[DOM_EFFECT_friction];
-    class->friction = (friction->on ? (double)friction->value[0] : 0) + 0.2;
-    return good && trial_run(query, &class->rough, class->friction, problem);
+    return good;
 }
 
 /* ---- Numbers as text ---- */
@@ -259,13 +253,10 @@ static void times_write(const struct class_row *class, FILE *out)
                 "\n%d. It takes %.2f times as long. The start is slow, and there is only one start; later "
                 "the front has a constant speed.",
                 n++, shown(time_of(last->seconds)) / shown(time));
-    fprintf(out, "\n%d. Slower: with a friction coefficient of %.2g the row would %s%s.\n", n,
-            class->friction, isfinite(class->rough.seconds) ? "take " : "not even fall to its end",
-            isfinite(class->rough.seconds) ? time_of(class->rough.seconds).text : "");
     fprintf(out,
-            "%d. A hand with a stopwatch is wrong by about 0.1 s; and no row is set up twice in the same "
-            "way.\n",
-            n + 1);
+            "\n%d. Slower: friction between the dominoes takes energy from the row.\n%d. A hand with a "
+            "stopwatch is wrong by about 0.1 s; and no row is set up twice in the same way.\n",
+            n, n + 1);
 }
 
 /* Lists the effects with which the program computed the times. */

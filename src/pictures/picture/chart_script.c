@@ -111,18 +111,6 @@ static void number_script(double value, FILE *out)
         fprintf(out, "NaN ");
 }
 
-static void points_script(const struct chart_curve *curve, int k, FILE *out)
-{
-    fprintf(out, "$curve%d << END\n", k);
-    for (size_t i = 0; i < curve->count; i++) {
-        const struct chart_point *p = &curve->point[i];
-        number_script(p->x, out);
-        number_script(p->y, out);
-        putc('\n', out);
-    }
-    fprintf(out, "END\n");
-}
-
 /* Writes the data of a map, and the command that draws it. If both axes are linear, the map is drawn as an
  * image. If an axis is logarithmic, each cell of the map is drawn as a box. */
 static void map_script(const struct chart *c, FILE *out)
@@ -194,8 +182,15 @@ void chart_script(const struct chart *c, FILE *out)
         map_script(c, out);
         return;
     }
-    for (int k = 0; k < c->curves; k++)
-        points_script(&c->curve[k], k, out);
+    for (int k = 0; k < c->curves; k++) {
+        fprintf(out, "$curve%d << END\n", k);
+        for (size_t i = 0; i < c->curve[k].count; i++) {
+            number_script(c->curve[k].point[i].x, out);
+            number_script(c->curve[k].point[i].y, out);
+            putc('\n', out);
+        }
+        fprintf(out, "END\n");
+    }
     for (int k = 0; k < c->curves; k++)
         curve_script(c, k, out);
     fprintf(out, "\n");

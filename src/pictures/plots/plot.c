@@ -196,7 +196,7 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
 /* Each plot has its own columns. */
 static const struct column no_columns[] = {{NULL, NULL, NULL, 0}};
 
-const struct command plot_commands[] = {
+static const struct command plot_commands[] = {
     {.name = "plot",
      .synonyms = "picture image graph figure chart diagram svg png pdf gnuplot",
      .argument =
@@ -219,3 +219,20 @@ const struct command plot_commands[] = {
      .run = run_plot},
     {.name = NULL},
 };
+
+/* ---- The feature ---- */
+
+extern const struct command draw_commands[], film_commands[];
+
+static const struct command_group groups[] = {
+    {"The train in pictures", "pictures", draw_commands},
+    {"Films", "pictures", film_commands},
+    {"Curves", "pictures", plot_commands},
+    {NULL, NULL, NULL},
+};
+
+extern const struct plot limit_plots[], cycle_plots[];
+
+static const struct plot *const plots[] = {limit_plots, cycle_plots, NULL};
+
+const struct feature pictures_feature = {.name = "pictures", .groups = groups, .plots = plots};

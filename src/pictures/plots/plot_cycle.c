@@ -6,7 +6,6 @@
 #include "language/text.h"
 #include "pictures/plots/plots.h"
 #include "train/train.h"
-#include <string.h>
 
 enum { STEPS = 160 };
 
@@ -20,6 +19,7 @@ enum { STEPS = 160 };
 
 struct cycle {
     const struct query *query;
+    enum { ENERGY, OMEGA, CHAIN } plot;
     struct domq_event event[DOM_EVENTS_MAX];
     int events;
     struct domq_angles angles;
@@ -82,60 +82,45 @@ static enum dom_status lines_count(const struct cycle *c, int *lines)
     return status;
 }
 
-struct keyed {
-    const char *key;
-    struct cell cell;
-};
-
-/* Writes a row with a cell for each column of the plot. Ignores cells for which the plot has no column. */
-static void keyed_write(struct answer *a, const struct keyed *cells, int count)
-{
-    struct cell row[ANSWER_COLUMNS] = {{0}};
-    for (int n = 0; a->columns[n].key; n++)
-        for (int i = 0; i < count; i++)
-            if (strcmp(a->columns[n].key, cells[i].key) == 0)
-                row[n] = cells[i].cell;
-    answer_row(a, row, NULL);
-}
-
-/* Writes a row for each line of the chart at one tilt of the head. `event` is the event at this tilt, or
- * NULL. */
+/* Writes the rows of a plot at one tilt of the head: one, or one for each line of the chart of the chain.
+ * `event` is the event at this tilt, or NULL. */
 static enum dom_status sample_write(const struct cycle *c, const struct domq_event *event, domq_real theta,
                                     int lines, struct answer *a)
 {
     const struct scene *scene = c->query->scene;
+    const struct cell word = cell_word(event ? dom_event_text(event->kind) : NULL);
     struct tilts tilts = {.theta = {0}};
     struct domq_energy energy = {.dH = DOMQ_NAN};
     domq_real omegasq = DOMQ_NAN;
     enum dom_status status = any_energy_find(&scene->train, &scene->compute, theta, &energy);
-    if (status == DOM_OK)
+    if (status == DOM_OK && c->plot == CHAIN)
         status = tilts_find(c, theta, &tilts);
-    if (event && event->kind == DOM_EVENT_STOP)
+    else if (event && event->kind == DOM_EVENT_STOP)
         omegasq = 0;
     else if (status == DOM_OK && theta <= c->event[c->events - 1].theta)
         status = any_cycle_omegasq(&scene->train, &scene->compute, theta, &omegasq);
-    status = status == DOM_STOPS ? DOM_OK : status;
-    domq_real omega = quad(sqrt)(omegasq) / domq_scale_tau(&scene->scale, &scene->train);
-    for (int i = 0; i < lines && status == DOM_OK; i++) {
-        const struct keyed cells[] = {{"theta", cell_real(theta)},
-                                      {"i", cell_count(i)},
-                                      {"theta_i", cell_real(tilts.theta[i])},
-                                      {"dH", cell_real(energy.dH)},
-                                      {"J", cell_real(energy.J)},
-                                      {"kinetic", cell_real(energy.J * omegasq)},
-                                      {"omegasq", cell_real(omegasq)},
-                                      {"omega", cell_real(omega)},
-                                      {"event", cell_word(event ? dom_event_text(event->kind) : NULL)}};
-        keyed_write(a, cells, sizeof cells / sizeof *cells);
-    }
-    return status;
+    if (status != DOM_OK && status != DOM_STOPS)
+        return status;
+    if (c->plot == ENERGY)
+        answer_cells(a, cell_real(theta), cell_real(energy.dH), cell_real(energy.J * omegasq),
+                     cell_real(energy.J), word);
+    else if (c->plot == OMEGA)
+        answer_cells(a, cell_real(theta), cell_real(omegasq),
+                     cell_real(quad(sqrt)(omegasq) / domq_scale_tau(&scene->scale, &scene->train)), word);
+    for (int i = 0; i < lines && c->plot == CHAIN; i++)
+        answer_cells(a, cell_count(i), cell_real(theta), cell_real(tilts.theta[i]), word);
+    return DOM_OK;
 }
 
-/* Writes the rows at evenly spaced tilts of the head, and at the events between them. */
-static enum dom_status samples_write(const struct cycle *c, int lines, struct answer *a)
+/* Writes the rows of a plot, at evenly spaced tilts of the head and at the events between them. Adds the
+ * parameters and the events to the chart, if there is one. */
+static bool cycle_plot(struct cycle *c, struct answer *a, struct chart *chart, struct problem *problem)
 {
-    enum dom_status status = DOM_OK;
-    int event = 0;
+    const struct domq_train *t = &c->query->scene->train;
+    int lines = 1, event = 0;
+    if (!cycle_find(c, problem))
+        return false;
+    enum dom_status status = c->plot == CHAIN ? lines_count(c, &lines) : DOM_OK;
     for (int k = 0; k <= STEPS && status == DOM_OK && !answer_lost(a);) {
         domq_real theta = k == STEPS ? c->end : c->end * k / STEPS;
         const struct domq_event *at =
@@ -144,20 +129,6 @@ static enum dom_status samples_write(const struct cycle *c, int lines, struct an
         status = sample_write(c, at, at ? at->theta : theta, lines, a);
         progress_show((k + 1.0) / (STEPS + 2));
     }
-    return status;
-}
-
-/* Writes the rows of a plot and adds the parameters and the events to the chart, if there is one. */
-static bool cycle_plot(struct cycle *c, bool chain, struct answer *a, struct chart *chart,
-                       struct problem *problem)
-{
-    const struct domq_train *t = &c->query->scene->train;
-    int lines = 1;
-    if (!cycle_find(c, problem))
-        return false;
-    enum dom_status status = chain ? lines_count(c, &lines) : DOM_OK;
-    if (status == DOM_OK)
-        status = samples_write(c, lines, a);
     if (status != DOM_OK)
         return problem_status(problem, c->query->scene, status);
     if (!chart)
@@ -174,30 +145,30 @@ static bool cycle_plot(struct cycle *c, bool chain, struct answer *a, struct cha
 static bool plot_energy(const struct query *query, struct answer *a, struct chart *chart,
                         struct problem *problem)
 {
-    struct cycle c = {.query = query};
+    struct cycle c = {.query = query, .plot = ENERGY};
     if (chart)
         chart_level(chart, 0, "");
-    return cycle_plot(&c, false, a, chart, problem);
+    return cycle_plot(&c, a, chart, problem);
 }
 
 static bool plot_omega(const struct query *query, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {
-    struct cycle c = {.query = query};
+    struct cycle c = {.query = query, .plot = OMEGA};
     if (chart) {
         chart->y.low = 0;
         snprintf(chart->curve[0].title, sizeof chart->curve[0].title,
                  "the head, %.4g mm tall; the next head is sqrt(r) times slower",
                  (double)(1000 * query->scene->scale.h));
     }
-    return cycle_plot(&c, false, a, chart, problem);
+    return cycle_plot(&c, a, chart, problem);
 }
 
 static bool plot_chain(const struct query *query, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {
-    struct cycle c = {.query = query};
-    bool done = cycle_plot(&c, true, a, chart, problem);
+    struct cycle c = {.query = query, .plot = CHAIN};
+    bool done = cycle_plot(&c, a, chart, problem);
     if (done && chart) {
         double theta_f = angle_shown(&c, c.angles.theta_f);
         chart->y.low = 0;
@@ -207,12 +178,16 @@ static bool plot_chain(const struct query *query, struct answer *a, struct chart
     return done;
 }
 
-#define THETA   COLUMN("theta", "rad", "tilt of the head", 0)
-#define DH      COLUMN("dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (19; c1)", 0)
-#define KINETIC COLUMN("kinetic", "mgh/2", "J tau^2 omega^2 (21; c3)", 0)
-#define INERTIA COLUMN("J", "", "inertia of the train (20; c2)", 0)
-#define EVENT   COLUMN("event", "", "the event at this tilt (launch, top, fall, stop or hit), if any", 6)
-static const struct column energy_columns[] = {THETA, DH, KINETIC, INERTIA, EVENT, {NULL, NULL, NULL, 0}};
+#define THETA COLUMN("theta", "rad", "tilt of the head", 0)
+#define EVENT COLUMN("event", "", "the event at this tilt (launch, top, fall, stop or hit), if any", 6)
+static const struct column energy_columns[] = {
+    THETA,
+    {"dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (19; c1)", 0},
+    {"kinetic", "mgh/2", "J tau^2 omega^2 (21; c3)", 0},
+    {"J", "", "inertia of the train (20; c2)", 0},
+    EVENT,
+    {NULL, NULL, NULL, 0},
+};
 static const struct column omega_columns[] = {
     THETA,
     {"omegasq", "", "tau^2 omega(theta)^2 (21; c3)", 0},

@@ -57,22 +57,6 @@ static void axis_label(const struct axis *a, struct chart_axis *to)
     to->logarithmic = a->logarithmic;
 }
 
-/* Returns true if the values of an axis, or their logarithms on a logarithmic axis, are evenly spaced. */
-static bool is_even(const struct points *p, int axis)
-{
-    const struct axis *a = &p->sweep->grid.axis[axis];
-    size_t stride = axis == 0 ? p->sweep->grid.axis[1].count : 1;
-    double before = (double)NAN;
-    for (size_t i = 1; i < a->count; i++) {
-        double from = p->rows->row[(i - 1) * stride].number[axis], to = p->rows->row[i * stride].number[axis];
-        double step = a->logarithmic ? log(to / from) : to - from;
-        if (!isfinite(step) || fabs(step - before) > 1e-6 * fabs(step))
-            return false;
-        before = step;
-    }
-    return a->count > 1;
-}
-
 /* Returns the name of the plotted number in a sweep of one answer: its expression, or the key of its column.
  */
 static const char *value_name(const struct points *p)
@@ -165,10 +149,10 @@ static bool plot_sweep_draw(const struct query *query, const struct plot_rows *r
         return problem_error(problem,
                              "the values of '%s' are words, but a curve needs numbers along its axis",
                              axis[0].parameter->name);
-    if (over < 0 && !(is_even(&p, 0) && is_even(&p, 1)))
+    if (over < 0 && (axis[0].list || axis[1].list))
         return problem_error(problem,
-                             "a map needs evenly spaced numbers on both axes; to get curves instead, enter "
-                             "at most %d values for one of the parameters",
+                             "a map needs evenly spaced numbers on both axes, as in 's 0.1 0.9 9'; to get "
+                             "curves instead, enter at most %d values for one of the parameters",
                              FAMILY);
     if (missing == rows->count * p.sweep->answers)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",

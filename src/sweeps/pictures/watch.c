@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'watch': arrow keys change a parameter, and a point moves along the answer's curve. Enter
  * stores the value in the session. */
+#include "interpreter/feature.h"
 #include "io/terminal.h"
-#include "pictures/picture/chart.h"
 #include "pictures/picture/screen.h"
+#include "pictures/plots/plots.h"
 #include "session/session.h"
 #include "sweeps/sweeps.h"
 #include <gsl/gsl_errno.h>
@@ -157,7 +158,7 @@ static bool run_watch(struct session *session, const struct arguments *given, st
     return begun;
 }
 
-const struct command watch_commands[] = {
+static const struct command watch_commands[] = {
     {.name = "watch",
      .synonyms = "interactive slider live keys explore",
      .argument = {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_name, .choices = solve_names},
@@ -175,3 +176,14 @@ const struct command watch_commands[] = {
      .act = run_watch},
     {.name = NULL},
 };
+
+static const struct command_group groups[] = {
+    {"Exploring with the arrow keys", "sweeps", watch_commands},
+    {NULL, NULL, NULL},
+};
+
+extern const struct plot sweep_plots[];
+
+static const struct plot *const plots[] = {sweep_plots, NULL};
+
+const struct feature sweeps_pictures_feature = {.name = "sweeps_pictures", .groups = groups, .plots = plots};
