@@ -95,7 +95,7 @@ static void load(void)
         make_first();
 }
 
-enum engine_status chipmunk_load(const struct chipmunk **found)
+enum dom_status chipmunk_load(const struct chipmunk **found)
 {
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static bool tried;
@@ -110,10 +110,10 @@ enum engine_status chipmunk_load(const struct chipmunk **found)
     }
     pthread_mutex_unlock(&lock);
     *found = &functions;
-    return !room ? ENGINE_NO_MEMORY : loaded ? ENGINE_OK : ENGINE_NO_LIBRARY;
+    return !room ? DOM_NO_MEMORY : loaded ? DOM_OK : DOM_NO_METHOD;
 }
 
-enum engine_status engine_load(void)
+enum dom_status engine_load(void)
 {
     const struct chipmunk *cp;
     return chipmunk_load(&cp);
@@ -122,5 +122,5 @@ enum engine_status engine_load(void)
 const char *engine_version(void)
 {
     const struct chipmunk *cp;
-    return chipmunk_load(&cp) == ENGINE_OK ? cp->version : NULL;
+    return chipmunk_load(&cp) == DOM_OK ? cp->version : NULL;
 }

@@ -4,6 +4,7 @@
 #ifndef ENGINE_H
 #define ENGINE_H
 
+#include "domino_common.h"
 #include <math.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -91,14 +92,6 @@ struct engine_fall {
     bool other_contact;
 };
 
-enum engine_status {
-    ENGINE_OK,
-    ENGINE_NO_LIBRARY, /* Chipmunk is not installed */
-    ENGINE_NO_MEMORY,
-    ENGINE_INTERRUPTED,
-    ENGINE_NO_END /* the run has not ended after a very large number of steps */
-};
-
 /* The largest number of boxes in a row. The time of a run grows with the square of this number. */
 enum { ENGINE_MOST = 200 };
 
@@ -129,8 +122,8 @@ struct engine_settled {
 #define ENGINE_AGREES 0.01
 #define ENGINE_FINEST 1600
 
-/* Loads the engine, unless it is already loaded. Returns ENGINE_OK, ENGINE_NO_LIBRARY or ENGINE_NO_MEMORY. */
-enum engine_status engine_load(void);
+/* Loads the engine, unless it is already loaded. The status is DOM_NO_METHOD if Chipmunk is not installed. */
+enum dom_status engine_load(void);
 
 /* Returns the version of the engine, or NULL if it cannot be loaded. */
 const char *engine_version(void);
@@ -142,10 +135,12 @@ const char *engine_version(void);
  *
  * If `hit` and `visit` are both NULL, only the verdict is wanted. The run then ends as soon as it is certain
  * that all boxes fall, and fall->seconds is roughly the time at which the run ended.
+ *
+ * The status is DOM_NOT_CONVERGED if the run has not ended after a very large number of steps.
  */
-enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
-                              const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
-                              engine_visit *visit, void *context, struct engine_fall *fall);
+enum dom_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
+                           const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
+                           engine_visit *visit, void *context, struct engine_fall *fall);
 
 /* The resolution of engine_settle's first run if times are requested. It is enough for a rough answer. */
 extern const struct engine_grain engine_coarsest;
@@ -157,8 +152,8 @@ extern const struct engine_grain engine_coarsest;
  * - If `times` is false, a coarse first run is not repeated if its verdict is certain.
  * - No run takes more than ENGINE_FINEST steps per unit of time.
  */
-enum engine_status engine_settle(const struct engine_row *row, bool times,
-                                 const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
-                                 struct engine_settled *settled);
+enum dom_status engine_settle(const struct engine_row *row, bool times,
+                              const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
+                              struct engine_settled *settled);
 
 #endif

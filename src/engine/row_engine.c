@@ -72,23 +72,6 @@ static enum dom_status row_convert(const struct dom_row *row, struct engine_row 
     return DOM_OK;
 }
 
-static enum dom_status status_of(enum engine_status status)
-{
-    switch (status) {
-    case ENGINE_OK:
-        return DOM_OK;
-    case ENGINE_NO_MEMORY:
-        return DOM_NO_MEMORY;
-    case ENGINE_INTERRUPTED:
-        return DOM_INTERRUPTED;
-    case ENGINE_NO_LIBRARY:
-        return DOM_NO_METHOD;
-    case ENGINE_NO_END:
-        break;
-    }
-    return DOM_NOT_CONVERGED;
-}
-
 /* Reports the hits, in m, s and kg. */
 static void hits_visit(const struct engine_hit *hit, const struct engine_fall *fall, struct unit unit,
                        dom_fall_visit *visit, void *context)
@@ -146,7 +129,7 @@ static enum dom_status run_row(const struct dom_row *row, const struct dom_compu
     if (times && !hit)
         status = DOM_NO_MEMORY;
     if (status == DOM_OK)
-        status = status_of(engine_settle(&engine, times, compute->interrupt, hit, &settled));
+        status = engine_settle(&engine, times, compute->interrupt, hit, &settled);
     if (status == DOM_OK && times && !settled.same)
         status = DOM_NOT_CONVERGED;
     if (status == DOM_OK)
@@ -244,7 +227,7 @@ static enum dom_status row_watch(const struct domq_row *row, const struct any_co
     w.omega = w.tilt ? w.tilt + row->count : NULL;
     enum dom_status status = w.tilt ? row_convert(&made.row, &engine, &box) : DOM_NO_MEMORY;
     if (status == DOM_OK)
-        status = status_of(engine_run(&engine, &grain, compute->interrupt, NULL, watch_step, &w, &fall));
+        status = engine_run(&engine, &grain, compute->interrupt, NULL, watch_step, &w, &fall);
     /* The state no longer changes after the motion has ended. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
@@ -283,10 +266,10 @@ static bool row_make(const struct scene *scene, size_t count, struct scene_engin
                              "a row of %zu dominoes is too long for the rigid-body engine, which runs this "
                              "row because %s; the maximum is %d; enter, for example, 'set row 20'",
                              count, why, ENGINE_MOST);
-    const enum engine_status loaded = engine_load();
-    if (loaded == ENGINE_NO_MEMORY)
+    const enum dom_status loaded = engine_load();
+    if (loaded == DOM_NO_MEMORY)
         return problem_status(problem, scene, DOM_NO_MEMORY);
-    if (loaded != ENGINE_OK)
+    if (loaded != DOM_OK)
         return problem_error(
             problem,
             "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian, run 'apt-get "

@@ -182,9 +182,9 @@ static void finish(struct run *r)
     }
 }
 
-enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
-                              const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
-                              engine_visit *visit, void *context, struct engine_fall *fall)
+enum dom_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
+                           const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
+                           engine_visit *visit, void *context, struct engine_fall *fall)
 {
     struct run r = {.world = {.row = row, .fall = fall, .hit = hit, .tolerance = grain->tolerance},
                     .grain = grain,
@@ -192,27 +192,27 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
     *fall = (struct engine_fall){.hits = 1, .slowest = 1};
     if (hit)
         hit[0] = (struct engine_hit){.time = 0};
-    enum engine_status status = world_make(&r.world);
-    if (status == ENGINE_OK && visit) {
+    enum dom_status status = world_make(&r.world);
+    if (status == DOM_OK && visit) {
         r.tilt = malloc(2 * row->count * sizeof *r.tilt);
         r.foot = r.tilt ? r.tilt + row->count : NULL;
-        status = r.tilt ? ENGINE_OK : ENGINE_NO_MEMORY;
+        status = r.tilt ? DOM_OK : DOM_NO_MEMORY;
     }
-    if (status == ENGINE_OK)
+    if (status == DOM_OK)
         note_state(&r.world);
     bool done = fall->leans;
     const double most = most_work * grain->steps * ((double)row->count + 20);
-    while (status == ENGINE_OK && !done) {
+    while (status == DOM_OK && !done) {
         if (r.world.count < row->count && r.world.count < r.world.head + 2)
             world_add_box(&r.world);
         step(&r);
         done = ends(&r, !hit && !visit) || (visit && !visited(&r, visit, context));
         if (interrupt && *interrupt)
-            status = ENGINE_INTERRUPTED;
+            status = DOM_INTERRUPTED;
         else if (r.work >= most)
-            status = ENGINE_NO_END;
+            status = DOM_NOT_CONVERGED;
     }
-    if (status == ENGINE_OK)
+    if (status == DOM_OK)
         finish(&r);
     free(r.tilt);
     world_free(&r.world);
@@ -254,19 +254,19 @@ static bool is_certain(const struct engine_row *row, const struct engine_fall *f
     return isfinite(row->feet) && !fall->lies && fall->climbed < 0.2;
 }
 
-enum engine_status engine_settle(const struct engine_row *row, bool times,
-                                 const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
-                                 struct engine_settled *settled)
+enum dom_status engine_settle(const struct engine_row *row, bool times,
+                              const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
+                              struct engine_settled *settled)
 {
     struct engine_grain grain = times ? engine_coarsest : verdict_first;
     struct engine_hit *before = times ? malloc(row->count * sizeof *before) : NULL;
     if (times && !before)
-        return ENGINE_NO_MEMORY;
-    enum engine_status status = engine_run(row, &grain, interrupt, hit, NULL, NULL, &settled->fall);
+        return DOM_NO_MEMORY;
+    enum dom_status status = engine_run(row, &grain, interrupt, hit, NULL, NULL, &settled->fall);
     bool done = !times && is_certain(row, &settled->fall);
     settled->grain = grain;
     settled->same = done;
-    while (status == ENGINE_OK && !done) {
+    while (status == DOM_OK && !done) {
         const struct engine_fall last = settled->fall;
         if (times)
             memcpy(before, hit, row->count * sizeof *before);

@@ -277,18 +277,18 @@ static void pave(struct world *w)
     w->cp->cpSpaceAddShape(w->space, w->floor);
 }
 
-enum engine_status world_make(struct world *w)
+enum dom_status world_make(struct world *w)
 {
-    enum engine_status status = chipmunk_load(&w->cp);
-    if (status != ENGINE_OK)
+    enum dom_status status = chipmunk_load(&w->cp);
+    if (status != DOM_OK)
         return status;
     w->has_room = chipmunk_reserve(w->row->count);
     if (!w->has_room)
-        return ENGINE_NO_MEMORY;
+        return DOM_NO_MEMORY;
     w->body = calloc(w->row->count, sizeof *w->body);
     w->space = w->cp->cpSpaceNew();
     if (!w->body || !w->space)
-        return ENGINE_NO_MEMORY;
+        return DOM_NO_MEMORY;
     cpCollisionHandler *handler = w->cp->cpSpaceAddDefaultCollisionHandler(w->space);
     handler->preSolveFunc = touch;
     handler->userData = w;
@@ -300,7 +300,7 @@ enum engine_status world_make(struct world *w)
     world_add_box(w);
     watch_add(w);
     start(w);
-    return ENGINE_OK;
+    return DOM_OK;
 }
 
 static void free_body(struct world *w, struct body *b)

@@ -40,9 +40,9 @@ struct chipmunk {
     char version[24]; /* "7.0.3" */
 };
 
-/* Sets *functions. The first call loads the library. Thread-safe. Returns ENGINE_NO_LIBRARY or
- * ENGINE_NO_MEMORY if loading fails. */
-enum engine_status chipmunk_load(const struct chipmunk **functions);
+/* Sets *functions. The first call loads the library. Thread-safe. Returns DOM_NO_METHOD or
+ * DOM_NO_MEMORY if loading fails. */
+enum dom_status chipmunk_load(const struct chipmunk **functions);
 
 /*
  * Chipmunk crashes if an allocation fails. So a space is created only if there is enough memory for this
@@ -87,7 +87,7 @@ struct world {
 
 /* Creates a world with the first box, which is pushed or tips over. Call world_free afterwards, even after an
  * error. */
-enum engine_status world_make(struct world *world);
+enum dom_status world_make(struct world *world);
 void world_free(struct world *world);
 
 /* Adds the next box in its upright position. */

@@ -36,7 +36,7 @@ static const struct engine_grain grain = {200, 1e-3};
 
 static bool boxes_fall(struct boxes *b)
 {
-    assert_int_equal(engine_run(&b->row, &grain, NULL, b->hit, NULL, NULL, &b->fall), ENGINE_OK);
+    assert_int_equal(engine_run(&b->row, &grain, NULL, b->hit, NULL, NULL, &b->fall), DOM_OK);
     return b->fall.all;
 }
 
@@ -69,7 +69,7 @@ TEST(standard_output_keeps_the_lines_of_other_threads)
     assert_int_equal(pthread_create(&thread, NULL, numbers_print, NULL), 0);
     while (printed < 1000)
         sched_yield();
-    assert_int_equal(engine_load(), ENGINE_OK);
+    assert_int_equal(engine_load(), DOM_OK);
     for (const int at = printed; printed < at + 1000;)
         sched_yield();
     is_over = true;
@@ -220,7 +220,7 @@ TEST(settled_steps_no_longer_matter)
     struct engine_settled settled;
     boxes_make(&b, 0.3, 1.3, 6, (double)NAN);
     b.row.feet = 0.5;
-    assert_int_equal(engine_settle(&b.row, true, NULL, b.hit, &settled), ENGINE_OK);
+    assert_int_equal(engine_settle(&b.row, true, NULL, b.hit, &settled), DOM_OK);
     assert_true(settled.same && settled.fall.all && settled.change < ENGINE_AGREES);
     assert_true(settled.grain.steps >= 2 * engine_coarsest.steps);
     /* If the first box tips over its edge, times are measured from the first hit. */
@@ -244,8 +244,8 @@ TEST(verdicts_of_coarse_steps)
         b.row.mu = i % 3 == 0 ? 0 : 0.3 * random_unit(&seed);
         b.row.radius = i % 5 == 0 ? 0.02 : 0;
         b.row.slope = i % 7 == 0 ? 0.02 : 0;
-        assert_int_equal(engine_settle(&b.row, false, NULL, NULL, &settled), ENGINE_OK);
-        assert_int_equal(engine_run(&b.row, &fine, NULL, b.hit, NULL, NULL, &b.fall), ENGINE_OK);
+        assert_int_equal(engine_settle(&b.row, false, NULL, NULL, &settled), DOM_OK);
+        assert_int_equal(engine_run(&b.row, &fine, NULL, b.hit, NULL, NULL, &b.fall), DOM_OK);
         assert_int_equal(settled.fall.all, b.fall.all);
         fall += b.fall.all;
         coarse[b.fall.all] += settled.grain.steps < engine_coarsest.steps;
@@ -272,7 +272,7 @@ TEST(rows_end)
     assert_true(b.fall.leans);
     const volatile sig_atomic_t raised = 1;
     boxes_make(&b, 0.4, 1, 4, 3);
-    assert_int_equal(engine_run(&b.row, &grain, &raised, NULL, NULL, NULL, &b.fall), ENGINE_INTERRUPTED);
+    assert_int_equal(engine_run(&b.row, &grain, &raised, NULL, NULL, NULL, &b.fall), DOM_INTERRUPTED);
 }
 
 /* ---- The engine of a caller ---- */

@@ -87,7 +87,7 @@ static struct engine_fall run(const struct scene *scene, int times, struct found
         box[k] = (struct engine_box){
             .height = h, .thickness = STATURE * h, .gap = scene->s * h, .mass = pow(h, scene->q - 1)};
     }
-    if (engine_run(&row, &grain, NULL, hits, NULL, NULL, &fall) != ENGINE_OK) {
+    if (engine_run(&row, &grain, NULL, hits, NULL, NULL, &fall) != DOM_OK) {
         fprintf(stderr, "s %g, q %g, mu %g, r %.9g: the row does not come to rest in the engine\n", scene->s,
                 scene->q, scene->mu, scene->r);
         exit(2);
