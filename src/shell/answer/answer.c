@@ -155,31 +155,6 @@ static void answer_open(struct answer *a)
 
 /* ---- Rows ---- */
 
-/*
- * Empties the cells whose numbers are too large for the precision of the output and explains why they are
- * empty. Returns the reason to write with this row. In csv and json, this is the explanation, unless `reason`
- * already says why a cell is empty. In formats for people, the explanation is kept for the end of the answer,
- * and `reason` is returned unchanged.
- */
-static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
-                               char too_large[ANSWER_REASON])
-{
-    const enum precision precision = a->style.precision;
-    const char *key = NULL;
-    for (int i = 0; a->columns[i].key; i++)
-        if (!cell_finite(&a->style, cells[i])) {
-            cells[i].kind = CELL_NONE;
-            key = key ? key : a->columns[i].key;
-        }
-    if (!key)
-        return reason;
-    bool people = a->style.format->for_people;
-    snprintf(people && !*a->late_reason ? a->late_reason : too_large, ANSWER_REASON,
-             "%s is too large for %s precision%s", key, any_arithmetic(precision).name,
-             precision == IN_QUAD ? "" : "; quad precision has a wider range ('set precision quad')");
-    return people || (reason && *reason) ? reason : too_large;
-}
-
 /* Returns the text with escaped control characters. If the function sets *copy, the caller frees *copy. */
 static const char *escaped(const char *text, char **copy)
 {
@@ -192,9 +167,11 @@ static const char *escaped(const char *text, char **copy)
 static void row_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     const struct format *format = a->style.format;
+    const enum precision precision = a->style.precision;
     struct cell shown[ANSWER_COLUMNS];
     /* escaped copies of the words, followed by a copy of the reason */
     char *copies[ANSWER_COLUMNS] = {NULL}, too_large[ANSWER_REASON];
+    const char *key = NULL; /* the first column whose number is too large for the precision */
     int count = 0;
     for (; a->columns[count].key; count++) {
         struct cell *cell = &shown[count];
@@ -208,8 +185,19 @@ static void row_write(struct answer *a, const struct cell *cells, const char *re
         }
         if (cell->kind == CELL_WORD && !format->escapes)
             cell->word = escaped(cell->word, &copies[count]);
+        if (!cell_finite(&a->style, *cell)) {
+            cell->kind = CELL_NONE;
+            key = key ? key : a->columns[count].key;
+        }
     }
-    reason = cells_check(a, shown, reason, too_large);
+    if (key) {
+        /* In formats for people, the explanation comes at the end of the answer. */
+        const bool is_late = format->for_people && !*a->late_reason;
+        snprintf(is_late ? a->late_reason : too_large, ANSWER_REASON, "%s is too large for %s precision%s",
+                 key, any_arithmetic(precision).name,
+                 precision == IN_QUAD ? "" : "; quad precision has a wider range ('set precision quad')");
+        reason = format->for_people || (reason && *reason) ? reason : too_large;
+    }
     if (!format->escapes)
         reason = escaped(reason, &copies[count]);
     answer_plan(a, cells);

@@ -3,6 +3,7 @@
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "io/escape.h"
+#include "language/text.h"
 #include <ctype.h>
 #include <string.h>
 
@@ -28,21 +29,18 @@ static const char *extra_next(struct answer *a)
 static void csv_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)cells;
-    char header[ANSWER_HEADER];
-    size_t n = 0;
+    char header[ANSWER_HEADER] = "";
     /* Unless a sweep has already set has_reasons, the first row decides whether the answer has the column
      * "reason". */
     a->csv.has_reasons = a->csv.has_reasons || reason;
-    for (int i = 0; a->columns[i].key && n < sizeof header; i++) {
+    for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
-        n += (size_t)snprintf(header + n, sizeof header - n, a->csv.units && *c->unit ? "%s%s (%s)" : "%s%s",
-                              i ? "," : "", c->key, c->unit);
-        if (answer_has_error(a, i) && n < sizeof header)
-            n += (size_t)snprintf(header + n, sizeof header - n, ",%s_error", c->key);
+        text_add(header, sizeof header, a->csv.units && *c->unit ? "%s%s (%s)" : "%s%s", i ? "," : "", c->key,
+                 c->unit);
+        if (answer_has_error(a, i))
+            text_add(header, sizeof header, ",%s_error", c->key);
     }
-    if (n < sizeof header)
-        snprintf(header + n, sizeof header - n, "%s%s", a->csv.has_reasons ? ",reason" : "",
-                 a->note ? ",note" : "");
+    text_add(header, sizeof header, "%s%s", a->csv.has_reasons ? ",reason" : "", a->note ? ",note" : "");
     const char *extra = extra_next(a);
     bool is_same = a->csv.last_header && !*extra && strcmp(a->csv.last_header, header) == 0;
     if (a->style.header && !is_same)

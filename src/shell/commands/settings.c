@@ -95,12 +95,6 @@ static void variable_row(struct answer *a, const struct variable *v)
                  cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'"));
 }
 
-static bool is_changed(const struct query *query, const struct parameter *p)
-{
-    return parameter_get(query->state, p) != parameter_fallback(query->state, p) ||
-           (query->scene->length[p->share].m > 0 && parameter_is_number(p));
-}
-
 static const char *show_names(const void *context, int k)
 {
     int count = 0;
@@ -139,8 +133,10 @@ static bool run_show(const struct query *query, struct answer *a, struct problem
     /* If the answer is for people, the first of two passes only finds the widths of the columns. */
     for (int pass = people ? 0 : 1; pass < 2; pass++)
         for (const struct parameter *p = session_parameters; p->name; p++) {
+            const bool is_changed = parameter_get(query->state, p) != parameter_fallback(query->state, p) ||
+                                    (query->scene->length[p->share].m > 0 && parameter_is_number(p));
             if (is_named        ? p != given->parameter
-                : is_short      ? !is_changed(query, p)
+                : is_short      ? !is_changed
                 : !given->count ? p->effect != NULL
                                 : false)
                 continue;
