@@ -34,6 +34,7 @@ END
 1|lauch|^unknown command 'lauch'; did you mean 'launch'\?$
 5|set outptu json|^set: unknown parameter 'outptu'; did you mean 'output'\?$
 6|help barier|^help: unknown topic 'barier'; did you mean 'barrier'\?$
+6|help zzz|^help: unknown topic 'zzz'; 'apropos WORD' finds topics$
 1|mu 0.2|^unknown command 'mu'; did you mean 'set friction MU'\?$
 1|separation 0.3|^unknown command 'separation'; did you mean 'set s VALUE'\?$
 5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$

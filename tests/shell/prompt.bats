@@ -36,8 +36,7 @@ same_at_the_prompt() { # FORMAT
 @test "^C on a half-typed line clears it" { prompt interrupt_typed; }
 @test "^C on an empty line says how to leave" { prompt interrupt_empty; }
 @test "^C in a history search ends the search" { prompt interrupt_search; }
-@test "^C stops a long computation" { prompt interrupt_computation; }
-@test "^C drops the rest of the line" { prompt interrupt_rest; }
+@test "^C stops a long computation, and drops the rest of the line" { prompt interrupt_rest; }
 @test "^C stops a search that writes no rows" { prompt interrupt_silent; }
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
 @test "^C stops gnuplot while it draws an animation, and leaves no file" { prompt interrupt_animation; }

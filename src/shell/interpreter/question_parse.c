@@ -114,7 +114,9 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
         return true;
     /* 'show all' names no parameter. */
     q->parameter = k >= 0 && !is_topic ? parameter_find(a->choices(NULL, k)) : NULL;
-    return k >= 0 || problem_error(r->problem, "%s", message);
+    return k >= 0 ||
+           problem_error(r->problem,
+                         is_topic && k == NAMES_UNKNOWN ? "%s; 'apropos WORD' finds topics" : "%s", message);
 }
 
 /* ---- All arguments ---- */
