@@ -5,7 +5,7 @@
  * coefficient. The sum over the height is the torque rho C w h^4 omega^2 / 8. The air that moves along adds
  * the moment of inertia of strips of the mass rho pi w^2 / 4 per unit length: rho pi w^2 h^3 / 12. For a
  * domino of the mass m and the thickness d h, with the moment of inertia m h^2 (1 + d^2) / 3 and the density
- * m / (h^2 w d), both are multiples of the ratio of the two densities (inertia.h). A domino that moves alone
+ * m / (h^2 w d), both are multiples of the ratio of the two densities (effects.h). A domino that moves alone
  * keeps the part exp(-2 k D) of omega^2 while it turns by the angle D, apart from gravity, where k is `drag`
  * of struct geometry.
  *
@@ -15,7 +15,6 @@
  * are not self-similar in air.
  */
 #include "effects/effects.h"
-#include "effects/inertia.h"
 
 static dom_real air_of_domino(const struct row_request *row, size_t k)
 {

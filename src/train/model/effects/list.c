@@ -2,7 +2,6 @@
 /* The list of the effects, which have a file each, the law of motion that they make, and the units of time
  * that depend on them. */
 #include "effects/effects.h"
-#include "effects/inertia.h"
 #include "geometry/far.h"
 
 const struct dom_effect dom_energy_balance = {

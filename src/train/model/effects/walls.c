@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Walls: a domino is a hollow box with six walls. Its moment of inertia is larger than that of a solid block
- * with the same mass (inertia.h), and its centre of mass is the same.
+ * with the same mass (effects.h), and its centre of mass is the same.
  *
  * In a train, walls multiply all moments of inertia by the same factor. The time scale tau contains this
  * factor: tau^2 is proportional to it. So in units of tau, a train moves just as it would without walls, and
  * only the force of the floor changes. In a row, the factor may differ from domino to domino.
  */
 #include "effects/effects.h"
-#include "effects/inertia.h"
 
 KERNEL dom_real walls_of_domino(const struct row_request *row, size_t k)
 {

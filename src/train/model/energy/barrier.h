@@ -66,7 +66,7 @@ KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel 
 /*
  * Decides whether a train keeps falling (26; c8, corrected: the paper leaves out the factor J(0)). Both
  * arguments come from barrier_balance for a whole cycle. Returns DOM_OK, DOM_STOPS or DOM_NO_FUEL. Every
- * result about a cycle uses this verdict; the search for r_max compares the same energies (margin.h).
+ * result about a cycle uses this verdict; the search for r_max compares the same energies (growth/limit.h).
  */
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
 

@@ -3,7 +3,7 @@
 #ifndef DOM_FAR_H
 #define DOM_FAR_H
 
-#include "geometry/sums.h"
+#include "geometry/chain.h"
 
 /* Builds the series geometry->far. Its order is chosen to save the most time if `passes` passes use the
  * series. If a domino detaches, if theta_inf is pi/2, or if no series saves time, the order is 0: there is no

@@ -10,7 +10,94 @@
 #ifndef DOM_LIMIT_H
 #define DOM_LIMIT_H
 
-#include "growth/margin.h"
+#include "energy/barrier.h"
+
+/* ---- The margin K - B of a train as a function of r: kinetic energy minus barrier ---- */
+
+/* The kinetic energy after the collision, and the barrier. */
+struct margin {
+    real kinetic, barrier;
+    bool barrier_is_bound; /* true if `barrier` is only an upper bound */
+    real barrier_error;    /* an estimate; 0 without friction */
+};
+
+KERNEL real margin_value(const struct margin *m)
+{
+    return m->kinetic - m->barrier;
+}
+
+/* Returns (K - B) / (|K| + B), a number between -1 and 1. */
+KERNEL real margin_share(const struct margin *m)
+{
+    return margin_value(m) / (fabs(m->kinetic) + m->barrier + REAL_MIN);
+}
+
+struct margin_context {
+    const struct request *train;
+    struct geometry geometry; /* geometry of the train; each margin sets s and r in a copy */
+    size_t dominoes;          /* number of moving dominoes: CHAIN_ENDLESS, or 2 for a pair */
+    real s;
+    struct margin_point {
+        real r, value;
+    } beside; /* the last margin that was not almost 0 */
+    enum dom_status (*margin)(const struct geometry *, struct margin_context *, struct margin *);
+    enum margin_how {
+        MARGIN_SURE,  /* find the barrier by a search for all local maxima of H */
+        MARGIN_SIGN,  /* find the sign: an upper bound on the barrier or one maximum of H may be enough */
+        MARGIN_FOLLOW /* follow one local maximum of H from growth to growth */
+    } how;
+    struct barrier barrier; /* the barrier found by the last search */
+    struct followed {
+        real r, half;
+    } last[2];              /* r and tan(tilt / 2) of the last two maxima that were followed */
+    struct barrier nearest; /* the barrier at the growth with the smallest |margin_share| so far */
+    /* The smallest |margin_share| so far. margin_follow derives its tolerance from this number. */
+    real share;
+    real followed_value, followed_tol; /* the last margin of margin_follow, and its tolerance */
+    real near;                         /* r_max from a coarser kernel, or 0 */
+    bool locked;                       /* true if friction locked the train at the last r */
+    size_t effort;                     /* work of the whole search, in the unit of geometry.effort */
+    enum dom_status status;
+};
+
+/* These functions return the contexts of the endless train, by equation (26; c8, corrected), and of the pair,
+ * by equation (17; b13). */
+KERNEL struct margin_context margin_of_train(const struct request *train);
+KERNEL struct margin_context margin_of_pair(const struct request *train);
+
+/* Returns the margin at the growth r. K and B are computed to the tolerance geometry.tol. After an error,
+ * returns NaN. `context` must point to a struct margin_context, which receives the status. */
+KERNEL real margin_at(real r, void *context);
+
+/* Returns the margin to the tolerance tol; 0 stands for all digits that the arithmetic allows. The kinetic
+ * energy is NaN after an error. */
+KERNEL struct margin margin_within(struct margin_context *c, real r, real tol);
+
+/* If the kinetic energy exceeds MARGIN_HIGH barrier_most, margin_sign does not search for the barrier. */
+#define MARGIN_HIGH 1
+
+/* Returns the margin, computed precisely enough to be sure of its sign if the arithmetic permits this. If
+ * `bound` is true, an upper bound may take the place of the barrier. */
+KERNEL struct margin margin_sign(struct margin_context *c, real r, bool bound);
+
+/* Returns an estimate of the error of a margin that was computed to the tolerance tol. */
+KERNEL real margin_error(const struct margin_context *c, const struct margin *m, real tol);
+
+/* The finest tolerance of a margin. */
+KERNEL real margin_finest(const struct margin_context *c);
+
+/*
+ * margin_follow returns margin_share at r, for the next step of a root search. It computes only as many
+ * digits as this step needs. Each call starts near the maximum of H that the previous call found. Call
+ * margin_follow_begin before the first call, with an estimate of margin_share there.
+ */
+KERNEL void margin_follow_begin(struct margin_context *c, real share);
+KERNEL real margin_follow(real r, void *context);
+
+/* Returns true if the maximum of H that margin_follow has tracked is the highest maximum at the root r. */
+KERNEL bool margin_highest(const struct margin_context *c, real r);
+
+/* ---- Its roots ---- */
 
 struct margin_sample {
     real r;

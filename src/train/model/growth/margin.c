@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "growth/margin.h"
 #include "dynamics/dynamics.h"
 #include "geometry/far.h"
+#include "growth/limit.h"
 
 /* The series for the far tail is built once for each growth. About this many passes then use it. */
 #define FAR_PASSES 2

@@ -5,7 +5,7 @@
  * units of its own: the unit of length is its height, and the unit of energy is its m g h / 2.
  */
 #include "dynamics/dynamics.h"
-#include "effects/inertia.h"
+#include "effects/effects.h"
 #include "row/row.h"
 #include <stdlib.h>
 
