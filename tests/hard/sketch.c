@@ -3,34 +3,24 @@
 
 #include <stdlib.h>
 
-struct sketch sketch_grown(const struct sketch *sketch, long double r)
+struct sketch sketch_of(const struct ref *ref)
 {
-    struct sketch k = *sketch;
-    k.r = r;
+    const long double r = mpfr_get_ld(ref->in[REF_R], MPFR_RNDN);
+    struct sketch k = {.s = mpfr_get_ld(ref->in[REF_S], MPFR_RNDN),
+                       .d = mpfr_get_ld(ref->in[REF_D], MPFR_RNDN),
+                       .r = r,
+                       .rq = powl(r, -mpfr_get_ld(ref->in[REF_Q], MPFR_RNDN)),
+                       .dominoes = ref->dominoes};
     k.L = k.s + k.d;
-    k.rq = powl(r, -k.q);
     k.theta_c = asinl(fminl(1, r * k.s));
     long double room = k.s * (k.s + 2 * k.d), rr = 1 / (r * r);
     k.detaches = rr < room;
     k.theta_f = k.detaches ? asinl(fminl(1, (rr + room) * r / (2 * k.L))) : acosl(k.d / k.L);
-    long double u = fmaxl(0, fmal(-r, k.s, 1));
-    /* 1 - cos theta_leave = (1 - r s) (1 + r s) / (2 d L r^2) */
-    k.theta_leave = k.detaches ? 2 * asinl(fminl(1, sqrtl(u * (2 - u) * rr / (4 * k.d * k.L)))) : 4;
-    k.cut = 1e-13L * (k.detaches ? 1 : 1 - k.rq * (1 - r * sqrtl(room)));
-    return k;
-}
-
-struct sketch sketch_of(const struct ref *ref)
-{
-    struct sketch k = {.s = mpfr_get_ld(ref->in[REF_S], MPFR_RNDN),
-                       .d = mpfr_get_ld(ref->in[REF_D], MPFR_RNDN),
-                       .q = mpfr_get_ld(ref->in[REF_Q], MPFR_RNDN),
-                       .paper = ref->paper,
-                       .dominoes = ref->dominoes};
-    k = sketch_grown(&k, mpfr_get_ld(ref->in[REF_R], MPFR_RNDN));
     /* Long double has too few bits for the 1 - r s of a train in quad precision. */
-    if (k.detaches && ref->detaches)
-        k.theta_leave = mpfr_get_ld(ref->theta_leave, MPFR_RNDN);
+    k.theta_leave = k.detaches ? mpfr_get_ld(ref->theta_leave, MPFR_RNDN) : 4;
+    if (isnan(k.theta_leave)) /* the reference has no theta_leave: rounding decides about detaching */
+        k.theta_leave = k.theta_c;
+    k.cut = 1e-13L * (k.detaches ? 1 : 1 - k.rq * (1 - r * sqrtl(room)));
     return k;
 }
 
@@ -122,49 +112,4 @@ int sketch_nodes(const struct sketch *k, long double node[SKETCH_NODES])
     node[n++] = leave;
     qsort(node, (size_t)n, sizeof *node, ascending);
     return n;
-}
-
-static long double highest(const struct sketch *k)
-{
-    long double node[SKETCH_NODES], best = fmaxl(0, sketch_energy_change(k, k->theta_c));
-    int n = sketch_nodes(k, node);
-    for (int i = 0; i + 1 < n; i++) {
-        long double lo = node[i], hi = node[i + 1];
-        if (!(sketch_slope(k, lo) > 0 && sketch_slope(k, hi) <= 0))
-            continue;
-        for (int j = 0; j < 30; j++) {
-            long double middle = (lo + hi) / 2;
-            *(sketch_slope(k, middle) > 0 ? &lo : &hi) = middle;
-        }
-        best = fmaxl(best, sketch_energy_change(k, hi));
-    }
-    return best;
-}
-
-bool sketch_verdict(const struct sketch *k, long double *kinetic, long double *barrier)
-{
-    long double theta = 0, slope = 1, w = 1, wr = 1, T = 0, P = 0;
-    for (size_t i = 0; i < k->dominoes && w * slope > k->cut; i++) {
-        long double before = theta;
-        bool on = follow(k, &theta, &slope);
-        if (!on)
-            theta = k->theta_f;
-        P += w * energy_gain(k, before, theta);
-        w *= k->rq;
-        wr *= k->rq / k->r;
-        if (!on)
-            break;
-        T += wr * slope * slope;
-    }
-    if (k->paper)
-        P = energy_gain(k, 0, k->theta_f);
-    *kinetic = P * T / ((1 + T) / k->rq - T);
-    *barrier = highest(k);
-    if (k->dominoes == 2) {
-        long double share = k->rq / k->r;
-        P = energy_gain(k, atanl(k->d), k->theta_c);
-        *kinetic = k->r * P * share * share / (1 + share);
-        return atanl(k->d) < k->theta_c;
-    }
-    return P > 0;
 }

@@ -11,8 +11,8 @@
 enum { SKETCH_NODES = 256 };
 
 struct sketch {
-    long double s, r, d, q, L, theta_c, theta_f, theta_leave, rq, cut;
-    bool detaches, paper;
+    long double s, r, d, L, theta_c, theta_f, theta_leave, rq, cut;
+    bool detaches;
     size_t dominoes;
 };
 
@@ -27,9 +27,5 @@ int sketch_nodes(const struct sketch *sketch, long double node[SKETCH_NODES]);
 /* Returns the tilt of the head at which a follower detaches, because the tilt of its leader passes
  * theta_leave. */
 long double sketch_leaving(const struct sketch *sketch);
-/* Returns the same train with another r. */
-struct sketch sketch_grown(const struct sketch *sketch, long double r);
-/* Finds the kinetic energy and the barrier. Returns false if there is no fuel. */
-bool sketch_verdict(const struct sketch *sketch, long double *kinetic, long double *barrier);
 
 #endif

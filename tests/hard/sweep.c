@@ -4,7 +4,6 @@
 #include "../unit/support.h"
 #include "growth.h"
 #include "points.h"
-#include "sketch.h"
 #include "workers.h"
 
 double sweep_size(void)
@@ -252,25 +251,6 @@ static void check_duration(struct point *point, struct answers *answers)
 
 /* ---- Limits of growth ---- */
 
-/* Returns true if r_max is the first limit, judged by 20 growths up to r_max. A train must keep falling at
- * all of them. A pair may fail at the smallest growths, but must succeed at all others. */
-static bool is_first(const struct point *point, bool pair, domq_real r_max)
-{
-    struct ref *ref = pair ? ref_open_pair(&point->input, 53) : ref_open_for(&point->input, 53);
-    const struct sketch train = sketch_of(ref);
-    bool on = !pair, first = true;
-    ref_close(ref);
-    for (int k = 0; k < 20 && first; k++) {
-        long double kinetic, barrier, part = k / 19.0L,
-                                      r = powl((long double)r_max, part) * (1 - 1e-6L * part);
-        struct sketch grown = sketch_grown(&train, r);
-        bool now = sketch_verdict(&grown, &kinetic, &barrier) && kinetic >= barrier * (1 - 1e-9L);
-        first = now || !on;
-        on |= now;
-    }
-    return first && on;
-}
-
 static void check_growth(struct point *point, enum ref_quantity quantity, struct answers *answers)
 {
     const bool pair = quantity == REF_PAIR;
@@ -301,8 +281,6 @@ static void check_growth(struct point *point, enum ref_quantity quantity, struct
         if (growth_margin(&point->input, pair, digits2, reach * (1 - (domq_real)1e-6)) < 0)
             tally_mistake(&point->tally[quantity], &c, "it stops before the reach");
     }
-    if (answers->ends != DOM_END_NONE && point->sharp && !is_first(point, pair, c.got))
-        tally_mistake(&point->tally[quantity], &c, "a smaller r stops");
 }
 
 /* ---- All points ---- */

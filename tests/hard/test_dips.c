@@ -312,35 +312,3 @@ TEST(no_separation_is_better)
     print_message("# %d of %d have a best separation, %d wrong\n", found, pairs, wrong);
     assert_true(wrong == 0 && found * 3 > pairs);
 }
-
-/* Checks trains close to the separation at which a dip touches 0. The side of it decides. */
-TEST(trains_beside_a_jump)
-{
-    enum { TRAINS = 100, SCENES = 3 };
-    uint64_t seed = 7;
-    int wrong = 0, stop = 0;
-    const int trains = (int)ceil(TRAINS * sweep_size());
-    for (int k = 0; k < (sweep_size() < 1 ? 1 : SCENES); k++) {
-        const struct scene *at = &scenes[k];
-        domq_real slope, r;
-        const domq_real s = touching(at, &slope);
-        depth(at, s, &r);
-        for (int i = 0; i < trains; i++) {
-            struct dom_train train = dom_train_default();
-            struct dom_limit limit;
-            const double by = random_log(&seed, 1e-15, 1e-4) * (random_unit(&seed) < 0.5 ? -1 : 1);
-            train.d = at->d;
-            train.q = at->q;
-            train.s = (double)s * (1 + by);
-            /* rounded to a double, the separation may be on the other side */
-            const bool stops = ((domq_real)train.s - s) * slope < 0;
-            const enum dom_status status = dom_limit_rmax(&train, NULL, &limit);
-            stop += stops;
-            if ((status != DOM_OK || stops != (limit.r_max < (double)r * 1.015)) && ++wrong)
-                print_error("s %.17g d %.17g q %.17g: %s, r_max %.15g, off by %.3g\n", train.s, train.d,
-                            train.q, dom_status_text(status), limit.r_max, (double)(train.s - s));
-        }
-    }
-    print_message("# %d trains stop in the dip\n", stop);
-    assert_true(wrong == 0 && stop > 0);
-}

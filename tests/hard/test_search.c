@@ -21,7 +21,7 @@ static int part_of(int all)
 static struct setup any_train(uint64_t *seed, double mu)
 {
     struct setup train = setup_default();
-    train.d = random_log(seed, 1e-3, 0.75);
+    train.d = random_log(seed, 1e-6, 0.75);
     train.s = random_log(seed, 0.01, 1);
     train.q = random_log(seed, 0.4, 4);
     train.fuel = random_unit(seed) < 0.3 && mu == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;

@@ -59,26 +59,6 @@ TEST(the_first_root_counts)
     }
 }
 
-/* Checks dips that are shallower than 1e-8 of the kinetic energy. The values come from a minimization of the
- * margin with 40 digits. */
-TEST(shallow_dips_are_found)
-{
-    static const struct {
-        double s, d, q, r_max;
-    } cases[] = {{0.119202042, 0.254524, 0.474363, 4.466885565832},
-                 {0.00735522243724, 0.0244133, 0.653582, 5.222109374}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        for (int p = 1; p < 3; p++) {
-            struct setup train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum precision)p);
-            struct domq_limit limit;
-            assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
-            assert_int_equal(limit.ends, DOM_END_BARRIER);
-            assert_near("r_max", limit.r_max, cases[i].r_max,
-                        2e-10 + (double)(limit.uncertainty / limit.r_max));
-            assert_true(limit.uncertainty > 0 && limit.uncertainty < 1e-6 && isnan((double)limit.open));
-        }
-}
-
 /* Checks separations at which r_max jumps, because a dip touches 0 there. The train passes the dip. */
 TEST(the_best_separation_at_a_jump)
 {

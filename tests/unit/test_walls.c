@@ -132,28 +132,6 @@ TEST(rows_of_wide_trains)
     assert_true(a.seconds == b.seconds && a.spare == b.spare);
 }
 
-/* Checks that a row of equal boxes of any width takes longer by the factor of tau, and has the energies of
- * solid dominoes. */
-TEST(equal_boxes_take_longer)
-{
-    struct domq_domino domino[COUNT];
-    struct domq_verdict solid, box;
-    struct domq_box found;
-    for (size_t k = 0; k < COUNT; k++)
-        domino[k] = (struct domq_domino){0.048, 0.007, 0.013, 0.01, 0, 0, 0};
-    struct row_setup row = row_setup_default(domino, COUNT, DOM_NAN);
-    assert_status(ask_row_run(&row, true, NULL, NULL, &solid), DOM_OK);
-    row.walls = 0.001;
-    for (int wide = 0; wide < 2; wide++) {
-        for (size_t k = 0; k < COUNT; k++)
-            domino[k].width = wide ? (domq_real)0.009 : 0; /* 0 stands for half the height */
-        assert_status(ask_row_run(&row, true, NULL, NULL, &box), DOM_OK);
-        assert_status(domq_box_find(48, 7, wide ? 9 : 24, 1, &found), DOM_OK);
-        assert_near("seconds", (double)(box.seconds / solid.seconds), sqrt((double)found.inertia), 1e-12);
-        assert_near("spare", (double)box.spare, (double)solid.spare, 1e-12);
-    }
-}
-
 /* Adds up the friction that the floor needs. It is infinite where a foot would be lifted. */
 static bool floor_sum(const struct domq_fall *fall, void *context)
 {
