@@ -59,9 +59,7 @@ struct first {
     struct change change;
     struct zero root;
     real falls; /* scaled_value at the known root */
-    /* the step of the difference quotient in scaled_slope, and the tolerance of its two margins, where 0
-     * stands for all digits */
-    real step, tol;
+    real step;  /* of the difference quotient in scaled_slope */
 };
 
 /* An interval between two samples, with the samples before and after it if there are any, and the minimum
@@ -163,37 +161,11 @@ static real scaled_slope(real x, void *context)
 {
     struct first *s = context;
     const real step = s->step, lo = fmax(x - step, s->from), hi = fmin(x + step, 0);
-    const struct margin_sample a = {.r = r_of(s->c, lo),
-                                    .margin = margin_within(s->c, r_of(s->c, lo), s->tol)};
+    const struct margin_sample a = {.r = r_of(s->c, lo), .margin = margin_within(s->c, r_of(s->c, lo), 0)};
     if (s->c->status != DOM_OK)
         return REAL_NAN;
-    const struct margin_sample b = {.r = r_of(s->c, hi),
-                                    .margin = margin_within(s->c, r_of(s->c, hi), s->tol)};
+    const struct margin_sample b = {.r = r_of(s->c, hi), .margin = margin_within(s->c, r_of(s->c, hi), 0)};
     return s->c->status == DOM_OK ? (scaled(s, &b, 0) - scaled(s, &a, 0)) / (hi - lo) : REAL_NAN;
-}
-
-/* Returns a number with the sign of scaled_slope. Often, a few digits of the margins show this sign: those
- * that would show a slope as steep as `mean`. */
-static real slope_sign(struct first *s, real x, real mean)
-{
-    s->tol = fmin(fabs(mean) * s->step / 64, SAMPLE_TOL);
-    const real slope = scaled_slope(x, s), error = 8 * s->tol / s->step;
-    s->tol = 0;
-    return s->c->status != DOM_OK || fabs(slope) > error ? slope : scaled_slope(x, s);
-}
-
-/* Returns true if the scaled margin changes by so much that the interval cannot contain a minimum: by more
- * than its curvature and the errors of the samples allow. */
-static bool is_steep(const struct first *s, const struct stretch *in)
-{
-    const struct margin *m = &in->hi->margin;
-    const struct margin_sample *third[] = {in->before, in->after};
-    real ends[2] = {0},
-         least = 8 * SAMPLE_TOL * (fabs(m->kinetic) + m->barrier) / (fabs(m->kinetic) + s->unit);
-    for (int k = 0; k < 2; k++)
-        if (third[k])
-            least = fmax(least, 2 * fabs(bend_of(s, in, third[k], &no_zero, ends)));
-    return fabs(ends[1] - ends[0]) > least;
 }
 
 /* Looks for a minimum of the scaled margin inside the interval. */
@@ -204,11 +176,8 @@ static enum dom_status find_minimum(struct first *s, const struct stretch *in, s
     *found = false;
     if (in->dip && in->dip->x >= lo && in->dip->x <= hi) /* this minimum is known */
         return DOM_OK;
-    if (is_steep(s, in))
-        return DOM_OK;
     s->step = fmin(cbrt(REAL_EPSILON) / 8, (hi - lo) / 256);
-    const real mean = (scaled(s, in->hi, 0) - scaled(s, in->lo, 0)) / (hi - lo),
-               at_lo = slope_sign(s, lo, mean), at_hi = at_lo < 0 ? slope_sign(s, hi, mean) : 0;
+    const real at_lo = scaled_slope(lo, s), at_hi = at_lo < 0 ? scaled_slope(hi, s) : 0;
     if (s->c->status != DOM_OK || !(at_lo < 0 && at_hi > 0))
         return s->c->status;
     /* near the minimum, the margin changes with the square of the distance */
@@ -260,16 +229,6 @@ static enum dom_status find_root(struct first *s, const struct stretch *in)
 }
 
 static enum dom_status search_stretch(struct first *s, const struct stretch *in);
-
-/* Returns a sample with its barrier instead of an upper bound. */
-static enum dom_status sample_exactly(const struct first *s, const struct margin_sample *bound,
-                                      struct margin_sample *sample)
-{
-    *sample = *bound;
-    if (bound->margin.barrier_is_bound)
-        sample->margin = margin_sign(s->c, bound->r, false);
-    return s->c->status;
-}
 
 /* Searches the two halves of an interval. */
 static enum dom_status search_halves(struct first *s, const struct stretch *in)
@@ -345,17 +304,9 @@ static enum dom_status search_stretch(struct first *s, const struct stretch *in)
     if (status != DOM_OK || is_clear(s, in, &s->root) || (in->dip && is_clear(s, in, in->dip)))
         return status;
     if (in->halves >= 0 && in->halves < HALVES && (finest || (HALVES - in->halves) % LOOK_EVERY == 0)) {
-        struct margin_sample minimum, lo, hi;
+        struct margin_sample minimum;
         struct zero dip;
         bool found;
-        if (in->lo->margin.barrier_is_bound || in->hi->margin.barrier_is_bound) {
-            /* the bound on the barrier may hide that the margin is large */
-            const struct stretch exact = {in->before, &lo, &hi, in->after, in->dip, in->halves};
-            status = sample_exactly(s, in->lo, &lo);
-            if (status == DOM_OK)
-                status = sample_exactly(s, in->hi, &hi);
-            return status == DOM_OK ? search_stretch(s, &exact) : status;
-        }
         status = find_minimum(s, in, &minimum, &dip, &found);
         if (status != DOM_OK || found)
             return found ? search_dip(s, in, &minimum, &dip) : status;
