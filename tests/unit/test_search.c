@@ -119,7 +119,9 @@ TEST(the_best_separation_to_its_digits)
 {
     static const struct {
         double d, q, s;
-    } cases[] = {{0.014, 3, 0.206532218328}, {0.49, 4, 0.775717721697}};
+    } cases[] = {{0.014, 3, 0.206532218328},
+                 {0.49, 4, 0.775717721697},
+                 {0.12778554479402274, 2.7824337707394533, 0.39923974909131787}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct setup train = train_of(1, cases[i].d, cases[i].q, 0, IN_DOUBLE);
         struct domq_best best;

@@ -211,9 +211,10 @@ static enum dom_status best_top(struct best *b, real width, bool *found)
         real r = rmax_at(b, s), step = b->s > s ? 2 * REAL_EPSILON * s : -2 * REAL_EPSILON * s;
         for (; r < b->r_max * (1 - BEST_JUMP) && fabs(step) < fabs(b->s - s); step *= 2)
             r = rmax_at(b, s + step);
-        /* A smooth maximum is flat: rounding errors decide which of the separations near it has the largest
-         * r_max. The root of the slope has more digits. */
-        if (c->status == DOM_OK && (r = rmax_at(b, s)) >= b->r_max * (1 - 64 * REAL_EPSILON)) {
+        /* A smooth maximum is flat: the errors of r_max decide which of the separations near it has the
+         * largest r_max. The root of the slope has more digits. */
+        const real error = fmax(c->geometry.tol, 64 * REAL_EPSILON);
+        if (c->status == DOM_OK && (r = rmax_at(b, s)) >= b->r_max * (1 - error)) {
             b->s = s;
             b->r_max = r;
         }

@@ -47,9 +47,6 @@ struct margin_context {
         MARGIN_FOLLOW /* follow one local maximum of H from growth to growth */
     } how;
     struct barrier barrier; /* the barrier found by the last search */
-    struct followed {
-        real r, half;
-    } last[2];              /* r and tan(tilt / 2) of the last two maxima that were followed */
     struct barrier nearest; /* the barrier at the growth with the smallest |margin_share| so far */
     /* The smallest |margin_share| so far. margin_follow derives its tolerance from this number. */
     real share;

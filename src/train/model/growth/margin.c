@@ -193,7 +193,6 @@ KERNEL void margin_follow_begin(struct margin_context *c, real share)
 {
     c->how = c->geometry.conservative ? MARGIN_FOLLOW : MARGIN_SURE;
     c->share = share;
-    c->last[0].half = c->last[1].half = 0;
 }
 
 KERNEL real margin_follow(real r, void *context)
@@ -201,11 +200,6 @@ KERNEL real margin_follow(real r, void *context)
     struct margin_context *c = context;
     struct margin m = {0};
     real tol = c->geometry.tol, next = fmax(tol, MARGIN_ROUGH * c->share * c->share), rough, share;
-    struct followed *last = c->last;
-    /* start from the tilt extrapolated from the last two maxima */
-    if (last[0].half > 0 && last[1].half > 0 && last[0].r != last[1].r)
-        c->barrier.half =
-            last[1].half + (last[1].half - last[0].half) / (last[1].r - last[0].r) * (r - last[1].r);
     do {
         rough = next;
         if (margin_to(c, r, rough, &m) != DOM_OK)
@@ -217,8 +211,6 @@ KERNEL real margin_follow(real r, void *context)
     c->followed_tol = rough;
     if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* finer sums could not show the sign either */
         share = 0;
-    last[0] = last[1];
-    last[1] = (struct followed){r, c->barrier.half};
     if (fabs(share) <= c->share) {
         c->share = fabs(share);
         c->nearest = c->barrier;
