@@ -77,7 +77,7 @@ TRAIN(domq)
         struct domq_##structure wide;                                                                        \
         memset(&own, 0xff, sizeof own);                                                                      \
         memset(&wide, 0xff, sizeof wide);                                                                    \
-        const enum dom_status status = P##_##find(&t, &c, __VA_ARGS__ & own);                                \
+        const enum dom_status status = P##_##find(&t, how, __VA_ARGS__ & own);                               \
         assert_status(any_##find(&train, &compute, __VA_ARGS__ &wide), status);                              \
         if (status == DOM_OK || status == DOM_STOPS) {                                                       \
             DOM_MEMBERS_##structure(NUMBER, NONE, NONE, OTHER)                                               \
@@ -87,7 +87,7 @@ TRAIN(domq)
     do {                                                                                                     \
         P##_real own = (P##_real)NAN;                                                                        \
         domq_real wide = (domq_real)NAN;                                                                     \
-        const enum dom_status status = P##_##find(&t, &c, __VA_ARGS__ & own);                                \
+        const enum dom_status status = P##_##find(&t, how, __VA_ARGS__ & own);                               \
         assert_status(any_##find(&train, &compute, __VA_ARGS__ &wide), status);                              \
         same(#find, wide, own);                                                                              \
     } while (0);
@@ -95,12 +95,12 @@ TRAIN(domq)
 /* ---- Questions ---- */
 
 #define QUESTIONS(P)                                                                                         \
-    static void P##_questions(const double p[5], enum precision precision)                                   \
+    static void P##_questions(const double p[5], enum precision precision, bool by_default)                  \
     {                                                                                                        \
         const struct P##_train t = P##_train_of(p);                                                          \
-        const struct P##_compute c = P##_compute_of(precision);                                              \
+        const struct P##_compute c = P##_compute_of(precision), *how = by_default ? NULL : &c;               \
         const struct domq_train train = wide_train(p);                                                       \
-        const struct any_compute compute = wide_compute(precision);                                          \
+        const struct any_compute compute = by_default ? any_compute_default() : wide_compute(precision);     \
         DOM_FINDS_AT(P##_AT)                                                                                 \
         DOM_NUMBERS(P##_NUMBER)                                                                              \
         DOM_NUMBERS_AT(P##_NUMBER_AT)                                                                        \
@@ -127,10 +127,10 @@ QUESTIONS(domq)
 TEST(any_precision_asks_the_library)
 {
     for (int i = 0; i < TRAINS; i++) {
-        domf_questions(trains[i], IN_FLOAT);
-        dom_questions(trains[i], IN_DOUBLE);
+        domf_questions(trains[i], IN_FLOAT, false);
+        dom_questions(trains[i], IN_DOUBLE, false);
         if (any_arithmetic(IN_QUAD).bits > 0) {
-            domq_questions(trains[i], IN_QUAD);
+            domq_questions(trains[i], IN_QUAD, false);
         }
     }
 }
@@ -174,37 +174,12 @@ TEST(methods_are_in_double)
     assert_status(domq_limit_rmax(&train, &quad, &limit), DOM_NO_METHOD);
 }
 
-/* ---- NULL instead of how to compute ---- */
-
-#define DEFAULT(name, type, ...)                                                                             \
-    do {                                                                                                     \
-        struct dom_##type own = {0}, wide = {0};                                                             \
-        assert_status(dom_##name(&train, NULL, __VA_ARGS__ &own), DOM_OK);                                   \
-        assert_status(dom_##name(&train, &compute, __VA_ARGS__ &wide), DOM_OK);                              \
-        DOM_MEMBERS_##type(NUMBER, NONE, NONE, OTHER)                                                        \
-    } while (0)
-#define NUMBER_DEFAULT(name, ...)                                                                            \
-    do {                                                                                                     \
-        double own = 0, wide = 0;                                                                            \
-        assert_status(dom_##name(&train, NULL, __VA_ARGS__ &own), DOM_OK);                                   \
-        assert_status(dom_##name(&train, &compute, __VA_ARGS__ &wide), DOM_OK);                              \
-        same(#name, wide, own);                                                                              \
-    } while (0)
 TEST(null_is_the_default)
 {
     const struct dom_compute compute = dom_compute_default();
-    const struct dom_train train = dom_train_default();
     assert_true(compute.tol == 1e-12);
     assert_true(compute.method == DOM_METHOD_OURS && !compute.work && !compute.interrupt);
     assert_true(any_compute_default().tol == 1 / (domq_real)1e12 &&
                 any_compute_default().precision == IN_DOUBLE);
-    assert_status(dom_train_check(&train, NULL), DOM_OK);
-#define DEFAULT_FIND(find, type) DEFAULT(find, type, );
-#define DEFAULT_AT(find, type)   DEFAULT(find, type, 0.1, );
-#define DEFAULT_NUMBER(find)     NUMBER_DEFAULT(find, );
-#define DEFAULT_NUMBER_AT(find)  NUMBER_DEFAULT(find, 0.1, );
-    DOM_FINDS(DEFAULT_FIND)
-    DOM_FINDS_AT(DEFAULT_AT)
-    DOM_NUMBERS(DEFAULT_NUMBER)
-    DOM_NUMBERS_AT(DEFAULT_NUMBER_AT)
+    dom_questions(trains[0], IN_DOUBLE, true);
 }
