@@ -113,8 +113,8 @@ static bool quick_rolls(const struct run *run, size_t k, struct start *at)
     struct sums sums;
     real ln_G, u;
     const bool proves = losses_end_alone(head);
-    if (chain_change(head, standing, head->c, PASS_PUSHES, &sums) != DOM_OK || (proves && !sums.pushes) ||
-        sums.left != 0 || !flow_rough(head, hi))
+    if (!(hi > 0) || chain_change(head, standing, head->c, PASS_PUSHES, &sums) != DOM_OK ||
+        (proves && !sums.pushes) || sums.left != 0 || !flow_rough(head, hi))
         return false;
     flow_at(head, hi, &ln_G, &u);
     *at = (struct start){.from = head->c, .J = sums.J, .omegasq = exp(ln_G) * (w - u)};
