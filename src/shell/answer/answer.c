@@ -250,8 +250,8 @@ FILE *answer_rest(struct answer *a)
 char *rest_end(struct rest *rest)
 {
     char *text = NULL;
-    if (rest->answer && rest->answer->style.format->end)
-        rest->answer->style.format->end(rest->answer);
+    if (rest->answer && *rest->answer->late_reason)
+        answer_say(rest->answer, "%s", rest->answer->late_reason);
     free(rest->answer);
     if (rest->out && fclose(rest->out) == 0 && rest->size > 0)
         text = rest->text;

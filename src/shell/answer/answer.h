@@ -142,9 +142,6 @@ struct format {
     void (*failed)(FILE *out, const struct failure *failure);
     /* Returns true if the line consists of column names. */
     bool (*is_header)(const char *line);
-    /* Ends the answer. If the format had no place for the reason why a cell is empty, returns this reason,
-     * and the caller must report it. Otherwise returns NULL. */
-    const char *(*end)(struct answer *answer);
 };
 
 /* ---- Columns, before the first row ---- */

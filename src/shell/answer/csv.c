@@ -81,10 +81,4 @@ static void csv_row(struct answer *a, const struct cell *cells, const char *reas
     putc_unlocked('\n', a->out);
 }
 
-static const char *csv_end(struct answer *a)
-{
-    return *a->late_reason ? a->late_reason : NULL;
-}
-
-const struct format format_csv = {
-    .begin = csv_begin, .row = csv_row, .is_header = csv_is_header, .end = csv_end};
+const struct format format_csv = {.begin = csv_begin, .row = csv_row, .is_header = csv_is_header};

@@ -221,12 +221,5 @@ static void table_sentence(struct answer *a, const char *format, va_list argumen
     fputs(below ? "\n\n" : "\n", a->out);
 }
 
-static const char *table_end(struct answer *a)
-{
-    if (*a->late_reason)
-        answer_say(a, "%s", a->late_reason);
-    return NULL;
-}
-
 const struct format format_table = {
-    .for_people = true, .begin = table_begin, .row = table_row, .sentence = table_sentence, .end = table_end};
+    .for_people = true, .begin = table_begin, .row = table_row, .sentence = table_sentence};

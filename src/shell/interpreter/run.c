@@ -140,10 +140,10 @@ static bool run_command(struct session *session, const struct command *c, const 
     session->is_last = session->is_last && done && !c->columns && !answer.progress.wrote_text;
     if (done)
         notes_say(session, c, in_double, &answer);
-    const struct format *format = answer.style.format;
-    const char *unsaid = done && format->end ? format->end(&answer) : NULL;
-    if (unsaid)
-        session_note(session, "%s", unsaid);
+    if (done && *answer.late_reason && answer_for_people(&answer))
+        answer_say(&answer, "%s", answer.late_reason);
+    else if (done && *answer.late_reason)
+        session_note(session, "%s", answer.late_reason);
     if (done)
         answer_keep(session, c, query, &answer, kept);
     else if (answer.details.rest)
