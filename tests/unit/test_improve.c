@@ -3,7 +3,7 @@
 /* Improved rows: a result is never worse than the given row, and it is within the limits, even after an
  * interrupt. A study with an error that all dominoes share is also compared with studies of fixed values. */
 #include "planning/model/shape.c"
-#include "rows/model/boxes.c"
+#include "rows/model/boxes.h"
 #include "support.h"
 #include <string.h>
 

@@ -4,7 +4,7 @@
  * also runs each random row in full with this library, and must find the same verdicts. */
 #include "ask.h"
 #include "chance/model/draw.c"
-#include "rows/model/boxes.c"
+#include "rows/model/boxes.h"
 #include "support.h"
 #include <string.h>
 

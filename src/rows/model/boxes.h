@@ -31,11 +31,23 @@ static inline double height_of_kind(const struct dom_row *row, double before, do
 }
 
 /* Returns the volume of the wood in a domino, or 0 if its walls do not fit. */
-double wood_volume(const struct dom_row *row, const struct dom_domino *domino);
+static inline double wood_volume(const struct dom_row *row, const struct dom_domino *d)
+{
+    const double walls = walls_of(row, d->height), volume = d->height * width_of(d) * d->thickness;
+    struct dom_box box;
+    return walls == 0                                                                  ? volume
+           : dom_box_find(d->height, d->thickness, width_of(d), walls, &box) == DOM_OK ? volume * box.filled
+                                                                                       : 0;
+}
 
 /* Returns the factor by which the mass of a domino changes if the domino is resized from `before` to `after`
  * and its wood keeps its density. If the row has no boxes, or if the walls do not fit, returns `solid`. */
-double wood_factor(const struct dom_row *row, const struct dom_domino *before, const struct dom_domino *after,
-                   double solid);
+static inline double wood_factor(const struct dom_row *row, const struct dom_domino *before,
+                                 const struct dom_domino *after, double solid)
+{
+    const double old = row->walls > 0 ? wood_volume(row, before) : 0,
+                 changed = old > 0 ? wood_volume(row, after) : 0;
+    return changed > 0 ? changed / old : solid;
+}
 
 #endif
