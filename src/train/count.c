@@ -22,22 +22,6 @@ const struct column count_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Sets *why to the reason why the train stops, or to NULL if it keeps falling. Returns DOM_OK in both
- * cases. */
-static enum dom_status count_feasible(const struct domq_train *train, const struct any_compute *compute,
-                                      const char **why)
-{
-    struct domq_barrier barrier;
-    enum dom_status status = any_barrier_find(train, compute, &barrier);
-    *why = status == DOM_OUT_OF_REACH ? "each domino falls past the next one without touching it (r s > 1)"
-           : status == DOM_STOPS      ? "the train has too little energy to keep falling"
-           : status == DOM_NO_FUEL    ? "falling releases no energy"
-           : status == DOM_LOCKS      ? "friction locks the train"
-           : status == DOM_UNDERFLOW  ? "r is too large for the precision"
-                                      : NULL;
-    return *why ? DOM_OK : status;
-}
-
 /* How much dominoes of one kind can grow. */
 struct growth {
     domq_real q;
@@ -70,8 +54,17 @@ struct tower {
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
-    const enum dom_status status = count_feasible(train, &query->scene->compute, &t->stops);
-    if (!query_status(query, problem, status) || !growth_find(query, train, &t->growth, problem) ||
+    struct domq_barrier barrier;
+    const enum dom_status status = any_barrier_find(train, &query->scene->compute, &barrier);
+    t->stops = status == DOM_OUT_OF_REACH
+                   ? "each domino falls past the next one without touching it (r s > 1)"
+               : status == DOM_STOPS     ? "the train has too little energy to keep falling"
+               : status == DOM_NO_FUEL   ? "falling releases no energy"
+               : status == DOM_LOCKS     ? "friction locks the train"
+               : status == DOM_UNDERFLOW ? "r is too large for the precision"
+                                         : NULL;
+    if ((!t->stops && !query_status(query, problem, status)) ||
+        !growth_find(query, train, &t->growth, problem) ||
         !start_find(query, train, dominoes + 1, &t->start, problem))
         return false;
     t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > dominoes);
@@ -98,31 +91,21 @@ static bool best_kind(const struct query *query, const struct domq_train *train,
     return true;
 }
 
-/* Returns how many dominoes topple one of this height at growth r, or NaN if no number is enough. */
-static domq_real enough(const struct query *query, domq_real height, domq_real r)
-{
-    struct domq_count count;
-    return any_count_find(query->scene->scale.h, height, r, &query->scene->compute, &count) == DOM_OK
-               ? count.dominoes
-               : DOMQ_NAN;
-}
-
-/* Rounds a growth down to three digits, or to more if three would round it to 1. */
-static domq_real growth_below(domq_real r)
-{
-    domq_real below = 1;
-    for (int digits = 3; digits <= 9 && r > 1 && below <= 1; digits++)
-        below = round_digits(r, digits, false);
-    return below;
-}
-
 /* Prints how much dominoes of one kind can grow in a row that starts, and how many are then enough, unless
  * these are not fewer than `dominoes`. */
 static void growth_say(const struct query *query, struct answer *a, const struct growth *g,
                        const struct tower *t, domq_real height, domq_real dominoes)
 {
     struct words name = dominoes_words(g->q, "dominoes");
-    const domq_real most = growth_below(g->row.r_max), n = enough(query, height, most);
+    struct domq_count count;
+    /* The growth is rounded down to three digits, or to more if three would round it to 1. */
+    domq_real most = 1;
+    for (int digits = 3; digits <= 9 && g->row.r_max > 1 && most <= 1; digits++)
+        most = round_digits(g->row.r_max, digits, false);
+    const domq_real n =
+        any_count_find(query->scene->scale.h, height, most, &query->scene->compute, &count) == DOM_OK
+            ? count.dominoes
+            : DOMQ_NAN;
     if (t->falls && !(n < dominoes))
         return;
     if (g->limit.ends == DOM_END_NONE)

@@ -53,20 +53,6 @@ static const struct column rmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
-{
-    if (used->ends == DOM_END_NONE)
-        answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.");
-    else
-        answer_say(a,
-                   "With gaps of %.6g times the height, %s can each be %s times as large as the one before. "
-                   "With more growth %s.",
-                   (double)train->s, dominoes_words(train->q, "dominoes").text,
-                   limit_words(used->r_max, 6).text,
-                   used->ends == DOM_END_REACH ? "a domino falls past the next one without touching it"
-                                               : "the train has too little energy to keep falling");
-}
-
 static void rmax_fuels_detail(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
                               const struct domq_limit *exact, const struct domq_limit *paper)
 {
@@ -133,7 +119,15 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
         if (!missing && isnan(growths.r_max))
             missing = start_missing(query, a, &growths, reason);
     }
-    rmax_say(a, &train, &used);
+    if (used.ends == DOM_END_NONE)
+        answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.");
+    else
+        answer_say(a,
+                   "With gaps of %.6g times the height, %s can each be %s times as large as the one before. "
+                   "With more growth %s.",
+                   (double)train.s, dominoes_words(train.q, "dominoes").text, limit_words(used.r_max, 6).text,
+                   used.ends == DOM_END_REACH ? "a domino falls past the next one without touching it"
+                                              : "the train has too little energy to keep falling");
     answer_row(a,
                ROW(cell_real(train.s), cell_limit(cell_uncertain(used.r_max, used.uncertainty)),
                    cell_word(dom_end_text(used.ends)),
