@@ -48,10 +48,12 @@ static const char *name_end(const char *name, const char *text)
 const struct landmark *landmark_scan(const char *text, const char **end)
 {
     const struct landmark *longest = NULL;
+    const char first = (char)tolower((unsigned char)*text); /* most names are none of these */
     *end = text;
     for (const struct landmark *l = landmarks; l->name; l++)
         for (int i = 0; i < 2; i++) {
-            const char *name = i ? l->also : l->name, *stop = name ? name_end(name, text) : NULL;
+            const char *name = i ? l->also : l->name;
+            const char *stop = name && *name == first ? name_end(name, text) : NULL;
             if (stop && stop > *end) {
                 longest = l;
                 *end = stop;
