@@ -124,7 +124,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define MORE_h .synonyms = "height size tall scale", RANGE(0.005, 10), .of_row = true,
 #define MORE_g .synonyms = "gravity acceleration weight moon planet", RANGE(0.1, 30),
 #define MORE_friction .example = "set q hollow; set friction 0.2; rmax 0.4; set friction off", RANGE(0, 2),
-#define MORE_slope .example = "set slope on; scene", RANGE(-0.14, 0.14),
+#define MORE_slope .example = "set slope on; rmax", RANGE(-0.14, 0.14),
 #define MORE_edges .share = SHARE_edges, .example = "set q hollow; set edges 0.01; rmax 0.2; set edges off", RANGE(0, 0.05),
 #define MORE_walls .share = SHARE_walls, .example = "set walls 1 mm; duration; set walls off", RANGE(1e-4, 0.07),
 #define MORE_air .example = "set density 650; set air on; rmax 0.4; set air off", RANGE(0, 5),
