@@ -38,5 +38,5 @@ struct csv_table *csv_named(const struct scene *scene, const struct run_context 
     return csv;
 }
 
-/* Other features take rows, measurements and studies from tables. */
+/* Other features take rows and measurements from tables. */
 const struct feature tables_feature = {.name = "tables"};
