@@ -139,19 +139,3 @@ END
     same 'no match' '(nothing)' "$(completed 'source zzz')"
     same 'nowhere else' '(nothing)' "$(completed 'theta1 alpha')"
 }
-
-# bats test_tags=rows,pictures
-@test "the words that completion offers are accepted as the next word" {
-    local line word refused=''
-    for line in draw 'draw forces' 'draw 0.3' 'draw 0.3 forces' 'plot chain' 'plot energy' 'plot growth' \
-        'plot gr' 'plot sweep' 'plot omega' 'cycle 3' 'effect friction' 'effect friction on' \
-        'effect friction 0.2' 'effect row 5' 'set q' 'set output' 'set output csv' reset 'reset s' show; do
-        for word in $("$DOMINO" -e "complete $line "); do
-            run --separate-stderr "$DOMINO" -e "set output csv; set r 1.4; $line $word > /dev/null"
-            case $stderr in
-            *'too many'* | *'said twice'* | *'takes no name'* | *unknown* | *' is no '*) refused+=" '$line $word'" ;;
-            esac
-        done
-    done
-    same 'offered, then refused' '(nothing)' "$refused"
-}
