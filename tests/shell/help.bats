@@ -190,7 +190,7 @@ END
         same "$group, json" "$("$DOMINO" -e "set output json; help" | wc -l)" "$("$DOMINO" -e "set output json; help all" | wc -l)"
     done <<'END'
 cycles|thetac theta1 chain energy fuel launch omega barrier duration cycle step why
-pictures|draw plot animate sheet
+pictures|draw plot sheet animate
 chances|placement budget
 END
 }

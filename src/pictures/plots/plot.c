@@ -222,11 +222,10 @@ static const struct command plot_commands[] = {
 
 /* ---- The feature ---- */
 
-extern const struct command draw_commands[], film_commands[];
+extern const struct command draw_commands[];
 
 static const struct command_group groups[] = {
     {"The train in pictures", "pictures", draw_commands},
-    {"Films", "pictures", film_commands},
     {"Curves", "pictures", plot_commands},
     {NULL, NULL, NULL},
 };

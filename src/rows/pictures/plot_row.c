@@ -206,4 +206,11 @@ static const struct plot row_plots[] = {
 
 static const struct plot *const plots[] = {row_plots, NULL};
 
-const struct feature rows_pictures_feature = {.name = "rows_pictures", .plots = plots};
+extern const struct command film_commands[];
+
+static const struct command_group groups[] = {
+    {"Films", "pictures", film_commands},
+    {NULL, NULL, NULL},
+};
+
+const struct feature rows_pictures_feature = {.name = "rows_pictures", .groups = groups, .plots = plots};
