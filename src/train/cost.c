@@ -22,7 +22,8 @@ static const struct {
     {NULL, NULL},
 };
 
-const char *cost_names(const void *context, int k)
+/* The names of the quantities, as a names_list (see names.h). */
+static const char *cost_names(const void *context, int k)
 {
     (void)context;
     return measured_answers[k].name;
@@ -59,6 +60,36 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
 }
 
 /* ---- Measuring ---- */
+
+static const struct {
+    enum dom_method method;
+    enum precision precision;
+    double share; /* roughly the fraction of the time that this contender takes, for the progress display */
+} contenders[] = {
+    {DOM_METHOD_PAPER, IN_DOUBLE, 0.1}, {DOM_METHOD_GSL, IN_DOUBLE, 0.05}, {DOM_METHOD_OURS, IN_FLOAT, 0.02},
+    {DOM_METHOD_OURS, IN_DOUBLE, 0.03}, {DOM_METHOD_OURS, IN_QUAD, 0.8},
+};
+enum { CONTENDERS = sizeof contenders / sizeof *contenders };
+
+static const double tolerances[] = {1e-1,  1e-2,  1e-3,  1e-6,  1e-9,  1e-12, 1e-15,
+                                    1e-18, 1e-21, 1e-24, 1e-27, 1e-30, 1e-33};
+enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
+
+struct cost_row {
+    enum dom_method method;
+    enum precision precision;
+    double tol;
+    enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
+    domq_real error;        /* the relative error of the result, or that of the reference if it is larger */
+    struct dom_work work;
+    double seconds; /* the time that an answer takes: the shortest of up to seven measurements */
+};
+
+struct cost {
+    struct cost_row row[(int)CONTENDERS * (int)TOLERANCES];
+    int rows;
+    double cheapest; /* time of the quickest measurement, in seconds */
+};
 
 /* Returns how many seconds the answer takes, in the fastest of up to seven batches. A slow answer is timed
  * only once. Returns NaN if there is no answer. */
@@ -105,22 +136,6 @@ static void row_measure(int which, const struct query *query, domq_real referenc
     row->seconds = seconds_of(which, train, &compute);
 }
 
-static const struct {
-    enum dom_method method;
-    enum precision precision;
-    double share; /* roughly the fraction of the time that this contender takes, for the progress display */
-} contenders[] = {
-    {DOM_METHOD_PAPER, IN_DOUBLE, 0.1}, {DOM_METHOD_GSL, IN_DOUBLE, 0.05}, {DOM_METHOD_OURS, IN_FLOAT, 0.02},
-    {DOM_METHOD_OURS, IN_DOUBLE, 0.03}, {DOM_METHOD_OURS, IN_QUAD, 0.8},
-};
-enum { CONTENDERS = sizeof contenders / sizeof *contenders };
-
-static const double tolerances[] = {1e-1,  1e-2,  1e-3,  1e-6,  1e-9,  1e-12, 1e-15,
-                                    1e-18, 1e-21, 1e-24, 1e-27, 1e-30, 1e-33};
-enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
-
-_Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS, "room for every row");
-
 /* Measures one method in one precision, with smaller and smaller tolerances. */
 static enum dom_status contender_measure(int which, const struct query *query, domq_real reference,
                                          int contender, double done, struct cost *cost)
@@ -145,27 +160,6 @@ static enum dom_status contender_measure(int which, const struct query *query, d
         progress_show(done + contenders[contender].share * (t + 1) / TOLERANCES);
     }
     return DOM_OK;
-}
-
-bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem)
-{
-    struct any_compute finest = query->scene->compute;
-    domq_real reference = 0;
-    double done = 0;
-    finest.method = DOM_METHOD_OURS;
-    finest.precision = any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE;
-    finest.tol = any_arithmetic(finest.precision).tol_floor;
-    *cost = (struct cost){.cheapest = HUGE_VAL};
-    enum dom_status status = compute_answer(which, &query->scene->train, &finest, &reference);
-    for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
-        if (contender_measure(which, query, reference, c, done, cost) == DOM_INTERRUPTED)
-            status = DOM_INTERRUPTED;
-        done += contenders[c].share;
-    }
-    progress_show(1);
-    if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
-        return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));
-    return query_status(query, problem, status);
 }
 
 /* ---- The command ---- */
@@ -240,9 +234,24 @@ static void cost_say(struct answer *a, const struct cost *cost, int which)
 
 static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct cost cost;
-    int which = (int)query->given->number[0];
-    if (!cost_measure(query, which, &cost, problem))
+    struct cost cost = {.cheapest = HUGE_VAL};
+    struct any_compute finest = query->scene->compute;
+    const int which = (int)query->given->number[0];
+    domq_real reference = 0;
+    double done = 0;
+    finest.method = DOM_METHOD_OURS;
+    finest.precision = any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE;
+    finest.tol = any_arithmetic(finest.precision).tol_floor;
+    enum dom_status status = compute_answer(which, &query->scene->train, &finest, &reference);
+    for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
+        if (contender_measure(which, query, reference, c, done, &cost) == DOM_INTERRUPTED)
+            status = DOM_INTERRUPTED;
+        done += contenders[c].share;
+    }
+    progress_show(1);
+    if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
+        return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));
+    if (!query_status(query, problem, status))
         return false;
     for (int k = 0; k < cost.rows; k++)
         cost_line(a, &cost, &cost.row[k]);

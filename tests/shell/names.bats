@@ -85,7 +85,7 @@ ba|'ba' is ambiguous: barrier, back
 friction 0.2|'friction' is an effect; enter 'set friction MU'
 plot foo|plot: unknown picture 'foo'; use one of: PLOTS
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
-plot c|plot: unknown picture 'c'; use one of: PLOTS
+plot f|plot: unknown picture 'f'; use one of: PLOTS
 goto lanch|step to: unknown event 'lanch'; did you mean 'launch'?
 END
 }
