@@ -224,7 +224,7 @@ bool question_measure(const struct question *question, const struct query *query
 bool question_needs_number(const struct question *question, struct problem *problem);
 
 /* Runs a command. If errors are on, runs it a second time in quad precision, to find the errors of its
- * numbers (answer/reference.h). */
+ * numbers (answer/cell.h). */
 bool command_compute(const struct command *command, const struct query *query, struct answer *answer,
                      struct problem *problem);
 
