@@ -3,8 +3,8 @@
  * The effects, and the choice of the law of motion and of the potential energy for those that are on. The
  * values of the effects of DOM_DYNAMICS are in an array indexed by enum dom_effect_name.
  *
- * Each effect has a file in this folder, which fills one table; drag, the coefficient of the air, is in
- * air.c. An effect of DOM_DYNAMICS fills a second one, struct terms.
+ * An effect of DOM_DYNAMICS has a file in this folder, which fills two tables, struct dom_effect and struct
+ * terms; drag, the coefficient of the air, is in air.c. The other effects have a struct dom_effect in rows.c.
  */
 #ifndef DOM_EFFECTS_H
 #define DOM_EFFECTS_H
