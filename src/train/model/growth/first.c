@@ -168,6 +168,21 @@ static real scaled_slope(real x, void *context)
     return s->c->status == DOM_OK ? (scaled(s, &b, 0) - scaled(s, &a, 0)) / (hi - lo) : REAL_NAN;
 }
 
+/* Returns true if the scaled margin changes by so much that the interval cannot contain a minimum: by more
+ * than its curvature and the errors of the samples allow. For thin dominoes whose r_max is near 1, this saves
+ * two thirds of the work. */
+static bool is_steep(const struct first *s, const struct stretch *in)
+{
+    const struct margin *m = &in->hi->margin;
+    const struct margin_sample *third[] = {in->before, in->after};
+    real ends[2] = {0},
+         least = 8 * SAMPLE_TOL * (fabs(m->kinetic) + m->barrier) / (fabs(m->kinetic) + s->unit);
+    for (int k = 0; k < 2; k++)
+        if (third[k])
+            least = fmax(least, 2 * fabs(bend_of(s, in, third[k], &no_zero, ends)));
+    return fabs(ends[1] - ends[0]) > least;
+}
+
 /* Looks for a minimum of the scaled margin inside the interval. */
 static enum dom_status find_minimum(struct first *s, const struct stretch *in, struct margin_sample *minimum,
                                     struct zero *dip, bool *found)
@@ -175,6 +190,8 @@ static enum dom_status find_minimum(struct first *s, const struct stretch *in, s
     const real lo = x_of(s->c, in->lo->r), hi = x_of(s->c, in->hi->r);
     *found = false;
     if (in->dip && in->dip->x >= lo && in->dip->x <= hi) /* this minimum is known */
+        return DOM_OK;
+    if (is_steep(s, in))
         return DOM_OK;
     s->step = fmin(cbrt(REAL_EPSILON) / 8, (hi - lo) / 256);
     const real at_lo = scaled_slope(lo, s), at_hi = at_lo < 0 ? scaled_slope(hi, s) : 0;
@@ -229,6 +246,16 @@ static enum dom_status find_root(struct first *s, const struct stretch *in)
 }
 
 static enum dom_status search_stretch(struct first *s, const struct stretch *in);
+
+/* Returns a sample with its barrier instead of an upper bound. */
+static enum dom_status sample_exactly(const struct first *s, const struct margin_sample *bound,
+                                      struct margin_sample *sample)
+{
+    *sample = *bound;
+    if (bound->margin.barrier_is_bound)
+        sample->margin = margin_sign(s->c, bound->r, false);
+    return s->c->status;
+}
 
 /* Searches the two halves of an interval. */
 static enum dom_status search_halves(struct first *s, const struct stretch *in)
@@ -304,9 +331,17 @@ static enum dom_status search_stretch(struct first *s, const struct stretch *in)
     if (status != DOM_OK || is_clear(s, in, &s->root) || (in->dip && is_clear(s, in, in->dip)))
         return status;
     if (in->halves >= 0 && in->halves < HALVES && (finest || (HALVES - in->halves) % LOOK_EVERY == 0)) {
-        struct margin_sample minimum;
+        struct margin_sample minimum, lo, hi;
         struct zero dip;
         bool found;
+        if (in->lo->margin.barrier_is_bound || in->hi->margin.barrier_is_bound) {
+            /* the bound on the barrier may hide that the margin is large */
+            const struct stretch exact = {in->before, &lo, &hi, in->after, in->dip, in->halves};
+            status = sample_exactly(s, in->lo, &lo);
+            if (status == DOM_OK)
+                status = sample_exactly(s, in->hi, &hi);
+            return status == DOM_OK ? search_stretch(s, &exact) : status;
+        }
         status = find_minimum(s, in, &minimum, &dip, &found);
         if (status != DOM_OK || found)
             return found ? search_dip(s, in, &minimum, &dip) : status;
