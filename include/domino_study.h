@@ -104,6 +104,7 @@ struct dom_wish {
     /* As in struct dom_row, in m. If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls
      * of the train, and all masses follow from the volume of the wood. */
     double walls, boxes_above;
+    size_t dominoes; /* the least number of dominoes, or 0 for the smallest number that does */
 };
 
 /* A row, built like a train, that was designed for a struct dom_wish. If no row was found, all members except

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'design', which finds a row with a given safety and a last domino of a given height. */
 #include "answer/format.h"
+#include "chance/chance.h"
 #include "language/quad.h"
 #include "planning/planning.h"
 #include "rows/rows.h"
@@ -18,6 +19,8 @@ const struct column design_columns[] = {
     {"weakest", "", "the number of the weakest domino", 0},
     {"train", "", "the energy of the endless train, divided by the energy that it needs", 0},
     {"seconds", "s", "the time until the last domino lies on the floor, as 'fall' measures it", 0},
+    {"probability", "share", "with 'falls': the share of the random rows that fall", 0},
+    {"low", "share", "with 'falls': the lower end of the 95 % interval of the probability", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -31,6 +34,8 @@ struct designing {
     struct dom_design found;
     struct domq_domino *domino; /* the dominoes of the design */
     domq_real mass;             /* the mass of all dominoes in kg, or NaN if it is not known */
+    struct dom_study study;     /* the random rows of the last design; no rows without 'falls' */
+    size_t tried;               /* the number of its dominoes */
 };
 
 static void designing_begin(const struct query *query, const struct wishes *w, struct designing *d)
@@ -52,7 +57,8 @@ static void designing_begin(const struct query *query, const struct wishes *w, s
                                       .board = w->board,
                                       .boards = w->boards},
                             .train = train_in_double(&scene->train),
-                            .compute = compute_in_double(&scene->compute)};
+                            .compute = compute_in_double(&scene->compute),
+                            .mass = DOMQ_NAN};
     d->limits = w->grid > 0 || w->boards > 0 ? &d->sizes : NULL;
 }
 
@@ -76,6 +82,7 @@ static bool dominoes_make(const struct query *query, struct designing *d, struct
     const size_t count = d->found.steps + 1;
     const domq_real mass = scene_mass(query->scene);
     struct dom_domino *domino = malloc(count * sizeof *domino);
+    free(d->domino);
     d->domino = malloc(count * sizeof *d->domino);
     const enum dom_status status =
         domino && d->domino ? dom_design_dominoes(&d->train, &d->wish, d->limits, &d->found, domino)
@@ -140,15 +147,19 @@ static void infeasible_text(const struct designing *d, char text[REASON])
 }
 
 /* Writes the numbers of a design. If none was found, most of them are NaN. */
-static void design_row(struct answer *a, const struct dom_design *d, domq_real mass, const char *reason)
+static void design_row(struct answer *a, const struct designing *of, const char *reason)
 {
+    const struct dom_design *d = &of->found;
+    const struct dom_study *s = &of->study;
     const struct cell none = cell_real(DOMQ_NAN);
     answer_row(a,
                ROW(cell_real(d->s), cell_computed(d->r),
                    d->steps > 0 ? cell_count((domq_real)d->steps) : none, cell_narrow(d->feet, 5),
-                   cell_narrow(d->length, 5), cell_narrow(mass, 5), cell_narrow(d->row, 5),
+                   cell_narrow(d->length, 5), cell_narrow(of->mass, 5), cell_narrow(d->row, 5),
                    d->weakest > 0 ? cell_count((domq_real)d->weakest) : none, cell_narrow(d->train, 5),
-                   cell_narrow(d->seconds, 5)),
+                   cell_narrow(d->seconds, 5),
+                   s->rows > 0 ? cell_computed((domq_real)s->fall / (domq_real)s->rows) : none,
+                   s->rows > 0 ? cell_computed((domq_real)s->low) : none),
                reason);
 }
 
@@ -192,6 +203,61 @@ static bool design_keep(struct state *next, const struct designing *d, struct pr
            (!d->limits || scene_row_set(&next->scene, d->domino, steps + 1, true, problem));
 }
 
+/* ---- Designs that fall with a probability ---- */
+
+/* At most this many numbers of dominoes are tried. With more dominoes than that, their errors add up. */
+enum { NUMBERS_MOST = 25 };
+
+/* Counts how many random rows of a design fall. If they fall with the probability `falls`, at least 20 of
+ * them (10 in the engine) are expected not to fall; fewer failures would say little about it. */
+static bool design_study(const struct query *query, struct designing *d, domq_real falls,
+                         struct problem *problem)
+{
+    struct state state = *query->state;
+    struct query of_row = *query;
+    struct trials t;
+    const bool engine = query->next && scene_has_engine(&query->next->scene);
+    const double rows = ceil((engine ? 10 : 20) / (double)(1 - falls));
+    state.scene.listed = (struct listed_row){.domino = NULL};
+    of_row.state = &state;
+    of_row.scene = &state.scene;
+    bool good = design_keep(&state, d, problem) &&
+                trials_make(&of_row, problem, (size_t)fmax(rows, engine ? 100 : 2000), true, &t);
+    if (good) {
+        const enum dom_status status =
+            dom_placement_study(&t.row.row, &t.row.compute, &t.placement, &d->study, NULL);
+        good = status == DOM_OK || row_status(query, problem, status);
+        free(t.row.domino);
+    }
+    listed_free(&state.scene.listed);
+    return good;
+}
+
+/* Tries designs with more and more dominoes, until the lower end of the interval reaches the probability. */
+static bool falls_find(const struct query *query, domq_real falls, struct designing *d,
+                       struct problem *problem)
+{
+    struct dom_random_error error[DOM_ERROR_COUNT];
+    if (!errors_check(query->scene, problem))
+        return false;
+    if (!scene_errors(query->scene, error))
+        return problem_no_errors(problem, "'falls'");
+    for (int k = 0; k < NUMBERS_MOST; k++) {
+        if (!design_find(query, d, problem))
+            return false;
+        if (d->found.limit != DOM_DESIGN_FITS)
+            break;
+        d->tried = d->found.steps + 1;
+        if (!dominoes_make(query, d, problem) || !design_study(query, d, falls, problem))
+            return false;
+        if ((domq_real)d->study.low >= falls)
+            return true;
+        d->wish.dominoes = d->tried + 1;
+    }
+    d->found.limit = d->found.limit == DOM_DESIGN_FITS ? DOM_DESIGN_SAFETY : d->found.limit;
+    return true;
+}
+
 /* Prints the answer. If the command can change the session, the design becomes the row of the session. */
 static bool design_answer(const struct query *query, struct answer *a, struct designing *d,
                           struct problem *problem)
@@ -204,12 +270,14 @@ static bool design_answer(const struct query *query, struct answer *a, struct de
     of_row.scene = keeps ? &query->next->scene : NULL;
     if (keeps && a->path && !a->style.format->for_people)
         return row_list(&of_row, 0, a, problem);
-    design_row(a, &d->found, d->mass,
+    design_row(a, d,
                isinf(d->found.row)
                    ? "no domino after the first needs energy to fall over, so no safety is known"
                    : NULL);
     if (answer_for_people(a))
         design_say(query, a, d);
+    if (d->study.rows > 0)
+        answer_say(a, "%s, with 95 %% confidence.", study_words(&d->study).text);
     answer_detail(a, "%s", "");
     if (list.out && keeps && !row_list(&of_row, 0, &list, problem))
         return false;
@@ -218,11 +286,32 @@ static bool design_answer(const struct query *query, struct answer *a, struct de
     return true;
 }
 
+/* Says why there is no design. */
+static bool infeasible_answer(struct answer *a, const struct wishes *w, const struct designing *d,
+                              struct problem *problem)
+{
+    char reason[REASON];
+    if (d->study.rows > 0)
+        snprintf(
+            reason, REASON,
+            "infeasible: no row that was tried falls with a probability of %s; of the last one, with %zu "
+            "dominoes, %s; make the errors smaller%s",
+            measured(w->falls, "share", 6).text, d->tried, study_words(&d->study).text,
+            isfinite(d->wish.hall) ? ", or the hall longer" : "");
+    else
+        infeasible_text(d, reason);
+    if (a->path && !a->style.format->for_people) /* no file is written without a row */
+        return problem_no_answer(problem, "%s", reason);
+    answer_say(a, "%s.", reason);
+    if (!answer_for_people(a))
+        design_row(a, d, reason);
+    return true;
+}
+
 bool run_design(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct wishes *w = wishes_of(query);
     struct designing d;
-    char reason[REASON];
     designing_begin(query, w, &d);
     if (!grid_check(w->grid, query->scene->scale.h, problem))
         return false;
@@ -231,19 +320,12 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
                                  "H = %s is not more than the height of the first domino, h = %s; enter a "
                                  "larger H, or a smaller h with 'set h'",
                                  measured(d.wish.height, "m", 6).text, measured(d.wish.first, "m", 6).text);
-    if (!design_find(query, &d, problem))
-        return false;
-    answer_set_verdict(a, d.found.limit == DOM_DESIGN_FITS);
-    if (d.found.limit == DOM_DESIGN_FITS) {
-        const bool good = design_answer(query, a, &d, problem);
-        free(d.domino);
-        return good;
+    bool good = w->falls > 0 ? falls_find(query, w->falls, &d, problem) : design_find(query, &d, problem);
+    if (good) {
+        answer_set_verdict(a, d.found.limit == DOM_DESIGN_FITS);
+        good = d.found.limit == DOM_DESIGN_FITS ? design_answer(query, a, &d, problem)
+                                                : infeasible_answer(a, w, &d, problem);
     }
-    infeasible_text(&d, reason);
-    if (a->path && !a->style.format->for_people) /* no file is written without a row */
-        return problem_no_answer(problem, "%s", reason);
-    answer_say(a, "%s.", reason);
-    if (!answer_for_people(a))
-        design_row(a, &d.found, DOMQ_NAN, reason);
-    return true;
+    free(d.domino);
+    return good;
 }

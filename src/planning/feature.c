@@ -22,9 +22,12 @@ static const struct command design_commands[] = {
          "row, including its fallen last domino. The row has as few dominoes as possible. 'boards 9, 12, 15 "
          "mm' are the thicknesses to choose from; with 'set walls 12 mm 30 cm', a box can have any "
          "thickness. 'grid 1 mm' makes all gaps, heights and thicknesses multiples of 1 mm, except the first "
-         "domino, the height H and the thicknesses of boards. The row still has the required safety. With "
-         "random errors, 'placement' then shows how likely the row is to fall, and 'improve sizes' makes it "
-         "more likely.\n\n"
+         "domino, the height H and the thicknesses of boards. The row still has the required safety. "
+         "'falls 99 %' adds dominoes until random rows with the errors of the scene fall with this "
+         "probability; "
+         "the lower end of its 95 % interval counts. 'improve sizes' then makes the "
+         "row "
+         "more likely to fall.\n\n"
          "The row becomes the session's row; 'design ... > "
          "hall.csv' writes a file for 'set row hall.csv'.",
      .example = "set q hollow; set friction 0.3; design 8 m",

@@ -11,6 +11,7 @@
 enum { BOARDS_MOST = 32 };
 
 struct wishes {
+    domq_real falls;  /* the probability with which a design must fall, or 0 if it does not matter */
     domq_real safety; /* the minimum safety that a design must have */
     domq_real hall;   /* the maximum length of the row in m */
     domq_real grid;

@@ -5,10 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Each command has four successive wishes: 'design' the first ones, and 'improve' the last ones. */
-enum wish { SAFETY, HALL, GRID, BOARDS, SIZES, WISHES, OF_EACH = 4 };
+/* 'design' has the wishes before 'sizes', and 'improve' those from 'hall' on. */
+enum wish { FALLS, SAFETY, HALL, GRID, BOARDS, SIZES, WISHES };
 
-static const char *const names[WISHES] = {"safety", "hall", "grid", "boards", "sizes"};
+static const char *const names[WISHES + 1] = {"falls", "safety", "hall", "grid", "boards", "sizes"};
+
+/* The largest probability that 'falls' accepts. Designs are then tried with 200000 random rows. */
+#define FALLS_MOST ((domq_real)9999 / 10000)
 
 static const struct wishes usual_wishes = {.safety = 2, .hall = (domq_real)HUGE_VAL};
 
@@ -20,13 +23,13 @@ const struct wishes *wishes_of(const struct query *query)
 const char *design_wishes(const void *context, int k)
 {
     (void)context;
-    return k < OF_EACH ? names[k] : NULL;
+    return k < SIZES ? names[k] : NULL;
 }
 
 const char *improve_wishes(const void *context, int k)
 {
     (void)context;
-    return k < OF_EACH ? names[k + HALL] : NULL;
+    return names[k + HALL];
 }
 
 /* The wishes as they were parsed. An item that the user did not type is zero. */
@@ -79,7 +82,8 @@ static bool boards_parse(struct reader *r, struct wishes_parsed *w)
 
 static bool wishes_parse(struct reader *r, names_list *list, struct question *q)
 {
-    static const struct argument values[BOARDS] = {{.name = "safety", .kind = ARGUMENT_ANY},
+    static const struct argument values[BOARDS] = {{.name = "falls", .kind = ARGUMENT_ANY},
+                                                   {.name = "safety", .kind = ARGUMENT_ANY},
                                                    {.name = "hall", .kind = ARGUMENT_HEIGHT},
                                                    {.name = "grid", .kind = ARGUMENT_HEIGHT}};
     const struct argument wish = {.name = "WISHES", .noun = "wish", .choices = list};
@@ -98,7 +102,8 @@ static bool wishes_parse(struct reader *r, names_list *list, struct question *q)
         if (ends)
             return problem_error(r->problem, "the value of '%s' is missing; write, for example, '%s'",
                                  names[k],
-                                 k == SAFETY   ? "safety 2"
+                                 k == FALLS    ? "falls 99 %"
+                                 : k == SAFETY ? "safety 2"
                                  : k == HALL   ? "hall 20 m"
                                  : k == BOARDS ? "boards 9, 12, 15 mm"
                                                : "grid 1 mm");
@@ -170,11 +175,14 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
         return false;
     *w = usual_wishes;
     w->sizes = parsed->sizes;
-    domq_real *const value[BOARDS] = {&w->safety, &w->hall, &w->grid};
+    domq_real *const value[BOARDS] = {&w->falls, &w->safety, &w->hall, &w->grid};
     for (int k = 0; k < BOARDS; k++)
         if (parsed->value[k].argument &&
             !item_bind(&parsed->value[k], q->text, query, &unit[k], value[k], problem))
             return false;
+    if (parsed->value[FALLS].argument &&
+        !(quantity_is_number(unit[FALLS]) && w->falls > 0 && w->falls <= FALLS_MOST))
+        return problem_error(problem, "'falls' is a probability of at most 99.99 %%, as in 'falls 99 %%'");
     if (!quantity_is_number(unit[SAFETY]))
         return problem_error(
             problem, "the safety is a number without a unit; 2 means twice the energy that a domino needs");

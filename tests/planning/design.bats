@@ -170,3 +170,18 @@ END
     same boards 0 "$(values thickness <answers | awk -v all="7 $boards" 'BEGIN { gsub(/[^0-9. ]/, " ", all); split(all, b, " "); for (k in b) ok[b[k]] } { n += !(sprintf("%.10g", 1000 * $1) in ok) } END { print n }')"
     within hall 20 "$(json "$wood; design 8 m grid 1 mm hall 20 m" | values length)" 'o <= e && o > 19'
 }
+
+@test "design: 'falls' finds the fewest dominoes for which the lower end of the interval reaches the probability" {
+    scene='set q hollow; set friction 0.3; set placement 5 mm'
+    answer=$(json "$scene; design 30 cm falls 90 %")
+    steps=$(values steps <<<"$answer")
+    within enough 0.9 "$(values low <<<"$answer")" 'o >= e'
+    # 'placement' counts the same rows, and fewer dominoes are not enough.
+    row="$scene; set s $(values s <<<"$answer"); set r (30/4.8)^(1/"
+    same rows "$(values probability <<<"$answer")" "$(json "$row$steps); set row $((steps + 1)); placement 2000" | values probability)"
+    within fewer 0.9 "$(json "$row$((steps - 1))); set row $steps; placement 2000" | values low)" 'o < e'
+    run -0 "$DOMINO" -e "$scene; set placement 20 mm; design 4 m falls 99 %"
+    grep -qE '^infeasible: no row that was tried falls with a probability of 99 %; of the last one, .* rows fall' <<<"$output"
+    wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'set placement 1 mm'"
+    wrong "$scene; design 1 m falls 2" "'falls' is a probability of at most 99.99 %"
+}

@@ -352,7 +352,7 @@ static struct choice design_search(struct planner *p, struct dom_design *found)
 {
     const struct dom_wish *wish = p->wish;
     struct choice c = {0, 0};
-    size_t fewest = 1;
+    size_t fewest = wish->dominoes > 2 ? wish->dominoes - 1 : 1;
     int best;
     const double most = separation_find(p, &best);
     if (most == 0) {
