@@ -83,8 +83,8 @@ struct changed_domino {
 struct listed_row {
     struct domq_domino *domino; /* the dominoes, or NULL if the row does not come from a file */
     size_t count;
-    bool has_masses;     /* the masses are in kg; otherwise, only their ratios are known */
-    bool from_volumes;   /* the masses follow from the volumes, not from a column "mass" or "relative" */
+    bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
+    bool from_volumes; /* the masses follow from the volumes, not from a column "mass" or "relative" */
     char *path;
     /* The columns of the file that the program does not know, as lines of csv. The first line has the names
      * of these columns. It is followed by one line for each domino. A comma precedes each cell, and each line
