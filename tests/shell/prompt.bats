@@ -24,18 +24,12 @@ same_at_the_prompt() { # FORMAT
 
 @test "tables at the prompt are the same as with -e, for every command" { same_at_the_prompt table; }
 @test "json at the prompt is the same as with -e, for every command" { same_at_the_prompt json; }
-@test "the first screen is a banner that mentions help, and a prompt" { prompt banner; }
 @test "^D leaves with status 0, but only on an empty line" { prompt end_of_input; }
 @test "an error is shown by a caret and one line, and the session goes on" { prompt error_goes_on; }
-@test "the caret counts columns, not bytes" { prompt caret_utf8; }
-@test "TAB completes commands, parameters and words, and nothing else" { prompt complete; }
-@test "TAB TAB lists all possible words" { prompt complete_list; }
-@test "TAB completes files where a file belongs" { prompt complete_files; }
-@test "TAB completes no files in a safe session" { prompt complete_safe; }
+@test "TAB completes commands, parameters and words, and nothing else; TAB TAB lists them" { prompt complete; }
+@test "TAB completes files where a file belongs, but not in a safe session" { prompt complete_files; }
 @test "TAB quotes a file name with blanks, '#', ';', '>' or quotes" { prompt complete_files_quoted; }
-@test "^C on a half-typed line clears it" { prompt interrupt_typed; }
-@test "^C on an empty line says how to leave" { prompt interrupt_empty; }
-@test "^C in a history search ends the search" { prompt interrupt_search; }
+@test "^C clears a half-typed line, ends a history search, and on an empty line says how to leave" { prompt interrupt_line; }
 @test "^C stops a long computation, and drops the rest of the line" { prompt interrupt_rest; }
 @test "^C stops a search that writes no rows" { prompt interrupt_silent; }
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
@@ -55,8 +49,7 @@ same_at_the_prompt() { # FORMAT
 
 @test "the prompt opens with a row from a file, and after a file with -i" { prompt opened; }
 @test "^C in a file before the prompt ends the file, and the prompt opens" { prompt interrupt_opened; }
-@test "start-up file: it runs, -n skips it" { prompt init_file; }
-@test "start-up file: an error says where it is, and the session opens" { prompt init_error; }
+@test "start-up file: it runs, -n skips it; an error says where it is, and the session opens" { prompt init_file; }
 @test "inputrc: \$if Domino" { prompt inputrc; }
 @test "letters: ASCII in an ASCII locale" { prompt ascii; }
 @test "colour: on terminals with colours, but not in pipes" { prompt colour; }
