@@ -14,30 +14,18 @@ repeat() { # TEXT COUNT
 
 @test "numbers, precedence, signs, powers and parentheses" {
     all_worth <<'END'
-1|-|1
 0.5|-|.5
-5|-|5.
-1500|-|1.5e3
 0.0025|-|2.5E-3
 5.5|-|.5 + 5.
-14|-|2 + 3 * 4
-14|-|2 * ( 3 + 4 )
 19.5|-|(2+3)*4-1/2
 0.25|-|1/2/2
-1|-|6/(2*3)
 50|-|2+3*4^2
--4|-|-2^2
 4|-|(-2)^2
 512|-|2^3^2
-0.5|-|2^-1
 0.25|-|2 ^ -2
-1.4142135623730951|-|2^0.5
 -6|-|2*-3
-1|-|--1
-5|-|2--3
 -1|-|+-+1
 0.14583333333333334|-|0.7/4.8
-0.3|-|0.1+0.2
 7e-17|-|7/1e17
 END
 }
@@ -45,24 +33,17 @@ END
 @test "functions and pi" {
     all_worth <<'END'
 3.1415926535897931|-|pi
-0.17453292519943295|-|pi/18
 1|-|sin(90 deg)
-0.5|-|cos(60 deg)
-1.5707963267948966|rad|asin(1)
 1.0471975511965979|rad|acos(0.5)
-0.78539816339744828|rad|atan(1)
 2.3561944901923448|rad|atan2(1 m,-1 m)
-2.7182818284590451|-|exp(1)
 2|-|ln(exp(2))
 3|-|log10(1000)
-3|-|sqrt(9)
 2|m|sqrt(4 m^2)
 3|m|abs(-3 m)
 -3|-|floor(-2.5)
 -2|-|ceil(-2.5)
 3|-|round(2.7)
 5|m|hypot( 3 m , 4 m )
-2|-|max(1,2)
 0.01|m|min(1 cm, 2 cm)
 0.5|-|sin( asin( 0.5 ) )
 4|-|max(1,2)*min(3,2)
@@ -73,16 +54,12 @@ END
 @test "the end of a value: '1 - 0.5' is one value, '0.1 -0.5' are two" {
     all_worth <<'END'
 0.5|-|1 - 0.5
-0.5|-|1-0.5
 0.5|-|1- 0.5
-1.5|-|1 + 0.5
 END
     all_wrong <<'END'
 12|theta1 0.1 -0.5|^theta1: '-0.5' is one argument too many
 9|print 1 -0.5|^print: '-0.5' is one argument too many
-9|print 1 +0.5|^print: '\+0.5' is one argument too many
 9|print 1 2|^print: '2' is one argument too many
-9|print 2 pi|^print: 'pi' is one argument too many
 9|print 2 (3)|^print: '\(3\)' is one argument too many
 END
     same 'one argument' "$(json 'count 111')" "$(json 'count 112 - 1')"
@@ -95,7 +72,6 @@ END
 0.4|-|s
 0.048|m|h
 9.81|m s^-2|g
-0.6|-|r * s
 20.833333333333333|m^-1|1/h
 END
     # Compare each name with the answer of the command.
@@ -103,22 +79,14 @@ END
         all_worth <<<"$(json "$command" | values "$key")|${unit}|$expression"
     done <<'END'
 thetac|thetac|theta_c|rad
-theta1(0.1)|theta1 0.1|theta_1|rad
 theta1(10 deg)|theta1 10 deg|theta_1|rad
-theta1(0.1).slope|theta1 0.1|slope|-
 energy(0.1)|energy 0.1|dH|-
-fuel|fuel|fuel|-
 launch.omega0|launch|omega0|s^-1 rad
-omega(0.1)|omega 0.1|omega|s^-1 rad
-barrier|barrier|barrier|-
-duration.seconds|duration|seconds|s
 duration.speed|duration|speed|m s^-1
-rmax|rmax|r_max|-
 rmax(0.3)|rmax 0.3|r_max|-
 rmax(0.3).r_max_paper|rmax 0.3|r_max_paper|-
 pair(0.3)|pair 0.3|r_max|-
 best.s|best|s|-
-best.r_max|best|r_max|-
 count(112 m, 2)|count 112 2|dominoes|-
 count(112, 2).exact|count 112 2|exact|-
 count(112, 2).last_height|count 112 2|last_height|m
@@ -137,15 +105,10 @@ END
         close "$commands; $expression" "$expected" \
             "$(json "$commands; print $expression" | tail -n 1 | values value)"
     done <<'END'
-rmax|ans.r_max|rmax|r_max
 rmax 0.3|ans.r_max_paper|rmax 0.3|r_max_paper
-barrier|ans.margin|barrier|margin
 count 112|ans.exact|count 112|exact
-theta1 10 deg|ans.theta|theta1 10 deg|theta
 thetac; set s 0.3|ans|thetac|theta_c
 rmax; foo|ans|rmax|r_max
-rmax; theta1 9|ans|rmax|r_max
-rmax; print pair(0.3)|ans|pair 0.3|r_max
 rmax; print pair(0.3)|ans.r_max|rmax|r_max
 rmax 0.3; set s 0.4 + 0*rmax|ans|rmax 0.3|r_max
 fuel > /dev/null|ans|fuel|fuel
@@ -162,40 +125,29 @@ END
     all_wrong <<'END'
 7|print foo|^print:.*'foo' has no value
 13|print π×2 − foo|^print:.*'foo' has no value
-7|print é|^print:.*'é'
 19|fuel > /dev/null; foo|^unknown command 'foo'
 10|θ1 0.1 > foo bar|^theta1: only one word
 7|θ1 0.1é|^theta1:.*'é'
-11|print 1 + |^print:.*missing at the end
 7|print *2|^print:.*'\*2'.*missing|^print:.*missing.*'\*2'
-11|print 2 * )|^print:.*missing
-7|print (1+2|^print:.*'\(' is never closed
 9|print 1*(2*(3)|^print:.*'\(' is never closed
 8|print 1)|^print:.*'\)'
 8|print 2q|^print:.*'q' is not a unit
 10|print 0.4.1|^print:.*'.1'
 8|print 1,5|^print:.*',5'
-8|print 1/0|^print:.*division by zero
 12|print 1 + 1/(2-2)|^print:.*division by zero
 7|print sqrt(-1)|^print:.*sqrt
 7|print ln(0)|^print:.*finite
 9|print 10^5000|^print:.*finite
-11|print (-8)^0.5|^print:.*finite
 7|print 1e5000|^print:.*too large
 11|print 1 + 1e-5000|^print:.*too close to 0
 7|print sin()|^print:.*sin takes 1 value
-7|print atan2(1)|^print:.*atan2 takes 2 values
 7|print rmax(1,2)|^print:.*'rmax \[S\]' does not take 2 values
 7|print theta1|^print:.*'theta1' needs a value in parentheses: 'theta1.T.'
 12|print rmax(foo)|^print:.*'foo' has no value
 7|print output|^print:.*'output' has no value
-7|print chain|^print:.*'chain' has no value
-7|print nan|^print:.*'nan' has no value
 7|print 0x10|^print:.*decimal number
 7|print "1" + 1|^print:.*'"1"'
-17|print rmax(0.3, )|^print:.*missing
 11|print sin(,1)|^print:.*missing
-8|print 2#3|^print:.*'#3'
 7|print rmax.foo|^print:.*unknown key of rmax 'foo'; its keys are s, r_max, 
 7|print rmax.ends_by|^print:.*rmax.ends_by is the word 'barrier'
 7|print pair(0.1)|^print:.*has no value here: no growth possible
@@ -245,25 +197,17 @@ END
 
 @test "a line that is an expression is evaluated" {
     all_print <<'END'
-2+2|4
 (1 -2)*3|-3
-max(5 -2, 1)|3
-2 + 2|4
 sin(30 deg)|0.5
 ln(112/0.048)/ln(1.5)|19.1263
 -1|-1
-(2+3)*4|20
-.5|0.5
 pi|3.14159
 r^2|2.25
 rmax(0.3)|1.51445
-rmax * 2|3.28846
 rmax/2|0.822115
-rmax - 1|0.644229
 fuel.fuel_paper|0.592292
 2+2 # four|4
 rmax 0.3; ans.s|0.3
-2+2; ans*3|12
 112 m; ans/2|56 m
 END
 }
