@@ -87,7 +87,7 @@ static bool may_go_on(const char *line)
                                        "2) 9",
                                        "0.1,0.1) 9",
                                        " rmax",
-                                       " cost rmax",
+                                       " growth",
                                        " log",
                                        " 1 2",
                                        " examples/measured/friction.csv"};
