@@ -7,8 +7,8 @@
  *     gap (mm), dominoes, time (s)   how long a row of equal dominoes takes to fall
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
  *
- * fit.c reads the file and writes the answer, fit_solve.c finds the smallest sum of squares, and fit_chart.c
- * draws it.
+ * fit.c reads the file and writes the answer, fit_solve.c finds the smallest sum of squares, and
+ * pictures/fit_chart.c draws it.
  */
 #ifndef FIT_H
 #define FIT_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Arguments that are words with values, in any order, as in 'slow train 4'. */
+/* Arguments that are words with values, in any order, as in 'speed 0.5 tower'. */
 #ifndef SHELL_OPTIONS_H
 #define SHELL_OPTIONS_H
 

@@ -31,7 +31,7 @@ static const struct command design_commands[] = {
          "The row becomes the session's row; 'design ... > "
          "hall.csv' writes a file for 'set row hall.csv'.",
      .example = "set q hollow; set friction 0.3; design 8 m",
-     .see = "placement improve verdict fall row",
+     .see = "placement improve plan verdict row",
      .principal = "steps",
      .holds = "a row meets the wishes",
      .access.changes = true,

@@ -28,7 +28,7 @@ bool wishes_bind(const struct question *question, const struct query *query, str
 /* Returns the wishes of a command whose arguments wishes_bind has bound. */
 const struct wishes *wishes_of(const struct query *query);
 
-/* names_lists (see names.h) */
+/* Each is a names_list (see names.h). */
 const char *design_wishes(const void *context, int k);
 const char *improve_wishes(const void *context, int k);
 

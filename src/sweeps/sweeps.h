@@ -64,7 +64,7 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
 
-/* names_lists (see names.h) */
+/* Each is a names_list (see names.h). */
 const char *solve_names(const void *context, int k);   /* the parameters that 'solve' and 'watch' change */
 const char *assert_names(const void *context, int k);  /* the commands with a verdict */
 const char *optimum_names(const void *context, int k); /* the parameters of 'maximize' and 'minimize' */

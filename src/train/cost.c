@@ -271,7 +271,7 @@ const struct command cost_commands[] = {
              "Each method computes the answer several times, with smaller and smaller tolerances. Our method "
              "is measured in every precision, the others only in double. The error in the table is the true "
              "error, which includes the effect of rounding the parameters.",
-     .see = "plot",
+     .see = "rmax set",
      .sweep.refusal =
          "it measures computing time, and points computed at the same time would slow each other down",
      .rows = true,

@@ -210,7 +210,7 @@ static const struct command plot_commands[] = {
          "and its fonts.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
-     .see = "fall mend placement sweep curve fit draw",
+     .see = "fall sweep curve fit draw",
      .sweep.refusal = "it draws",
      .writes = WRITES_PICTURES,
      .rows = true,

@@ -264,7 +264,7 @@ static const struct option_list film_options = {
             [FILM_TOWER] = {"tower", .beside = BIT(FILM_SPEED) | BIT(FILM_RATE)},
             {.name = NULL},
         },
-    .usage = "usage: animate, animate speed 0.5 rate 20, animate tower; '> row.gif' writes a file",
+    .usage = "usage: animate, animate speed 0.5 rate 20, animate tower",
 };
 
 static bool film_parse(struct reader *r, struct question *q)
@@ -310,7 +310,7 @@ const struct command film_commands[] = {
      .summary = "a film of the falling row, at the terminal or in a file",
      .help = "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The "
              "space bar stops and continues it, the right arrow shows the next frame, and 'q' ends it. "
-             "'animate speed 0.5' is twice slower than the fall. 'animate > row.gif' makes a file with "
+             "'animate speed 0.5' is half as fast as the fall. 'animate > row.gif' makes a file with "
              "gnuplot, which 'ffmpeg -i row.gif row.mp4' turns into a video. A film in a file is faster than "
              "the fall if the fall takes more than 9 s. 'rate 20' makes a film of 20 frames per second. "
              "'animate tower' after 'count 112 m' shows how the row of that answer topples a tower of 112 m. "

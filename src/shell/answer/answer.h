@@ -22,7 +22,7 @@ enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 240, ANSWER_HEADER = OUTPUT_HEADER }
 
 struct column {
     const char *key;
-    const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of measure.h */
+    const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of units.h */
     const char *meaning; /* a one-line explanation */
     /* The width of the column in a table of rows, if the column holds words or short numbers. For other
      * numbers this width is 0, and the table chooses the width itself. */

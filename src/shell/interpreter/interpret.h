@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Runs commands in these steps:
- * - command_read.h finds the command in the tables.
- * - question_parse (question.h) parses the arguments and resolves names.
+ * - command_read (question.h) finds the command in the tables.
+ * - question_parse parses the arguments and resolves names.
  * - question_bind computes the arguments.
  * - io/output.h pushes a file onto the stack of outputs.
  * - The command writes its answer (answer/answer.h) or describes a problem (session/problem.h).

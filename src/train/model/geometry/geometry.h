@@ -14,7 +14,7 @@ struct tilt {
 
 static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
 
-struct flow; /* losses.h */
+struct flow; /* dynamics.h */
 
 /* The lowest and the highest order of the series for the far tail. */
 #if REAL_BITS <= 24

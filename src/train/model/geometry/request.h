@@ -25,7 +25,7 @@ struct request {
     const volatile sig_atomic_t *interrupt;
 };
 
-struct block; /* joint.h */
+struct block; /* row.h */
 
 /* A row and the options of the computation, like struct dom_row and struct dom_compute of the API. */
 struct row_request {
