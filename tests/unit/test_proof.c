@@ -10,8 +10,11 @@
 #define BOUNDS(X)                                                                                            \
     X(ROUND_UP)                                                                                              \
     X(ROUND_DOWN)                                                                                            \
-    X(SINE) X(TOP_OF_ONE) X(DETACHED) X(CORNERS) X(CONTRACTION) X(REST_OF_T) X(REST_OF_FUEL)                 \
-        X(REST_OF_HEIGHT) X(MEAN_VALUE_TILT) X(MEAN_VALUE_GROWTH)
+    X(SINE)                                                                                                  \
+    X(TOP_OF_ONE)                                                                                            \
+    X(DETACHED)                                                                                              \
+    X(CORNERS)                                                                                               \
+    X(CONTRACTION) X(REST_OF_T) X(REST_OF_FUEL) X(REST_OF_HEIGHT) X(MEAN_VALUE_TILT) X(MEAN_VALUE_GROWTH)
 
 enum bound {
     ALL_RIGHT,
