@@ -5,7 +5,6 @@
 #include "language/text.h"
 #include "sweeps/sweeps.h"
 #include "tables/csv.h"
-#include "train/falling.h"
 #include <gsl/gsl_cdf.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,25 +69,31 @@ static bool fit_parse(struct reader *r, struct question *q)
 enum { POINTS_MOST = 20000 };
 
 /* The columns of both kinds of files, and then those that only files of times have. */
-enum { GAP, MEASURED, ERROR, DOMINO, DOMINOES, FRAME, RATE, RUN };
+enum { GAP, PITCH, MEASURED, ERROR, SHARE, DOMINO, DOMINOES, FRAME, RATE, RUN };
 
 #define SPEED             "m/s", "m/s, cm/s, mm/s, ft/s", "m/s", "write a speed such as 1.3 m/s"
 #define TIME              "s", "s, ms", "s", "write a time such as 0.12 s"
 #define PLAIN             "", "none", "", "write a plain number"
+#define PERCENT           "", "%", "%", "write a percentage such as 5 %", CSV_ABOVE_0, 1, "more than 0, up to 100 %"
 #define FRAMES            "", "none", "", "write the number of frames per second, such as 240"
-#define GAP_LENGTH        CSV_LENGTH, "write a length such as 9 mm", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"
+#define LENGTH            CSV_LENGTH, "write a length such as 9 mm", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"
 #define UP_TO(most, unit) CSV_ABOVE_0, most, "more than 0, up to " #most unit
 
 static const struct csv_column speed_columns[] = {
-    [GAP] = {"gap", CSV_REQUIRED, GAP_LENGTH},
-    [MEASURED] = {"speed", CSV_REQUIRED, SPEED, UP_TO(3e8, " m/s")},
-    [ERROR] = {"error", CSV_EMPTY, SPEED, UP_TO(3e8, " m/s")},
+    [GAP] = {"gap", CSV_REQUIRED | CSV_ONE_OF_2, LENGTH},
+    [PITCH] = {"pitch", CSV_ONE_OF_2, LENGTH},
+    [MEASURED] = {"speed", CSV_REQUIRED | CSV_REPEATED, SPEED, UP_TO(3e8, " m/s")},
+    [ERROR] = {"error", CSV_EMPTY | CSV_ONE_OF_3, SPEED, UP_TO(3e8, " m/s")},
+    [SHARE] = {"error %", CSV_EMPTY | CSV_ONE_OF_3, PERCENT},
 };
 static const struct csv_column time_columns[] = {
-    [GAP] = {"gap", 0, GAP_LENGTH},
-    [MEASURED] = {"time", CSV_REQUIRED | CSV_ONE_OF | CSV_EMPTY | CSV_BARE, TIME, -1e9, 1e9, "-1e9 .. 1e9 s"},
-    [ERROR] = {"error", CSV_EMPTY, TIME, UP_TO(1e9, " s")},
-    [DOMINO] = {"domino", CSV_WHOLE, PLAIN, 1, 1e6, "1 .. 1e6"},
+    [GAP] = {"gap", CSV_ONE_OF_2, LENGTH},
+    [PITCH] = {"pitch", CSV_ONE_OF_2, LENGTH},
+    [MEASURED] = {"time", CSV_REQUIRED | CSV_ONE_OF | CSV_EMPTY | CSV_BARE | CSV_REPEATED, TIME, -1e9, 1e9,
+                  "-1e9 .. 1e9 s"},
+    [ERROR] = {"error", CSV_EMPTY | CSV_ONE_OF_3, TIME, UP_TO(1e9, " s")},
+    [SHARE] = {"error %", CSV_EMPTY | CSV_ONE_OF_3, PERCENT},
+    [DOMINO] = {"domino", CSV_WHOLE | CSV_EMPTY, PLAIN, 1, 1e6, "1 .. 1e6"},
     [DOMINOES] = {"dominoes", CSV_WHOLE, PLAIN, 2, 1e5, "2 .. 100000"},
     [FRAME] = {"frame", CSV_ONE_OF | CSV_EMPTY, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"},
     [RATE] = {"rate", 0, FRAMES, UP_TO(1e9, "")},
@@ -111,7 +116,7 @@ static const struct csv_kind speeds = {
     .item = "measured row",
     .items = "speeds",
     .names = "gap (mm), speed (m/s), and, if known, error (m/s); or gap (mm), dominoes, time (s); or domino, "
-             "time (s)",
+             "time (s); or, for the hits of a sound, only time (s)",
     .example = "gap (mm), speed (m/s)",
     .otherwise = &times,
 };
@@ -124,7 +129,7 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     const bool known = point.error > 0;
     bool is_new = true;
     if (d->points > 0 && known != d->has_errors)
-        return csv_wrong(&csv->file, csv_cell(csv, ERROR).at,
+        return csv_wrong(&csv->file, csv_cell(csv, csv->column[SHARE] ? SHARE : ERROR).at,
                          "some %s have an error and some have none; give an error to all of them, or to none",
                          csv->kind->items);
     for (size_t k = 0; k < d->runs && is_new; k++) {
@@ -148,7 +153,7 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
         d->run[d->runs++] = (struct fit_run){.number = number, .gap = gap, .first = d->points};
     struct fit_run *run = &d->run[d->runs - 1];
     const struct fit_point *last = run->count > 0 ? &d->point[d->points - 1] : NULL;
-    if (d->kind == FIT_HITS && last && last->domino >= point.domino)
+    if (d->kind == FIT_HITS && last && point.domino > 0 && last->domino >= point.domino)
         return csv_wrong(
             &csv->file, csv_cell(csv, DOMINO).at,
             "domino %zu comes after domino %zu; list the dominoes of a run in the order in which "
@@ -169,15 +174,23 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
 static bool row_add(const struct query *query, struct fit_data *d, struct csv_table *csv, double rate)
 {
     const domq_real *value = csv->value;
-    const struct effect_state *row = &query->scene->effect[DOM_EFFECT_row];
-    struct fit_point point = {.gap = (double)value[GAP],
+    const struct scene *scene = query->scene;
+    const struct effect_state *row = &scene->effect[DOM_EFFECT_row];
+    const domq_real thickness = scene->train.d * scene->scale.h,
+                    gap = csv->column[PITCH] ? value[PITCH] - thickness : value[GAP];
+    struct fit_point point = {.gap = (double)gap,
                               .line = csv->row.at.line,
                               .measured = (double)value[MEASURED],
                               .error = (double)value[ERROR]};
-    if (value[GAP] > query->scene->scale.h)
-        return csv_wrong(&csv->file, csv_cell(csv, GAP).at,
+    if (gap <= 0)
+        return csv_wrong(
+            &csv->file, csv_cell(csv, PITCH).at,
+            "the pitch %s must exceed the thickness of a domino, d h = %s; 'set d' changes the thickness",
+            measured(value[PITCH], "m", 6).text, measured(thickness, "m", 6).text);
+    if (gap > scene->scale.h)
+        return csv_wrong(&csv->file, csv_cell(csv, csv->column[PITCH] ? PITCH : GAP).at,
                          "the gap %s is longer than the domino is tall, h = %s; 'set h' changes this height",
-                         measured(value[GAP], "m", 6).text, measured(query->scene->scale.h, "m", 6).text);
+                         measured(gap, "m", 6).text, measured(scene->scale.h, "m", 6).text);
     if (csv->column[RATE])
         rate = (double)value[RATE];
     if (csv->column[FRAME] && isnan(rate) && !isnan((double)value[FRAME]))
@@ -188,16 +201,27 @@ static bool row_add(const struct query *query, struct fit_data *d, struct csv_ta
         point.measured = (double)value[FRAME] / rate;
     if (isnan(point.measured))
         return true;
-    if (d->kind == FIT_HITS)
+    if (csv->trials > 1 && (csv->column[ERROR] || csv->column[SHARE]))
+        return csv_wrong(&csv->file, csv->head.cell[csv->column[csv->column[SHARE] ? SHARE : ERROR] - 1].at,
+                         "both repeated measurements, whose spread is their error, and a column of errors "
+                         "are given; leave one of them out");
+    if (d->kind == FIT_HITS && (csv->trials > 1 || csv->column[SHARE]))
+        return csv_wrong(&csv->file, csv->head.at,
+                         "hits have one column 'time (s)', and errors in s; number repeated runs in a column "
+                         "'run'; times of whole rows need the columns 'gap (mm)' and 'dominoes'");
+    if (csv->trials > 1) /* the errors are known, apart from the spread */
+        point.error = point.measured / sqrt(csv->repeated);
+    else if (csv->column[SHARE])
+        point.error = (double)value[SHARE] * point.measured;
+    if (d->kind == FIT_HITS && !isnan((double)value[DOMINO]))
         point.domino = (size_t)value[DOMINO];
     else if (d->kind == FIT_TOTALS && csv->column[DOMINOES])
         point.domino = (size_t)value[DOMINOES];
-    else if (d->kind == FIT_TOTALS && row->on && !query->scene->listed.domino)
+    else if (d->kind == FIT_TOTALS && row->on && !scene->listed.domino)
         point.domino = (size_t)row->value[0];
-    if (d->kind == FIT_TOTALS && !csv->column[GAP])
+    if (d->kind == FIT_TOTALS && isnan(point.gap))
         return csv_wrong(&csv->file, csv->head.at,
-                         "which domino is hit at each time? Add a column 'domino', or, if these are times of "
-                         "whole rows, the columns 'gap (mm)' and 'dominoes'");
+                         "how wide were the gaps of these rows? Add a column 'gap (mm)' or 'pitch (mm)'");
     if (d->kind == FIT_TOTALS && point.domino == 0)
         return csv_wrong(&csv->file, csv->head.at,
                          "how many dominoes fell in this time? Add a column 'dominoes', or enter, for "
@@ -214,9 +238,21 @@ static bool fit_read(const struct query *query, const char *name, double rate, s
 {
     *data = (struct fit_data){.points = 0};
     struct csv_table *csv = csv_named(query->scene, query->run_context, name, &speeds, problem);
-    if (csv)
-        data->kind = csv->kind == &speeds ? FIT_SPEEDS : csv->column[DOMINO] ? FIT_HITS : FIT_TOTALS;
+    if (csv) {
+        const int *column = csv->column;
+        const bool of_rows = !column[DOMINO] && (column[GAP] || column[PITCH] || column[DOMINOES]);
+        data->kind = csv->kind == &speeds ? FIT_SPEEDS : of_rows ? FIT_TOTALS : FIT_HITS;
+        data->has_pitch = column[PITCH];
+    }
     while (csv && csv_next(csv) && row_add(query, data, csv, rate)) {
+    }
+    /* Single lines have too few trials to tell how large their errors are, so all lines share one relative
+     * spread. */
+    if (csv && csv->trials > 1) {
+        data->has_errors = csv->squares > 0;
+        data->spread = data->has_errors ? sqrt((double)csv->squares / csv->freedom) : 0;
+        for (size_t k = 0; k < data->points; k++)
+            data->point[k].error *= data->spread;
     }
     return csv_end(csv, problem);
 }
@@ -380,6 +416,12 @@ static void residuals_say(struct answer *a, const struct fit *f)
         answer_say(
             a, "The measured times drift away from the model's times, as they do if the gaps of a row are "
                "not all equal. The fit and the table therefore compare the times between successive hits.");
+    else if (f->data.spread > 0)
+        answer_say(a,
+                   "Each line is the mean of its trials. Single trials differ from their mean by %s, and the "
+                   "mean of n trials has this error divided by sqrt(n)%s.",
+                   measured((domq_real)f->data.spread, "share", 2).text,
+                   f->reduced_chi_squared > 2 ? ", which is smaller than the residuals" : "");
     else if (f->data.has_errors)
         answer_say(a, "The measurements are weighted by their errors%s.",
                    f->reduced_chi_squared > 2 ? ", which are smaller than the residuals" : "");
@@ -402,7 +444,15 @@ bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
     for (int i = 0; i < given->count; i++)
         f->unknown[i].parameter = given->parameter[i];
     const double rate = query->given->count > 2 ? (double)query->given->number[2] : (double)NAN;
-    if (!fit_read(query, query->given->word[1], rate, &f->data, problem) || !fit_solve(f, problem))
+    if (!fit_read(query, query->given->word[1], rate, &f->data, problem))
+        return false;
+    for (int i = 0; i < f->unknowns && f->data.has_pitch; i++)
+        if (names_index("d,h", ',', f->unknown[i].parameter->name) >= 0)
+            return problem_no_answer(problem,
+                                     "%s has pitches, from which the gaps follow only if the thickness is "
+                                     "known; measure gaps to fit the size of a domino",
+                                     shown);
+    if (!fit_number(f, problem) || !fit_solve(f, problem))
         return false;
     for (int i = 0; i < f->unknowns; i++)
         if (f->unknown[i].deviation == HUGE_VAL)
@@ -445,15 +495,19 @@ static const struct command fit_commands[] = {
      .summary = "the parameters that explain measurements best",
      .help =
          "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
-         "'friction, push'. FILE is a csv file of one of three kinds. In a file with 'gap (mm)' and 'speed "
+         "'friction, push'. FILE is a csv file of one of four kinds. In a file with 'gap (mm)' and 'speed "
          "(m/s)', each line has the speed of one row of equal dominoes. With 'gap (mm)', 'dominoes' and "
          "'time (s)', each line has the time that a row of that many equal dominoes takes to fall: from the "
          "push or the release or, without these, from the first hit, until the last one lies on the floor. "
          "The columns 'domino' and 'time (s)' (or 'frame') say when each domino of the row is hit, as a "
-         "camera shows it.\n\n"
-         "FPS is the number of frames per second; a column 'rate' can give this number instead. A column "
-         "'run' numbers several runs, each with its own clock. A column 'gap (mm)' gives the gap of each "
-         "run. A column 'error' gives the standard errors. Repeated measurements are lines of their own.\n\n"
+         "camera shows it. A file with only 'time (s)' has the hits of a sound, some of which may be "
+         "missing: "
+         "the first is that of domino 2, and the others are numbered by a run of the session's row.\n\n"
+         "A 'pitch', from front face to front face, can take the place of the gap. FPS is the number of "
+         "frames per second; a column 'rate' can give this number instead. A column 'run' numbers several "
+         "runs, each with its own clock. A column 'gap (mm)' gives the gap of each run. A column 'error' "
+         "gives the standard errors, for speeds and rows also 'error (%)'. Columns 'speed 1', 'speed 2', or "
+         "'trial 1 (s)', 'trial 2 (s)', have repeated measurements, whose spread is their error.\n\n"
          "Hits are those of the row of 'set row' or, without it, of a row with the growth r. Each residual "
          "is divided by its error, and 'fit' finds the values with the smallest sum of squares. It also "
          "finds their standard deviations and correlations. 'plot fit ... > fit.svg' (or .png, .pdf) draws "

@@ -6,14 +6,16 @@
  *     gap (mm), speed (m/s)          the speed of the front in a row of equal dominoes
  *     gap (mm), dominoes, time (s)   how long a row of equal dominoes takes to fall
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
+ *     time (s)                       when dominoes are hit, as a microphone hears some of them
  *
- * fit.c reads the file and writes the answer, fit_solve.c finds the smallest sum of squares, and
- * pictures/fit_chart.c draws it.
+ * fit.c reads the file and writes the answer, fit_sound.c numbers the hits of a sound, fit_solve.c finds the
+ * smallest sum of squares, and fit_chart.c draws it.
  */
 #ifndef FIT_H
 #define FIT_H
 
 #include "interpreter/question.h"
+#include "train/falling.h"
 
 enum { FIT_UNKNOWNS = 4 };
 
@@ -21,10 +23,12 @@ enum fit_kind { FIT_SPEEDS, FIT_HITS, FIT_TOTALS };
 
 /* One measurement, in SI units. */
 struct fit_point {
-    size_t run;    /* index of the run to which the measurement belongs */
-    double gap;    /* for a speed or a total time: the gap of the row */
-    size_t domino; /* for a hit: the number of the domino; for a total time: how many dominoes the row has */
-    long line;     /* the line of the file */
+    size_t run; /* index of the run to which the measurement belongs */
+    double gap; /* for a speed or a total time: the gap of the row */
+    /* for a hit: the number of the domino, or 0 until it is known; for a total time: how many dominoes the
+     * row has */
+    size_t domino;
+    long line;       /* the line of the file */
     double measured; /* a speed, or a time; the time of a hit is on the clock of its run */
     double error;    /* the standard error of `measured`, or NaN if it is not known */
 };
@@ -43,6 +47,10 @@ struct fit_data {
     struct fit_run *run;
     size_t points, runs;
     bool has_errors; /* true if the errors of all measurements are known */
+    bool has_pitch;  /* true if the file has pitches instead of gaps */
+    /* The spread of repeated measurements: the root mean square of their deviations, divided by their means,
+     * or 0 if there are none. */
+    double spread;
     /* for hits: true to compare the intervals between successive hits instead of the times of hits */
     bool intervals;
 };
@@ -81,6 +89,15 @@ static inline bool fit_is_first(const struct fit *fit, size_t k)
 {
     return k == fit->data.run[fit->data.point[k].run].first;
 }
+
+/* Runs the row of a run of hits: that of the session or, if it has none, one as long as the run, up to domino
+ * `dominoes`. The unknowns have the values `value` or, if it is NULL, those of the session. Call row_run_free
+ * afterwards. On failure, sets fit->problem, and nothing needs to be freed. */
+bool fit_row(struct fit *fit, const double *value, const struct fit_run *run, size_t dominoes,
+             struct row_run *row);
+
+/* Numbers the dominoes of all hits that have no number. */
+bool fit_number(struct fit *fit, struct problem *problem);
 
 /* Finds the values of the unknowns for which the sum of squares is smallest. Also finds their standard
  * deviations and correlations. */

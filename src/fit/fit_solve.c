@@ -4,7 +4,6 @@
  */
 #include "fit/fit.h"
 #include "language/names.h"
-#include "train/falling.h"
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
@@ -26,9 +25,9 @@ struct trial {
     struct query query;
 };
 
-/* Makes a scene with these values of the unknowns. The scene has a row of `dominoes` dominoes, or that of the
- * session if `dominoes` is 0. Their gap is that of the session if `gap` is NaN. If the measurements are those
- * of rows, all dominoes are equal. */
+/* Makes a scene with these values of the unknowns, or those of the session if `value` is NULL. The scene has
+ * a row of `dominoes` dominoes, or that of the session if `dominoes` is 0. Their gap is that of the session
+ * if `gap` is NaN. If the measurements are those of rows, all dominoes are equal. */
 static bool trial_make(struct fit *f, const double *value, size_t dominoes, double gap, struct trial *t)
 {
     struct assigned assigned[FIT_UNKNOWNS + 3];
@@ -45,7 +44,7 @@ static bool trial_make(struct fit *f, const double *value, size_t dominoes, doub
     if (!isnan(gap))
         assigned[count++] =
             (struct assigned){.parameter = parameter_find("s"), .length = {.m = (domq_real)gap}};
-    for (int i = 0; i < f->unknowns; i++)
+    for (int i = 0; i < f->unknowns && value; i++)
         assigned[count++] =
             (struct assigned){.parameter = f->unknown[i].parameter, .value = (domq_real)value[i]};
     return query_with(f->query, assigned, count, &t->state, &t->query, &f->problem);
@@ -94,16 +93,27 @@ static bool totals_compute(struct fit *f, const double *value)
     return true;
 }
 
-/* Fills in the times of the hits of a run, in the row of the session or, if there is none, in one as long as
- * the run. Shifts the times so that the sum of the squared residuals is smallest. */
+bool fit_row(struct fit *f, const double *value, const struct fit_run *run, size_t dominoes,
+             struct row_run *row)
+{
+    const bool has_row = f->query->scene->effect[DOM_EFFECT_row].on;
+    struct trial t;
+    if (!trial_make(f, value, has_row ? 0 : dominoes + 1, run->gap, &t) ||
+        !row_run(&t.query, &f->problem, true, row))
+        return false;
+    if (!row->timeless)
+        return true;
+    row_run_free(row);
+    return row_status(&t.query, &f->problem, DOM_NO_MARGIN);
+}
+
+/* Fills in the times of the hits of a run. Shifts the times so that the sum of the squared residuals is
+ * smallest. */
 static bool hits_compute(struct fit *f, const double *value, const struct fit_run *run)
 {
     const size_t end = run->first + run->count, dominoes = f->data.point[end - 1].domino;
-    const bool has_row = f->query->scene->effect[DOM_EFFECT_row].on;
-    struct trial t;
     struct row_run row;
-    if (!trial_make(f, value, has_row ? 0 : dominoes + 1, run->gap, &t) ||
-        !row_run(&t.query, &f->problem, true, &row))
+    if (!fit_row(f, value, run, dominoes, &row))
         return false;
     double sum = 0, weights = 0;
     bool done = true;
@@ -119,10 +129,8 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
     for (size_t k = run->first; k < end; k++)
         f->computed[k] += sum / weights;
     const size_t last = row.verdict.domino;
-    const bool falls = row.verdict.end == DOM_ROW_FALLS, timeless = row.timeless;
+    const bool falls = row.verdict.end == DOM_ROW_FALLS;
     row_run_free(&row);
-    if (timeless)
-        return row_status(&t.query, &f->problem, DOM_NO_MARGIN);
     if (!done && last < dominoes && falls)
         return problem_no_answer(
             &f->problem,

@@ -15,6 +15,8 @@
  *   make no difference.
  * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm", "height_mm",
  *   "height/mm" or "height in mm".
+ * - A measurement may have several columns, such as "speed 1 (m/s)" and "speed 2 (m/s)", or "trial 1 (m/s)"
+ *   and "trial 2 (m/s)". Its value is then their mean. A column "average speed" is not used beside them.
  * - A cell is an expression. A cell that contains only a dash counts as empty. If a cell has a unit, the unit
  *   of the column does not apply to the cell.
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
@@ -96,6 +98,10 @@ enum {
     CSV_BARE = 16,     /* a number without a unit is in the SI unit of the column */
     CSV_ONE_OF = 32,   /* at most one of the columns with this property may occur, and one must occur if any
                           of them is required */
+    CSV_ONE_OF_2 = 64, /* the same for two other groups of columns */
+    CSV_ONE_OF_3 = 128,
+    CSV_GROUPS = CSV_ONE_OF | CSV_ONE_OF_2 | CSV_ONE_OF_3,
+    CSV_REPEATED = 256, /* the column may occur several times; at most one column has this property */
 };
 
 /* A column that a kind of table may have. */
@@ -144,7 +150,14 @@ struct csv_table {
     int column[CSV_COLUMNS_MOST];
     /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives none. */
     domq_real unit[CSV_COLUMNS_MOST];
-    domq_real value[CSV_COLUMNS_MOST];      /* the values of the current row, in SI units, or NaN */
+    domq_real value[CSV_COLUMNS_MOST]; /* the values of the current row, in SI units, or NaN */
+    int trials;                        /* how many columns the repeated measurement has */
+    bool is_trial[CSV_CELLS_MOST];     /* true for each of them */
+    int repeated;                      /* how many of their cells are not empty in the current row */
+    /* The sum of the squares of their deviations from their mean, each divided by the mean, over all rows so
+     * far, and how many of these cells there are beyond the first of each row. */
+    domq_real squares;
+    int freedom;
     bool other[CSV_CELLS_MOST];             /* true for each unknown column of the file */
     const volatile sig_atomic_t *interrupt; /* once this flag is raised, no more rows are read; may be NULL */
     /* the names of the unknown columns of the file, except columns of notes */

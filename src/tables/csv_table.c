@@ -48,12 +48,19 @@ static const char *const column_words[] = {
     "domino,#,nr,nr.,no,no.,number,domino #,domino nr,domino no,domino no.,nummer,stein,steen,numero",
     ("time,t,times,hit,zeit,tijd,temps,total time,total,gesamtzeit,totale tijd,temps total,"
      "duration,dauer,duur,duree"),
-    ("speed,velocity,v,average speed,geschwindigkeit,durchschnittsgeschwindigkeit,snelheid,vitesse"),
+    "speed,velocity,v,geschwindigkeit,durchschnittsgeschwindigkeit,snelheid,vitesse",
     "frame,frames,frame number,step,bild,beeld,image",
     "rate,frame rate,framerate,fps",
     "run,trial,video,versuch,proef,essai",
+    "error %,relative error,relativer fehler",
     "error,errors,sigma,uncertainty,time error,speed error,fehler,fout,erreur",
 };
+enum { COLUMN_WORDS = sizeof column_words / sizeof *column_words };
+
+/* Words of headings that number a trial, or that say that a value is the mean of several trials. */
+static const char trial_words[] = "trial,run,test,try,no,nr,versuch,messung,proef,meting,essai,mesure",
+                  average_words[] = "average,avg,mean,mittlere,durchschnittliche,mittel,gemiddelde,moyenne,"
+                                    "moyen,durchschnittsgeschwindigkeit";
 
 /* Copies a name in lower case, without accents, and with one blank between words. */
 static void name_fold(const char *text, size_t length, char name[NAMES_SHOWN])
@@ -75,6 +82,15 @@ static void name_fold(const char *text, size_t length, char name[NAMES_SHOWN])
     name[n] = '\0';
 }
 
+/* Returns true for a unit such as "%", "(percent)" or "[per cent]". */
+static bool is_percent(const char *text)
+{
+    char unit[NAMES_SHOWN];
+    const char *inside = text + strspn(text, " ([");
+    name_fold(inside, strcspn(inside, ")]"), unit);
+    return names_index("%,percent,per cent,pct,prozent", ',', unit) >= 0;
+}
+
 /* Splits the heading of a column into a name, which is folded, and a unit, which is returned. The unit
  * follows a bracket or a comma, as in "height (mm)", or it is the last word, as in "height in mm", or it
  * follows a
@@ -86,7 +102,7 @@ static const char *heading_split(const char *text, char name[NAMES_SHOWN])
     while (word > 0 && !isspace((unsigned char)text[word - 1]) && text[word - 1] != '_')
         word--;
     const char *slash = strchr(text, '/');
-    if (text[length] == '\0' && word > 0 && unit_copy(text + word, unit))
+    if (text[length] == '\0' && word > 0 && (unit_copy(text + word, unit) || is_percent(text + word)))
         length = word;
     else if (text[length] == '\0' && slash && unit_copy(slash + 1, unit))
         length = (size_t)(slash - text);
@@ -94,23 +110,65 @@ static const char *heading_split(const char *text, char name[NAMES_SHOWN])
     size_t n = strlen(name);
     if (n > 3 && strcmp(name + n - 3, " in") == 0)
         name[n - 3] = '\0';
-    return text + length + strspn(text + length, " \t\n,/");
+    text += length + strspn(text + length, " \t\n,/");
+    if (is_percent(text) && names_index(column_words[COLUMN_WORDS - 1], ',', name) >= 0)
+        snprintf(name, NAMES_SHOWN, "error %%");
+    return text;
 }
 
-/* Finds the column of a kind that a file calls by this folded name. Returns kind->columns if there is no such
- * column. */
-static int column_find(const struct csv_kind *kind, const char *name)
+/* Returns true if a file may call the column by this folded name. */
+static bool column_has(const struct csv_column *column, const char *name)
 {
-    for (int k = 0; k < kind->columns; k++) {
-        const char *column = kind->column[k].name;
-        bool found = strcmp(column, name) == 0;
-        for (size_t i = 0; i < sizeof column_words / sizeof *column_words && !found; i++)
-            found =
-                names_index(column_words[i], ',', column) == 0 && names_index(column_words[i], ',', name) > 0;
-        if (found)
-            return k;
+    bool found = strcmp(column->name, name) == 0;
+    for (int i = 0; i < COLUMN_WORDS && !found; i++)
+        found = names_index(column_words[i], ',', column->name) == 0 &&
+                names_index(column_words[i], ',', name) > 0;
+    return found;
+}
+
+/* The heading of a column. */
+struct heading {
+    char name[NAMES_SHOWN]; /* folded */
+    const char *unit;       /* "" if there is none */
+    int column;             /* the column of the kind, or kind->columns if there is no such column */
+    bool is_several;        /* true if this column may occur several times */
+    bool is_average;        /* true if the heading says so, as in "mean speed" */
+};
+
+/* Reads the heading of a column. The headings of trials are such as "speed 2", "v2", "speed trial 2" or, if
+ * the unit is one of those of the column, "trial 2 (m/s)". */
+static struct heading heading_of(const struct csv_kind *kind, const char *text)
+{
+    char rest[NAMES_SHOWN] = "", unit[UNIT];
+    struct heading h = {.column = 0};
+    bool found = false, is_trial = false;
+    h.unit = heading_split(text, h.name);
+    for (const char *word = h.name; *word; word += strspn(word, " ")) {
+        char copy[NAMES_SHOWN];
+        const size_t all = strcspn(word, " ");
+        size_t length = all;
+        while (length > 0 && strchr("#0123456789", word[length - 1]))
+            length--;
+        snprintf(copy, sizeof copy, "%.*s", (int)length, word);
+        const bool trial = names_index(trial_words, ',', copy) >= 0,
+                   average = names_index(average_words, ',', copy) >= 0;
+        is_trial = is_trial || trial || length < all;
+        h.is_average = h.is_average || average;
+        if (*copy && !trial && !average)
+            text_add(rest, sizeof rest, "%s%s", *rest ? " " : "", copy);
+        word += all;
     }
-    return kind->columns;
+    for (; h.column < kind->columns && !found; h.column += !found) {
+        const struct csv_column *c = &kind->column[h.column];
+        h.is_several = c->traits & CSV_REPEATED;
+        found = column_has(c, h.name);
+        if (!found && h.is_several && (is_trial || h.is_average))
+            found = *rest ? column_has(c, rest)
+                          : unit_copy(h.unit, unit) &&
+                                quantity_alike(expression_unit(unit), expression_unit(c->unit));
+    }
+    h.is_several = found && h.is_several;
+    return h;
 }
 
 struct csv_cell csv_cell(const struct csv_table *csv, int k)
@@ -131,12 +189,20 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
 {
     char unit[UNIT];
     const struct csv_column *c = &csv->kind->column[k];
+    if (strchr(c->name, '%') && is_percent(text)) {
+        csv->unit[k] = (domq_real)1 / 100;
+        return true;
+    }
     const bool known = unit_copy(text, unit) && *c->unit;
     const struct quantity q = expression_unit(unit);
     const char *shown = names_shown(text);
     if (!known || !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, at, "'%s' is not a unit of %s; its units are: %s", shown, c->name,
                          c->units);
+    if (csv->unit[k] > 0 && csv->unit[k] != q.value)
+        return csv_wrong(&csv->file, at,
+                         "'%s' differs from the unit of %s before; use one unit in all its columns", shown,
+                         c->name);
     csv->unit[k] = q.value;
     return true;
 }
@@ -151,21 +217,26 @@ static const char *column_names(const void *context, int k)
  * NULL. */
 static const char *columns_find(struct csv_table *csv, const struct csv_kind *kind)
 {
-    char name[NAMES_SHOWN];
     const char *missing = NULL;
-    bool one_of = false;
+    unsigned found = 0;
     memset(csv->column, 0, sizeof csv->column);
+    csv->trials = 0;
+    for (int i = 0; i < csv->head.cells; i++) {
+        const struct heading h = heading_of(kind, csv->head.cell[i].text);
+        csv->trials += h.is_several && !h.is_average;
+    }
     for (int i = csv->head.cells - 1; i >= 0; i--) {
-        heading_split(csv->head.cell[i].text, name);
-        const int k = column_find(kind, name);
-        csv->other[i] = k == kind->columns;
-        if (k < kind->columns)
-            csv->column[k] = i + 1;
-        one_of = one_of || (k < kind->columns && kind->column[k].traits & CSV_ONE_OF);
+        const struct heading h = heading_of(kind, csv->head.cell[i].text);
+        csv->other[i] = h.column == kind->columns || (h.is_several && h.is_average && csv->trials > 0);
+        csv->is_trial[i] = !csv->other[i] && h.is_several && !h.is_average;
+        if (!csv->other[i]) {
+            csv->column[h.column] = i + 1;
+            found |= kind->column[h.column].traits & CSV_GROUPS;
+        }
     }
     for (int k = kind->columns - 1; k >= 0; k--) {
         const unsigned traits = kind->column[k].traits;
-        if (traits & CSV_REQUIRED && csv->column[k] == 0 && !(traits & CSV_ONE_OF && one_of))
+        if (traits & CSV_REQUIRED && csv->column[k] == 0 && !(traits & found))
             missing = kind->column[k].name;
     }
     return missing;
@@ -197,15 +268,16 @@ static bool heading_read(struct csv_table *csv, int i)
     const struct csv_kind *kind = csv->kind;
     const char *text = csv->head.cell[i].text, *close;
     const struct csv_place at = csv->head.cell[i].at;
-    char name[NAMES_SHOWN];
-    const char *unit = heading_split(text, name);
-    const int k = column_find(kind, name);
+    const struct heading h = heading_of(kind, text);
+    const char *name = h.name;
+    const int k = h.column;
     if (isdigit((unsigned char)*text) || *text == '.')
         return csv_wrong(&csv->file, at,
                          "the first line has a number, but must name the columns: write '%s' above it",
                          kind->example);
     if (csv->other[i]) {
-        if (names_index(",note,notes,comment,comments,remark,notiz,bemerkung,opmerking,remarque", ',',
+        if (k < kind->columns ||
+            names_index(",note,notes,comment,comments,remark,notiz,bemerkung,opmerking,remarque", ',',
                         name) >= 0)
             return true;
         if ((close = names_closest(column_names, kind, name)) != NULL)
@@ -213,15 +285,19 @@ static bool heading_read(struct csv_table *csv, int i)
         text_add(csv->unused, sizeof csv->unused, "%s'%.40s'", *csv->unused ? ", " : "", names_shown(text));
         return true;
     }
-    for (int other = 0; other < k && kind->column[k].traits & CSV_ONE_OF; other++)
-        if (kind->column[other].traits & CSV_ONE_OF && csv->column[other] > 0)
+    for (int other = 0; other < k; other++)
+        if (kind->column[other].traits & kind->column[k].traits & CSV_GROUPS && csv->column[other] > 0)
             return csv_wrong(&csv->file, at, "both %s and %s are given; leave one of these columns out",
                              kind->column[other].name, kind->column[k].name);
-    if (csv->column[k] != i + 1)
+    if (csv->trials == 1 && csv->is_trial[i] && strpbrk(name, "#0123456789"))
+        return csv_wrong(&csv->file, at,
+                         "'%s' is the only trial; add the column of another one, or call this one '%s'", name,
+                         kind->column[k].name);
+    if (csv->column[k] != i + 1 && !csv->is_trial[i])
         return csv_wrong(&csv->file, at,
                          "column name '%s' stands for the %s, but so does column %d; rename one of the two",
                          name, kind->column[k].name, csv->column[k]);
-    return *unit == '\0' || unit_read(csv, k, unit, at);
+    return *h.unit == '\0' || unit_read(csv, k, h.unit, at);
 }
 
 static bool head_read(struct csv_table *csv)
@@ -317,9 +393,11 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     bool bare = quantity_is_number(q);
     if (!bare && !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q), c->advice);
-    if (*c->unit && strchr(text->line, '%'))
+    const bool percent = strchr(text->line, '%');
+    if (*c->unit && percent)
         return csv_wrong(&csv->file, cell, "%s: this is a percentage; %s", c->name, c->advice);
-    const domq_real unit = csv->unit[k] > 0 ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
+    const domq_real unit =
+        csv->unit[k] > 0 && !percent ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
     /* The number cannot be read as if it were in m, because a file with heights of 48 is probably in mm. */
     char here[64] = "";
     shown = names_shown(text->line);
@@ -359,7 +437,8 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
 
 /* ---- Rows ---- */
 
-static bool value_read(struct csv_table *csv, int k)
+/* Reads the cell of column k. */
+static bool cell_read(struct csv_table *csv, int k)
 {
     const struct csv_column *c = &csv->kind->column[k];
     const char *typed = csv_cell(csv, k).text;
@@ -379,6 +458,33 @@ static bool value_read(struct csv_table *csv, int k)
     bool good = csv_marks_read(&csv->file, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
                 (unused || csv_check(csv, k, csv->value[k]));
     text_free(&text);
+    return good;
+}
+
+/* Reads column k. If it has several trials, some of them may be empty, and the value is the mean of the
+ * others. */
+static bool value_read(struct csv_table *csv, int k)
+{
+    const int first = csv->column[k];
+    domq_real mean = 0, squares = 0;
+    bool good = true;
+    if (!(csv->kind->column[k].traits & CSV_REPEATED) || csv->trials < 2)
+        return cell_read(csv, k);
+    csv->repeated = 0;
+    for (int i = 0; i < csv->row.cells && good; i++)
+        if (csv->is_trial[i] && !is_empty(csv->row.cell[i].text)) {
+            csv->column[k] = i + 1; /* the cell that is read now */
+            good = cell_read(csv, k);
+            const domq_real away = csv->value[k] - mean;
+            mean += away / ++csv->repeated;
+            squares += away * (csv->value[k] - mean);
+        }
+    csv->column[k] = first;
+    if (csv->repeated == 0)
+        return cell_read(csv, k);
+    csv->value[k] = mean;
+    csv->squares += squares / (mean * mean);
+    csv->freedom += csv->repeated - 1;
     return good;
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fit: parameters from measured speeds, times of rows, and times of hits.
+# Fit: parameters from measured speeds, times of rows, and times of hits, by camera or by sound.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load ../shell/common
@@ -79,14 +79,12 @@ END
     printf 'domino, time (s)\n2, 0.1\n2, 0.2\n' >twice.csv
     printf 'domino, time (s)\n1, 0.2\n2, 0.1\n' >back.csv
     printf 'domino, place (m)\n1, 0.2\n2, 0.1\n' >timeless.csv
-    printf 'time (s)\n0.1\n0.2\n' >clicks.csv
     printf 'domino, time (s), frame\n1, 0.1, 3\n' >two.csv
     wrong 'fit friction frames.csv' 'frames.csv:2:4: frames need a frame rate: enter .fit ... FILE 240.'
     wrong 'fit friction mixed.csv' 'mixed.csv:4:9: the lines of run 1 are interrupted by another run'
     wrong 'fit friction twice.csv' 'twice.csv:3:1: domino 2 comes after domino 2'
     wrong 'fit friction back.csv' 'back.csv:3:1: the time 0.1 s is not later than 0.2 s'
     wrong 'fit friction timeless.csv' "timeless.csv:1:1: the column 'gap' is missing; the first line must name .* domino, time \(s\)"
-    wrong 'fit friction clicks.csv' "clicks.csv:1:1: which domino is hit at each time\? Add a column 'domino'"
     wrong 'fit friction two.csv' 'two.csv:1:19: both time and frame are given; leave one of these columns out'
     wrong 'fit friction, push frames.csv 240' '3 measurements are too few for 2 unknowns and the start time of each run'
     wrong 'effect row 2; effect push 5; fit friction frames.csv 240' 'domino 3 was measured in run 1, but the row has only 2 dominoes'
@@ -182,7 +180,9 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     awk 'BEGIN { print "gap (mm),dominoes,time (s)" } { print $1 "," $2 "," $3 }' totals >plain.csv
     awk 'BEGIN { print "Abstand [cm];Anzahl;Gesamtzeit (s);Fehler (ms)" } { printf "%g;%d;%s;2,5\n", $1/10, $2, $3 }' totals | sed 's/\./,/g' >german.csv
     awk 'BEGIN { print "Spacing (in),n,Total time (ms)" } { printf "%.12g,%d,%.9f\n", $1/25.4, $2, 1000*$3 }' totals >inches.csv
-    for file in plain german inches; do
+    awk 'BEGIN { print "pitch (mm),dominoes,time (s),error (%)" } { print $1 + 7 "," $2 "," $3 ",2" }' totals >pitch.csv
+    awk 'BEGIN { print "gap (mm),n,Trial 1 (s),Trial 2 (s),Trial 3 (s),Average time (s)" } { printf "%d,%d,%.9f,%.9f,,99\n", $1, $2, 0.98*$3, 1.02*$3 }' totals >trials.csv
+    for file in plain german inches pitch trials; do
         close "$file: push" 5 "$(json "$block set push 4; fit push $file.csv" | values push | head -n 1)" 1e-6
     done
     # Without the column, 'set row' says how many dominoes fell.
@@ -193,6 +193,73 @@ block='set h 44 mm; set d 7 mm; set r 1; '
     wrong "$block fit friction plain.csv" "plain.csv:2: 15 dominoes with gaps of 1 cm fell in .* s, but in the scene the fall ends at domino 2; if the row was pushed, 'set push' to about its speed, or fit push as well"
     printf 'domino,time (s)\n2,0.1\n3,0.2\n5,0.3\n6,0.4\n' >hits.csv
     wrong "$block set row 6; set push 0.1; fit friction hits.csv" "the fall ends at domino 1: 'fall' shows why; if the row was pushed, 'set push' to about its speed"
+    wrong "$block set d 17 mm; set push 4; fit push pitch.csv" "pitch.csv:2:1: the pitch 1.7 cm must exceed the thickness of a domino, d h = 1.7 cm"
+    wrong "$block set push 4; fit d pitch.csv" 'pitch.csv has pitches, from which the gaps follow only if the thickness is known'
     sed 's/,0\.[0-9]*$/,-1/' plain.csv >negative.csv
     wrong "$block set push 4; fit push negative.csv" 'negative.csv:2:7: the time in which a row falls must be more than 0'
+}
+
+@test "errors in per cent, trials in columns of their own, and averages" {
+    printf 'gap (mm),speed (m/s),error (m/s)\n9,1.3,0.026\n15,1.1,0.022\n21,1.05,0.021\n' >plain.csv
+    printf 'gap (cm);Average speed (cm/s);error (%%)\n0,9;130;2\n1,5;110;2 %%\n2,1;105;2\n' >share.csv
+    sed '1s/(%)/[per cent]/' share.csv >words.csv
+    printf 'Gap in cm,Mean velocity (mm/s),Relative error\n0.9,1300,0.02\n1.5,1100,2 %%\n2.1,1050,2 %%\n' >relative.csv
+    # The deviations are +-3 %, +-1 % and +-2 %, in 6 trials at 3 gaps: the spread is sqrt(28/3) %, and a mean of two has
+    # the error sqrt(14/3) %.
+    printf 'gap (mm),speed 1 (cm/s),speed 2 (cm/s),average speed (m/s)\n9,133.9,126.1,77\n15,108.9,111.1,77\n21,107.1,102.9,77\n' >trials.csv
+    sed '1s/.*/gap (mm),v1 (cm\/s),v2 (cm\/s),mean/' trials.csv >letters.csv
+    sed '1s/.*/gap (mm),Trial 1 (cm\/s),Trial #2 (cm\/s),Average/' trials.csv >numbers.csv
+    sed '1s/.*/gap (mm),speed (cm\/s),speed (cm\/s),Durchschnittsgeschwindigkeit (cm\/s)/' trials.csv >alike.csv
+    awk 'BEGIN { print "gap (mm),speed (m/s),error (m/s)"; e = sqrt(14/3)/100; print "9,1.3," 1.3*e; print "15,1.1," 1.1*e; print "21,1.05," 1.05*e }' >spread.csv
+    while read -r expected files; do
+        for file in $expected $files; do
+            json "set r 1; set d 7.5/48; fit friction $file.csv" | head -n 1 | jq -r '.friction, .friction_sd' >"$file"
+            close "$file: friction" "$(head -n 1 "$expected")" "$(head -n 1 "$file")" 1e-5
+            close "$file: its error" "$(tail -n 1 "$expected")" "$(tail -n 1 "$file")" 1e-4
+        done
+    done <<<$'plain share words relative\nspread trials letters numbers alike'
+    "$DOMINO" -e 'set r 1; set d 7.5/48; fit friction trials.csv' | grep -qF 'Single trials differ from their mean by 3.1 %'
+    while IFS='|' read -r message head row; do
+        printf '%s\n%s\n' "$head" "$row" >wrong.csv
+        wrong 'set r 1; fit friction wrong.csv' "wrong.csv:$message"
+    done <<'END'
+1:10: both gap and pitch are given; leave one of these columns out|gap (mm),pitch (mm),n,time (s)|10,17,20,0.6
+1:28: both error and error % are given; leave one|gap (mm), speed (m/s), m,  error (%), error (m/s)|9, 1.3, 1, 2, 0.1
+1:31: both repeated measurements, whose spread is their error, and a column of errors are given|gap (mm), v1 (m/s), v2 (m/s), error (%)|9, 1.3, 1.2, 2
+1:11: 'trial 1' is the only trial; add the column of another one, or call this one 'speed'|gap (mm), trial 1 (m/s), average (m/s)|9, 1.3, 1.3
+1:25: .\(m/s\). differs from the unit of speed before; use one unit in all its columns|gap (mm), v1 (cm/s),    v2 (m/s)|9, 130, 1.2
+1:1: hits have one column 'time \(s\)', and errors in s; number repeated runs in a column 'run'|time 1 (s), time 2 (s)|0.1, 0.2
+2:7: speed is missing|gap (mm), v1 (m/s), v2 (m/s)|9,    , -
+2:9: error: this is a percentage; write a speed such as 1.3 m/s|gap (mm), speed (m/s), error (m/s)|9, 1.3, 2 %
+2:9: error % = 2 is too large; the range of error % is more than 0, up to 100 %|gap (mm), speed (m/s), relative error|9, 1.3, 2
+END
+}
+
+# bats test_tags=rows
+@test "hits by sound are numbered, although some are missing" {
+    # The times in ms on the clock of the recorder, with errors of up to 5 % of an interval, without dominoes 5, 9, 10, 17.
+    row_times 26 0.018 | head -n 25 | awk 'BEGIN { srand(3); print "time (ms)" }
+        { n++; shift = 0.002*(rand() - 0.5) } n != 4 && n != 8 && n != 9 && n != 16 { printf "%.3f\n", 1000*($1 + 7 + shift) }' >sound.csv
+    numbers=$(seq 2 26 | grep -vxE '5|9|10|17' | paste -sd ' ')
+    hits() { json "$block set s 18 mm; set push $2; fit push $1.csv" | jq -r "select(.run).domino" | paste -sd ' '; }
+    same 'with the right push' "$numbers" "$(hits sound 5)"
+    same 'with another push' "$numbers" "$(hits sound 4)"
+    awk -v push="$(json "$block set s 18 mm; set push 4; fit push sound.csv" | values push | head -n 1)" 'BEGIN { exit !(push > 4.8 && push < 5.2) }'
+    # Some lines may have numbers: here the first hits are missing.
+    sed '1s/.*/domino, time (ms)/; 2,4d; 2,$s/^/,/' sound.csv | sed '2s/,/6,/' >some.csv
+    same 'some numbers' "$(cut -d ' ' -f 4- <<<"$numbers")" "$(hits some 5)"
+    # Real hits of a row with uneven gaps: without every fifth hit, none gets a wrong number. Of all hits, none is in doubt.
+    scene='set r 1; set d 7.5438/48; set s 9.38 mm; set push 4'
+    awk -F , '$1 == 7 && $4 > 4 { print $4, $5/$2 }' "$BATS_TEST_DIRNAME/../../examples/measured/hard-floor-frames.csv" >film
+    awk 'BEGIN { print "domino,time (s)" } NR == 1 { print $1 "," $2 } NR > 1 && NR % 5 { print "," $2 }' film >film.csv
+    wrong "$scene; set row 300; fit friction film.csv" 'film.csv:[0-9]+: the hit .* cannot be numbered'
+    awk 'BEGIN { print "time (s)" } NR <= 30 { print $2 }' film >whole.csv
+    same 'a whole row' "$(seq 3 31 | paste -sd ' ')" "$(json "$scene; set row 31; fit friction whole.csv" | jq -r 'select(.run).domino' | paste -sd ' ')"
+    # An echo, half of an interval late; a row that is too short; a number that is too low.
+    awk 'NR == 12 { before = $1 } NR == 13 { print (before + $1)/2 } { print }' sound.csv >echo.csv
+    wrong "$block set s 18 mm; set push 5; fit push echo.csv" 'echo.csv:13: the hit [0-9.]+ s after that of domino 15 cannot be numbered: the next one is due after about [0-9.]+ s; if it is an echo, delete the line'
+    wrong "$block set s 18 mm; set push 5; set row 20; fit push sound.csv" "sound.csv:17: this hit would be that of domino 21 or a later one, but the row has only 20 dominoes"
+    wrong "$block set s 18 mm; set push 0.1; fit friction sound.csv" "sound.csv:3: this hit would be that of domino 2 or a later one, but in the scene the fall ends at domino 1: 'fall' shows why; if the row was pushed, 'set push'"
+    printf 'domino,time (s)\n6,0\n,0.028\n7,0.056\n' >twice.csv
+    wrong "$block set s 18 mm; set push 5; fit push twice.csv" 'twice.csv:4: domino 7 comes after domino 7'
 }
