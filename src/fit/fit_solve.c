@@ -465,7 +465,7 @@ bool fit_solve(struct fit *f, struct problem *problem)
             "unknowns",
             f->data.points, f->unknowns, f->unknowns > 1 ? "s" : "",
             has_rows ? "" : " and the start time of each run");
-    f->computed = malloc(f->data.points * sizeof *f->computed);
+    f->computed = calloc(f->data.points, sizeof *f->computed);
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
     int status = f->computed ? fit_once(f) : GSL_ENOMEM;
     if (status == GSL_CONTINUE)
