@@ -9,7 +9,7 @@
  *     time (s)                       when dominoes are hit, as a microphone hears some of them
  *
  * fit.c reads the file and writes the answer, fit_sound.c numbers the hits of a sound, fit_solve.c finds the
- * smallest sum of squares, and fit_chart.c draws it.
+ * smallest sum of squares, and pictures/fit_chart.c draws it.
  */
 #ifndef FIT_H
 #define FIT_H
