@@ -183,6 +183,18 @@ static unsigned workers_count(domq_real threads, size_t points)
 
 /* ---- The rows of an answer ---- */
 
+struct range shard_range(const struct shard *shard, size_t points)
+{
+    const struct shard s = *shard;
+    if (s.parts == 0)
+        return (struct range){0, points};
+    /* Part k ends at floor(points * k / parts). The product points * k could overflow, so `points` is split
+     * into whole * parts + rest. */
+    size_t whole = points / s.parts, rest = points % s.parts, k = s.part - 1;
+    size_t first = whole * k + rest * k / s.parts, end = whole * (k + 1) + rest * (k + 1) / s.parts;
+    return (struct range){first, end - first};
+}
+
 bool points_answer(const struct query *query, struct problem *problem, struct answer *a, struct workers w,
                    bool *by_point)
 {

@@ -38,6 +38,12 @@ struct workers {
 bool points_answer(const struct query *query, struct problem *problem, struct answer *answer,
                    struct workers workers, bool *by_point);
 
+/* Returns the index of the first point that --shard requests, and the number of points. */
+struct range {
+    size_t first, count;
+};
+struct range shard_range(const struct shard *shard, size_t points);
+
 /* Runs tasks of the library. This is a dom_parallel whose pool is a struct task_pool. */
 enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void *pool);
 

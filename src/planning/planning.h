@@ -37,6 +37,9 @@ const char *improve_wishes(const void *context, int k);
  * next one. */
 bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 
+/* Converts a domino that the library has computed in double to quad, with 15 digits. */
+struct domq_domino domino_from_double(const struct dom_domino *domino);
+
 /* ---- The commands ---- */
 
 extern const struct column design_columns[], improve_columns[], plan_columns[];

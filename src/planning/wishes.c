@@ -15,6 +15,17 @@ static const char *const names[WISHES + 1] = {"falls", "safety", "hall", "grid",
 
 static const struct wishes usual_wishes = {.safety = 2, .hall = (domq_real)HUGE_VAL};
 
+struct domq_domino domino_from_double(const struct dom_domino *domino)
+{
+#define VALUE(member) .member = quad_decimal(domino->member),
+#define NONE(...)
+    return (struct domq_domino){DOM_MEMBERS_domino(VALUE, NONE, NONE, NONE)};
+#undef VALUE
+#undef NONE
+}
+/* Converts a domino that the library has computed in double to quad, with 15 digits. */
+struct domq_domino domino_from_double(const struct dom_domino *domino);
+
 const struct wishes *wishes_of(const struct query *query)
 {
     return query->given->bound ? query->given->bound : &usual_wishes;

@@ -15,6 +15,21 @@ const struct column mend_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+void progress_count(size_t part, size_t of, void *context)
+{
+    (void)context;
+    progress_show((double)part / (double)of);
+}
+
+void weakest_say(struct answer *a, const struct domq_verdict *v, bool as_detail)
+{
+    if (v->weakest > 0 && isfinite(v->spare))
+        (as_detail ? answer_detail : answer_say)(
+            a, "%s, domino %zu, %s.",
+            v->end == DOM_ROW_FALLS ? "The weakest" : "The weakest of those that tip over", v->weakest,
+            energy_words(v->spare + 1).text);
+}
+
 /* Returns true if the first domino does not tip over. In this case, a stronger push may save the row. */
 static bool push_lacks(const struct domq_verdict *v)
 {

@@ -318,6 +318,23 @@ static const struct command row_commands[] = {
      .sweep.echo = "s",
      .principal = "r_max",
      ANSWER(rowmax)},
+    {.name = "fewest",
+     .synonyms = "minimum least smallest",
+     .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT}},
+     .summary = "gap and growth that need the fewest dominoes to topple one of height H",
+     .help = "'count H fewest' is the same. For each kind of domino the answer has two lines: for a row "
+             "whose first domino just tips over, or starts as 'set push' and 'set release' say, and for an "
+             "endless train that is already moving. With n dominoes the growth must be (H/h)^(1/n). For n = "
+             "1, 2, 3 and so on, the program searches for the gap at which a row with this growth has the "
+             "most energy to spare, and stops at the first n with which all dominoes fall, the one of height "
+             "H included; beyond 32 dominoes it bisects. It rounds the gap, and the growth upwards, and runs "
+             "the row once more with exactly the numbers that it prints. Friction, slope and the other "
+             "effects of the model apply.",
+     .example = "count 112 m fewest; count 112 m 2.04 with s 0.35 q hollow",
+     .see = "count best landmarks",
+     .rows = true,
+     .brief = "kind start dominoes r s",
+     ANSWER(fewest)},
     {.name = "slip",
      .precision = PRECISION_AS_SET,
      .synonyms = "foot feet slide slippery ground",

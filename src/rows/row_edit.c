@@ -31,6 +31,17 @@ static domq_real lean_angle(domq_real off, domq_real height)
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
 }
 
+/* Returns a measurement of a domino in m or kg. For a lean, this is how far the top is off plumb. If a domino
+ * has no radius of its own, its radius is the radius of 'set edges'. */
+static domq_real measure_now(const struct scene *scene, const struct domq_domino *domino,
+                             enum row_measure measure)
+{
+    struct domq_domino d = *domino;
+    return measure == MEASURE_LEAN                      ? lean_offset(&d)
+           : measure == MEASURE_RADIUS && d.radius == 0 ? scene->train.rho * d.height
+                                                        : *row_measure_at(&d, measure);
+}
+
 /* Computes the value that a measurement of domino k, counted from 0, has after a change. Stores the value in
  * *kept in the form of listed_row.change: a mass as a factor, and a lean as an angle. If the domino cannot
  * have this value, sets *problem and returns false. */
@@ -41,7 +52,7 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
     const bool is_lean = measure == MEASURE_LEAN, is_mass = measure == MEASURE_MASS;
     struct domq_domino d = row->domino[k], *domino = &d;
     domq_real *member = row_measure_at(domino, measure),
-              now = is_lean && change->is_angle ? domino->lean : scene_row_measure(scene, domino, measure),
+              now = is_lean && change->is_angle ? domino->lean : measure_now(scene, domino, measure),
               value = change->how == CHANGE_TO   ? change->value
                       : change->how == CHANGE_BY ? now + change->value
                                                  : now * change->value;
@@ -165,8 +176,8 @@ static bool changes_say(const struct query *query, struct answer *a, const struc
     for (size_t k = change->measure == MEASURE_GAP; k < after.row.count; k++)
         if (is_selected(change, k + 1) && changed++ < LINES)
             change_say(query, a, change, k + 1,
-                       scene_row_measure(query->scene, &before->domino[k], change->measure),
-                       scene_row_measure(scene, &after.domino[k], change->measure));
+                       measure_now(query->scene, &before->domino[k], change->measure),
+                       measure_now(scene, &after.domino[k], change->measure));
     if (changed > LINES)
         answer_say(a, "and %zu more; 'row' lists all dominoes", changed - LINES);
     a->progress.wrote_text = true;

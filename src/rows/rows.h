@@ -9,11 +9,12 @@
 #include "train/falling.h"
 
 extern const struct column fall_columns[], verdict_columns[], mend_columns[], tolerance_columns[],
-    slip_columns[];
+    slip_columns[], fewest_columns[];
 bool run_fall(const struct query *query, struct answer *a, struct problem *problem);
 bool run_verdict(const struct query *query, struct answer *a, struct problem *problem);
 bool run_mend(const struct query *query, struct answer *a, struct problem *problem);
 bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem);
+bool run_fewest(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
 /* The parts of 'change', 'place', 'remove' and 'insert' (change.c). */
@@ -26,6 +27,9 @@ bool remove_bind(const struct question *question, const struct query *query, str
 bool run_change(const struct query *query, struct answer *a, struct problem *problem);
 bool run_remove(const struct query *query, struct answer *a, struct problem *problem);
 bool run_insert(const struct query *query, struct answer *a, struct problem *problem);
+
+/* Prints which domino has the least energy to spare, if this is known; with as_detail, among the details. */
+void weakest_say(struct answer *answer, const struct domq_verdict *verdict, bool as_detail);
 
 /* Lists the dominoes of the row as 'row' does: all, or only one, counted from 1, if `only` is not 0. */
 bool row_list(const struct query *query, size_t only, struct answer *a, struct problem *problem);
@@ -46,6 +50,9 @@ struct windows {
     size_t critical[WINDOW_KINDS];
     bool falls;
 };
+
+/* A callback of type dom_progress, which calls progress_show with done / of. */
+void progress_count(size_t done, size_t of, void *context);
 
 /* Finds all windows of the row, in parallel. Even after a failure, the caller frees w->kind[0],
  * which holds all windows. */

@@ -253,6 +253,49 @@ bool sweep_bind(const struct question *q, const struct query *query, struct argu
     return true;
 }
 
+/* ---- The arguments of 'curve' ---- */
+
+const struct column growths_columns[] = {
+    {"s", "h", "separation: the gap divided by the height", 0},
+    {"exact", "", "r_max if the fuel is computed from the energy balance", 0},
+    {"paper", "", "r_max if the fuel is computed with the paper's closed form", 0},
+    {"pair", "", "r_max of the two-domino model", 0},
+    {"reach", "", "largest growth at which each domino reaches the next one: 1/s, or less with rounded edges",
+     0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Returns the cell of a limit. If the limit is open, the cell is empty. */
+static struct cell limit_cell(const struct domq_limit *limit)
+{
+    return cell_limit(cell_uncertain(isnan(limit->open) ? limit->r_max : DOMQ_NAN, limit->uncertainty));
+}
+
+static bool run_growths(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct domq_train *train = &query->scene->train;
+    struct domq_limit exact, paper, pair;
+    enum dom_status status = limits_find(*train, query_compute(query), &exact, &paper);
+    bool is_open = status == DOM_OPEN;
+    if (status == DOM_OK || is_open)
+        status = any_limit_pair(train, query_compute(query), &pair);
+    is_open = is_open || status == DOM_OPEN;
+    if (status != DOM_OK && status != DOM_OPEN)
+        return query_status(query, problem, status);
+    return answer_row(a,
+                      ROW(cell_real(train->s), limit_cell(&exact), limit_cell(&paper), limit_cell(&pair),
+                          cell_limit(cell_real(domq_train_reach(train)))),
+                      is_open ? "a limit is open: at some growth, which 'rmax' or 'pair' names, the margin "
+                                "is 0 within rounding errors"
+                      : exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE
+                          ? "no growth possible; 'rmax' and 'pair' explain why"
+                          : NULL);
+}
+
+/* Not in a table: only 'curve' runs this command. */
+static const struct command growths_command = {
+    .name = "curve", .precision = PRECISION_AS_SET, .train = true, .sweep.echo = "s", ANSWER(growths)};
+
 bool curve_bind(const struct question *q, const struct query *query, struct arguments *given,
                 struct problem *problem)
 {

@@ -5,6 +5,36 @@
 
 #include "interpreter/question.h"
 
+/* ---- Questions inside other commands (question.c) ---- */
+
+/* Parses a question inside another command, such as 'sweep'. The question can be a command, a command with
+ * the key of a column, such as "rmax.r", or an expression, which stands for 'print'. The answer must be one
+ * number. If `is_number` is false, it may also be yes or no. */
+bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
+
+/* A names_list of the commands that completion offers for question_parse_any. */
+const char *question_names(const void *context, int k);
+
+/* Returns a copy of the text from `begin` to `end` without trailing blanks, shortened and escaped. */
+const char *question_name(struct reader *reader, const char *begin, const char *end);
+
+/* Binds a question and runs its command. */
+bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
+                  struct problem *problem);
+
+/* Binds a question and computes its value, which is one number in SI units. For a command, this number is
+ * the cell in column question->key of the answer. For 'print', it is the value of the expression. */
+bool question_value(const struct question *question, const struct query *query, struct quantity *value,
+                    struct problem *problem);
+
+/* Like question_value. Also stores the unit of the number, as text for the head of a column. */
+bool question_measure(const struct question *question, const struct query *query, struct quantity *value,
+                      char unit[UNIT_TEXT], struct problem *problem);
+
+/* Returns true if the answer to the question is one number. Otherwise reports a problem that lists the keys
+ * from which the user can choose. */
+bool question_needs_number(const struct question *question, struct problem *problem);
+
 /* ---- An answer along a parameter ---- */
 
 /* A question that is evaluated many times, each time with other values of parameters. */
@@ -53,7 +83,7 @@ bool varied_bind(const struct question *question, const struct query *query, str
 
 /* ---- The commands ---- */
 
-extern const struct column solve_columns[], sensitivity_columns[], optimum_columns[];
+extern const struct column growths_columns[], solve_columns[], sensitivity_columns[], optimum_columns[];
 bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);
 bool run_solve(const struct query *query, struct answer *a, struct problem *problem);
 bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem);
@@ -106,7 +136,7 @@ bool sweep_parse_grid(struct reader *reader, struct question *question);
 bool sweep_parse_answers(struct reader *reader, struct question *question);
 bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
                 struct problem *problem);
-/* The argument N of 'curve FROM TO N', which is a sweep over s of what growths_command answers. */
+/* The argument N of 'curve FROM TO N', which is a sweep over s. */
 bool curve_bind(const struct question *question, const struct query *query, struct arguments *given,
                 struct problem *problem);
 

@@ -71,6 +71,22 @@ static bool tower_find(const struct query *query, const struct domq_train *train
     return true;
 }
 
+size_t kinds_find(const struct query *query, const struct domq_train *train, domq_real kind[KINDS_MOST])
+{
+    size_t count = 0;
+    struct domq_train other = *train;
+    for (const struct word *w = parameter_find("q")->words;; other.q = w++->value) {
+        /* Several words can have the same value, and trains in air may not be self-similar. */
+        bool is_new = any_train_check(&other, query_compute(query)) != DOM_NO_AIR;
+        for (size_t k = 0; k < count; k++)
+            is_new = is_new && kind[k] != other.q;
+        if (is_new && count < KINDS_MOST)
+            kind[count++] = other.q;
+        if (!w->name)
+            return count;
+    }
+}
+
 /* Finds the kind of domino that has a name and can grow most. If the row of the session does not fall, takes
  * its kind. */
 static bool best_kind(const struct query *query, const struct domq_train *train, const struct tower *t,

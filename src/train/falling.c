@@ -134,15 +134,6 @@ domq_real fall_share(const struct domq_fall *f)
     return f->barrier > 0 && isfinite(f->barrier) ? f->kinetic / f->barrier : DOMQ_NAN;
 }
 
-void weakest_say(struct answer *a, const struct domq_verdict *v, bool as_detail)
-{
-    if (v->weakest > 0 && isfinite(v->spare))
-        (as_detail ? answer_detail : answer_say)(
-            a, "%s, domino %zu, %s.",
-            v->end == DOM_ROW_FALLS ? "The weakest" : "The weakest of those that tip over", v->weakest,
-            energy_words(v->spare + 1).text);
-}
-
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status)
 {
     const bool engine = scene_has_engine(query->scene);

@@ -67,9 +67,6 @@ struct words all_fall_words(size_t count);
 /* Returns kinetic / barrier, or NaN if the barrier is not a positive finite number. */
 domq_real fall_share(const struct domq_fall *fall);
 
-/* Prints which domino has the least energy to spare, if this is known; with as_detail, among the details. */
-void weakest_say(struct answer *answer, const struct domq_verdict *verdict, bool as_detail);
-
 /* Returns true for DOM_OK. For other statuses, reports why a computation about the row failed. */
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
 

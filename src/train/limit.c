@@ -25,9 +25,8 @@ static const char *no_growth(struct domq_limit limit)
                  "1) have too little energy to keep falling";
 }
 
-/* Finds the largest growth with each of the two formulas for the fuel. */
-static enum dom_status limits_find(struct domq_train train, const struct any_compute *compute,
-                                   struct domq_limit *exact, struct domq_limit *paper)
+enum dom_status limits_find(struct domq_train train, const struct any_compute *compute,
+                            struct domq_limit *exact, struct domq_limit *paper)
 {
     const struct domq_limit none = {.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .open = DOMQ_NAN};
     *exact = *paper = none;
@@ -202,47 +201,6 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
                           : "no growth possible: dominoes this thick do not topple larger ones at any s");
 }
 
-const struct column growths_columns[] = {
-    {"s", "h", "separation: the gap divided by the height", 0},
-    {"exact", "", "r_max if the fuel is computed from the energy balance", 0},
-    {"paper", "", "r_max if the fuel is computed with the paper's closed form", 0},
-    {"pair", "", "r_max of the two-domino model", 0},
-    {"reach", "", "largest growth at which each domino reaches the next one: 1/s, or less with rounded edges",
-     0},
-    {NULL, NULL, NULL, 0},
-};
-
-/* Returns the cell of a limit. If the limit is open, the cell is empty. */
-static struct cell limit_cell(const struct domq_limit *limit)
-{
-    return cell_limit(cell_uncertain(isnan(limit->open) ? limit->r_max : DOMQ_NAN, limit->uncertainty));
-}
-
-static bool run_growths(const struct query *query, struct answer *a, struct problem *problem)
-{
-    const struct domq_train *train = &query->scene->train;
-    struct domq_limit exact, paper, pair;
-    enum dom_status status = limits_find(*train, query_compute(query), &exact, &paper);
-    bool is_open = status == DOM_OPEN;
-    if (status == DOM_OK || is_open)
-        status = any_limit_pair(train, query_compute(query), &pair);
-    is_open = is_open || status == DOM_OPEN;
-    if (status != DOM_OK && status != DOM_OPEN)
-        return query_status(query, problem, status);
-    return answer_row(a,
-                      ROW(cell_real(train->s), limit_cell(&exact), limit_cell(&paper), limit_cell(&pair),
-                          cell_limit(cell_real(domq_train_reach(train)))),
-                      is_open ? "a limit is open: at some growth, which 'rmax' or 'pair' names, the margin "
-                                "is 0 within rounding errors"
-                      : exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE
-                          ? "no growth possible; 'rmax' and 'pair' explain why"
-                          : NULL);
-}
-
-/* Not in a table: only 'curve' runs this command. */
-const struct command growths_command = {
-    .name = "curve", .precision = PRECISION_AS_SET, .train = true, .sweep.echo = "s", ANSWER(growths)};
-
 #define SEPARATION .name = "S", .kind = ARGUMENT_VALUE_OF, .parameter = "s", .optional = true
 
 const struct command limit_commands[] = {
@@ -304,8 +262,8 @@ const struct command limit_commands[] = {
              "row would fall. 'goes_on' tells whether an endless train that is already moving keeps falling. "
              "'r_start' is the largest growth at which a "
              "row starts and keeps falling. Each gap of the row is s times the height, even if the session "
-             "has another row. H can also be the name of a tower ('landmarks' lists them). 'count H fewest' "
-             "searches for the best growth and gap. If an effect that needs the rigid-body engine is on, the "
+             "has another row. H can also be the name of a tower ('landmarks' lists them). If an effect that "
+             "needs the rigid-body engine is on, the "
              "engine runs the row.",
      .example = "count 112 m 2",
      .see = "fewest rmax best landmarks",
@@ -316,22 +274,5 @@ const struct command limit_commands[] = {
      .sweep.needs_yes = true,
      .brief = "",
      ANSWER(count)},
-    {.name = "fewest",
-     .synonyms = "minimum least smallest",
-     .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT}},
-     .summary = "gap and growth that need the fewest dominoes to topple one of height H",
-     .help = "'count H fewest' is the same. For each kind of domino the answer has two lines: for a row "
-             "whose first domino just tips over, or starts as 'set push' and 'set release' say, and for an "
-             "endless train that is already moving. With n dominoes the growth must be (H/h)^(1/n). For n = "
-             "1, 2, 3 and so on, the program searches for the gap at which a row with this growth has the "
-             "most energy to spare, and stops at the first n with which all dominoes fall, the one of height "
-             "H included; beyond 32 dominoes it bisects. It rounds the gap, and the growth upwards, and runs "
-             "the row once more with exactly the numbers that it prints. Friction, slope and the other "
-             "effects of the model apply.",
-     .example = "count 112 m fewest; count 112 m 2.04 with s 0.35 q hollow",
-     .see = "count best landmarks",
-     .rows = true,
-     .brief = "kind start dominoes r s",
-     ANSWER(fewest)},
     {.name = NULL},
 };

@@ -12,11 +12,11 @@ extern const struct command cycle_commands[], walk_commands[], limit_commands[],
 #define TRAIN_COMMAND .precision = PRECISION_AS_SET, .train = true
 
 /* The parts of commands that are defined outside the files of their tables. */
-extern const struct column count_columns[], why_columns[], growths_columns[], fewest_columns[];
+extern const struct column count_columns[], why_columns[];
+/* Finds the largest growth with each of the two formulas for the fuel. */
+enum dom_status limits_find(struct domq_train train, const struct any_compute *compute,
+                            struct domq_limit *exact, struct domq_limit *paper);
 
-/* What 'curve' shows for each separation. */
-extern const struct command growths_command;
-bool run_fewest(const struct query *query, struct answer *a, struct problem *problem);
 bool run_count(const struct query *query, struct answer *a, struct problem *problem);
 bool run_why(const struct query *query, struct answer *a, struct problem *problem);
 
@@ -57,14 +57,6 @@ void walk_columns_in(const struct query *query, struct answer *answer);
 
 /* The message that no cycle begins, because falling releases no energy. */
 extern const char walk_no_start[];
-
-/* Checks that the train moves, and that its head reaches the tilt theta. */
-bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta);
-
-/* Finds the events of a cycle, for a picture. *stops tells whether the train stops. Fails if there is no
- * cycle to show. */
-bool cycle_events(const struct query *query, const struct any_compute *compute,
-                  struct domq_event event[DOM_EVENTS_MAX], int *count, bool *stops, struct problem *problem);
 
 /* Formats an angle in the session's unit for a sentence, for example as "28.65 deg" or "0.5 rad". */
 struct measured angle_text(const struct query *query, domq_real theta, int digits);

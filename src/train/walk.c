@@ -289,38 +289,3 @@ void walk_say(const struct query *query, const struct walk *w, const struct domq
     ledger_say(&place);
     say[e->kind](&place);
 }
-
-bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta)
-{
-    domq_real omegasq;
-    struct domq_barrier b = {.stop = DOMQ_NAN};
-    enum dom_status status = any_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
-    if (status == DOM_NO_FUEL)
-        return problem_error(problem,
-                             "no domino effect: the fuel P is not positive, so nothing moves; 'fuel' "
-                             "explains why, and 'rmax' shows how large r may be");
-    if (status == DOM_STOPS)
-        status = any_barrier_find(&query->scene->train, &query->scene->compute, &b);
-    if (status != DOM_OK && status != DOM_STOPS)
-        return query_status(query, problem, status);
-    /* A tilt copied from a table has 6 digits, so it may be slightly too large. A picture does not show the
-     * difference. */
-    if (b.stop < theta * (1 - (domq_real)1e-5))
-        return problem_error(problem,
-                             "the train does not reach T = %s: it stops at %s, before the top of the barrier",
-                             angle_text(query, theta, 10).text, angle_text(query, b.stop, 10).text);
-    return true;
-}
-
-bool cycle_events(const struct query *query, const struct any_compute *compute,
-                  struct domq_event event[DOM_EVENTS_MAX], int *count, bool *stops, struct problem *problem)
-{
-    enum dom_status status = any_cycle_events(&query->scene->train, compute, event, count);
-    *stops = status == DOM_STOPS;
-    if (status == DOM_NO_FUEL)
-        return train_comes_to(query, problem, 0);
-    if (status == DOM_NO_MARGIN)
-        return problem_error(problem, "the margin is 0 within rounding errors, so the cycle would "
-                                      "never end; use a slightly smaller r");
-    return status == DOM_OK || *stops || problem_status(problem, query->scene, status);
-}

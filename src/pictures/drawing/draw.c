@@ -4,6 +4,7 @@
 #include "language/text.h"
 #include "pictures/drawing/falling_row.h"
 #include "pictures/options.h"
+#include "pictures/plots/plots.h"
 #include "train/falling.h"
 #include "train/train.h"
 #include <float.h>

@@ -160,6 +160,13 @@ static bool is_script(const struct answer *a)
     return extension_of(a->path)->is_script;
 }
 
+struct axis_unit measure_axis(double longest)
+{
+    return longest >= 2     ? (struct axis_unit){"m", 1}
+           : longest >= 0.2 ? (struct axis_unit){"cm", 0.01}
+                            : (struct axis_unit){"mm", 0.001};
+}
+
 bool picture_is_filed(const struct answer *a)
 {
     return a->path && extension_of(a->path)->terminal;

@@ -35,6 +35,17 @@ bool picture_begin(struct picture *picture, const struct answer *answer, double 
 void gnuplot_text_part(FILE *script, const char *text, size_t length);
 void gnuplot_text(FILE *script, const char *text);
 
+/* The unit of an axis or a ruler. */
+struct axis_unit {
+    const char *name;
+    double size; /* in m */
+};
+
+/* Returns the unit for an axis or a ruler that shows lengths up to `longest` m. The unit is mm if `longest`
+ * is below 0.2, cm if it is below 2, and otherwise m. So lengths in mm and cm need at most three digits
+ * before the decimal point, and a ruler has no room for more. */
+struct axis_unit measure_axis(double longest);
+
 /* Ends a picture. Draws it if the script is complete (`whole`). Otherwise discards it and returns false. */
 bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 

@@ -71,6 +71,9 @@ struct plot {
     const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
 };
 
+/* Checks that the train moves, and that its head reaches the tilt theta. */
+bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta);
+
 /* The entries of plots leave out members. */
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 

@@ -261,13 +261,6 @@ struct measured measured_share(domq_real value, int digits)
     return result;
 }
 
-struct axis_unit measure_axis(double longest)
-{
-    return longest >= 2     ? (struct axis_unit){"m", 1}
-           : longest >= 0.2 ? (struct axis_unit){"cm", 0.01}
-                            : (struct axis_unit){"mm", 0.001};
-}
-
 /* ---- Errors ---- */
 
 void reference_add(struct reference *r, size_t at, const struct cell *cells, size_t columns)

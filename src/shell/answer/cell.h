@@ -121,17 +121,6 @@ struct measured measured(domq_real value, const char *unit, int digits);
 /* Returns a fraction in percent, with enough digits to differ from 100 %, as in "99.97 %". */
 struct measured measured_share(domq_real value, int digits);
 
-/* The unit of an axis or a ruler. */
-struct axis_unit {
-    const char *name;
-    double size; /* in m */
-};
-
-/* Returns the unit for an axis or a ruler that shows lengths up to `longest` m. The unit is mm if `longest`
- * is below 0.2, cm if it is below 2, and otherwise m. So lengths in mm and cm need at most three digits
- * before the decimal point, and a ruler has no room for more. */
-struct axis_unit measure_axis(double longest);
-
 /* ---- Errors ---- */
 
 /*

@@ -179,17 +179,6 @@ bool command_parse(struct reader *reader, struct question *question);
  * the characters in the reader's `stops`. */
 bool question_parse(struct reader *reader, struct question *question);
 
-/* Parses a question inside another command, such as 'sweep'. The question can be a command, a command with
- * the key of a column, such as "rmax.r", or an expression, which stands for 'print'. The answer must be one
- * number. If `is_number` is false, it may also be yes or no. */
-bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
-
-/* A names_list of the commands that completion offers for question_parse_any. */
-const char *question_names(const void *context, int k);
-
-/* Returns a copy of the text from `begin` to `end` without trailing blanks, shortened and escaped. */
-const char *question_name(struct reader *reader, const char *begin, const char *end);
-
 /* The result of question_bind: the values of the arguments, and the query that the command answers. */
 struct call {
     struct query query;
@@ -205,23 +194,6 @@ bool question_bind(const struct question *question, const struct query *query, s
  * argument.bind calls this function to get memory for its result. Returns NULL if memory runs out. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
-
-/* Binds a question and runs its command. */
-bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
-                  struct problem *problem);
-
-/* Binds a question and computes its value, which is one number in SI units. For a command, this number is
- * the cell in column question->key of the answer. For 'print', it is the value of the expression. */
-bool question_value(const struct question *question, const struct query *query, struct quantity *value,
-                    struct problem *problem);
-
-/* Like question_value. Also stores the unit of the number, as text for the head of a column. */
-bool question_measure(const struct question *question, const struct query *query, struct quantity *value,
-                      char unit[UNIT_TEXT], struct problem *problem);
-
-/* Returns true if the answer to the question is one number. Otherwise reports a problem that lists the keys
- * from which the user can choose. */
-bool question_needs_number(const struct question *question, struct problem *problem);
 
 /* Runs a command. If errors are on, runs it a second time in quad precision, to find the errors of its
  * numbers (answer/cell.h). */

@@ -4,7 +4,6 @@
 #include "language/quad.h"
 #include "precision/any.h"
 #include "session/engine.h"
-#include <string.h>
 
 /* Makes call->query a copy of `query` in which the parameters after 'with' have their new values. The state
  * of the copy is stored in call->state. */
@@ -56,73 +55,6 @@ void *arguments_take(struct arguments *given, size_t size, const struct query *q
     if (!given->bound)
         problem_status(problem, query->scene, DOM_NO_MEMORY);
     return given->bound;
-}
-
-bool question_ask(const struct question *q, const struct query *query, struct answer *answer,
-                  struct problem *problem)
-{
-    struct call call;
-    const char *outer = problem->command;
-    if (!q->command->is_print)
-        problem->command = q->command->name;
-    bool done = question_bind(q, query, &call, problem);
-    if (done) {
-        problem->place = 0;
-        done = command_compute(q->command, &call.query, answer, problem);
-    }
-    arena_free(&call.given.memory);
-    if (done)
-        problem->command = outer;
-    return done;
-}
-
-bool question_needs_number(const struct question *q, struct problem *problem)
-{
-    const struct command *c = q->command;
-    if (q->key >= 0 || q->command->is_print)
-        return true;
-    char keys[NAMES_ALL], before[40];
-    snprintf(before, sizeof before, "%s.", c->name);
-    return problem_error(problem, "'%s' gives several numbers; use one of %s", c->name,
-                         names_join(command_keys, c, before, keys));
-}
-
-bool question_value(const struct question *q, const struct query *query, struct quantity *value,
-                    struct problem *problem)
-{
-    return question_measure(q, query, value, (char[UNIT_TEXT]){""}, problem);
-}
-
-bool question_measure(const struct question *q, const struct query *query, struct quantity *value,
-                      char unit[UNIT_TEXT], struct problem *problem)
-{
-    struct cell kept[ANSWER_CELLS];
-    const struct command *c = q->command;
-    struct answer answer = answer_kept(query, c, kept);
-    if (!question_ask(q, query, &answer, problem))
-        return false;
-    *value = answer.value;
-    unit_write(*value, " ", unit);
-    if (answer.is_value)
-        return true;
-    if (!question_needs_number(q, problem))
-        return false;
-    struct cell cell = kept[q->key];
-    const char *key = c->columns[q->key].key;
-    if (cell.kind == CELL_WORD || cell.kind == CELL_FLAG)
-        return problem_error(problem, "%s.%s is %s, not a number", c->name, key,
-                             cell.kind == CELL_FLAG ? "'yes' or 'no'" : "a word");
-    if (cell.kind == CELL_NONE && *answer.late_reason)
-        return problem_no_answer(problem, "%s.%s has no value here: %s", c->name, key, answer.late_reason);
-    if (cell.kind == CELL_NONE)
-        return problem_no_answer(problem, "%s.%s has no value here; enter '%s' to see why", c->name, key,
-                                 c->name);
-    *value = expression_unit(c->columns[q->key].unit);
-    value->value *= cell.number;
-    for (const struct column *column = answer.columns; column->key; column++)
-        if (strcmp(column->key, key) == 0)
-            snprintf(unit, UNIT_TEXT, "%s", column->unit);
-    return true;
 }
 
 /* ---- The answer of a command, and its errors ---- */

@@ -182,8 +182,10 @@ static bool arguments_parse(struct reader *r, struct question *q)
             o->command = c;
             o->parameter = q->parameter;
         }
-        if (q->count == 1 && c->typed.variant && reader_takes(r, c->typed.variant)) {
-            q->command = command_find(c->typed.variant);
+        const struct command *variant =
+            q->count == 1 && c->typed.variant ? command_find(c->typed.variant) : NULL;
+        if (variant && reader_takes(r, variant->name)) {
+            q->command = variant;
             r->problem->command = q->command->name;
             break;
         }
@@ -242,77 +244,4 @@ bool command_parse(struct reader *r, struct question *q)
         return true;
     r->at = skip_blanks(r->at + strlen("details"));
     return end_check(r, q->command);
-}
-
-/* ---- Questions inside other commands ---- */
-
-/*
- * Returns the command that is named in a word such as "rmax" or "rmax.r". The name after the dot is the key
- * of a column, whose index is stored in *key. Without a dot, *key becomes the index of the principal column.
- * If there is no such column, *key becomes -1. Returns NULL if the word names no command, or if the command
- * computes nothing.
- */
-static const struct command *command_named(const char *word, size_t length, int *key)
-{
-    char name[64];
-    if (!name_copy(word, length, name, sizeof name))
-        return NULL;
-    char *dot = strchr(name, '.');
-    if (dot)
-        *dot = '\0';
-    const struct command *c = command_find(name);
-    if (!c || !c->columns || !c->columns->key)
-        return NULL;
-    *key = dot ? names_exact(command_keys, c, dot + 1) : c->principal ? command_principal(c) : -1;
-    return c;
-}
-
-const char *question_names(const void *context, int k)
-{
-    const struct command *c;
-    (void)context;
-    for (int i = 0; (c = command_at(i)) != NULL; i++)
-        if ((c->principal || c->holds) && !c->sweep.refusal && k-- == 0)
-            return c->name;
-    return NULL;
-}
-
-const char *question_name(struct reader *r, const char *begin, const char *end)
-{
-    char typed[NAMES_SHOWN];
-    while (end > begin && isspace((unsigned char)end[-1]))
-        end--;
-    name_copy(begin, (size_t)(end - begin), typed, sizeof typed);
-    const char *shown = names_shown(typed);
-    const char *name = reader_copy(r, shown, strlen(shown));
-    return name ? name : "";
-}
-
-bool question_parse_any(struct reader *r, struct question *q, bool is_number)
-{
-    const char *begin = r->at;
-    size_t length = strspn(begin, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.");
-    int key = -1;
-    const struct command *c = command_named(begin, length, &key);
-    struct reader behind = *r;
-    behind.at = begin + length;
-    bool is_whole = isspace((unsigned char)*behind.at) || reader_ends(&behind);
-    offer_names(r, question_names, NULL);
-    *q = (struct question){.command = command_find("print"), .key = -1};
-    if (c && is_whole && !goes_on(skip_blanks(behind.at))) {
-        q->command = c;
-        q->key = key;
-        r->at = begin + length;
-        if (c->sweep.refusal)
-            return problem_error(r->problem, "'%s' cannot be varied: %s", c->name, c->sweep.refusal);
-        if ((is_number || !c->holds) && !question_needs_number(q, r->problem))
-            return false;
-    }
-    bool good = question_parse(r, q);
-    if (good && c && q->command != c && q->key >= 0) { /* a variant of the command has other columns */
-        q->key = -1;
-        good = !is_number || question_needs_number(q, r->problem);
-    }
-    q->name = question_name(r, begin, r->at);
-    return good;
 }

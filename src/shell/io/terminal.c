@@ -157,12 +157,6 @@ void progress_show(double fraction)
         done = fraction < 1 ? (int)(1e6 * fraction) : 0;
 }
 
-void progress_count(size_t part, size_t of, void *context)
-{
-    (void)context;
-    progress_show((double)part / (double)of);
-}
-
 bool progress_is_muted(void)
 {
     return is_muted;

@@ -46,9 +46,6 @@ void progress_end(void);
  * fraction is 1, the line shows only the elapsed time again. */
 void progress_show(double fraction);
 
-/* A callback of type dom_progress, which calls progress_show with done / of. */
-void progress_count(size_t done, size_t of, void *context);
-
 /* If `mute` is true, progress_show does nothing from now on when this thread calls it. A thread that computes
  * only part of the work is muted, because it does not know the progress of the whole work. Returns the
  * previous setting. */

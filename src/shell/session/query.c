@@ -32,18 +32,6 @@ void run_context_note(const struct run_context *run_context, const char *format,
     run_context->note(run_context->note_context, text);
 }
 
-struct range shard_range(const struct shard *shard, size_t points)
-{
-    const struct shard s = *shard;
-    if (s.parts == 0)
-        return (struct range){0, points};
-    /* Part k ends at floor(points * k / parts). The product points * k could overflow, so `points` is split
-     * into whole * parts + rest. */
-    size_t whole = points / s.parts, rest = points % s.parts, k = s.part - 1;
-    size_t first = whole * k + rest * k / s.parts, end = whole * (k + 1) + rest * (k + 1) / s.parts;
-    return (struct range){first, end - first};
-}
-
 char *path_beside(const struct run_context *run_context, const char *name)
 {
     const char *slash = run_context->script && *name != '/' ? strrchr(run_context->script, '/') : NULL;

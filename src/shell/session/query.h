@@ -31,12 +31,6 @@ struct run_context {
 void run_context_note(const struct run_context *run_context, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Returns the index of the first point that --shard requests, and the number of points. */
-struct range {
-    size_t first, count;
-};
-struct range shard_range(const struct shard *shard, size_t points);
-
 enum { ANSWER_CELLS = 16 };
 
 /* The last answer, for 'ans' in expressions. */

@@ -321,15 +321,6 @@ enum dom_status scene_row_in_double(const struct scene_row *row, struct double_r
     return double_row_make(&row->row, &row->compute, made) ? DOM_OK : DOM_NO_MEMORY;
 }
 
-domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
-                            enum row_measure measure)
-{
-    struct domq_domino d = *domino;
-    return measure == MEASURE_LEAN                      ? lean_offset(&d)
-           : measure == MEASURE_RADIUS && d.radius == 0 ? scene->train.rho * d.height
-                                                        : *row_measure_at(&d, measure);
-}
-
 domq_real scene_first_height(const struct scene *scene)
 {
     struct domq_domino first = {.height = scene->scale.h};
@@ -367,13 +358,4 @@ void scene_apply_lengths(struct scene *scene)
     effects_apply(scene);
     if (scene->length[SHARE_push].m > 0 && scene->effect[DOM_EFFECT_push].on)
         scene->effect[DOM_EFFECT_push].value[0] = scene_push(scene, scene_first_height(scene));
-}
-
-struct domq_domino domino_from_double(const struct dom_domino *domino)
-{
-#define VALUE(member) .member = quad_decimal(domino->member),
-#define NONE(...)
-    return (struct domq_domino){DOM_MEMBERS_domino(VALUE, NONE, NONE, NONE)};
-#undef VALUE
-#undef NONE
 }

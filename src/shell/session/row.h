@@ -54,16 +54,8 @@ domq_real scene_row_tilt(const struct scene_row *row);
  * the unit of energy is m g h/2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
-/* Returns a measurement of a domino in m or kg. For a lean, this is how far the top is off plumb. If a domino
- * has no radius of its own, its radius is the radius of 'set edges'. */
-domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
-                            enum row_measure measure);
-
 /* Reports that the session has no row. Returns false. */
 bool problem_no_row(struct problem *problem);
-
-/* Converts a domino that the library has computed in double to quad, with 15 digits. */
-struct domq_domino domino_from_double(const struct dom_domino *domino);
 
 /* ---- The changes to single dominoes, which commands such as 'change' and 'improve' make ---- */
 

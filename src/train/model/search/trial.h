@@ -39,8 +39,6 @@ struct trial {
     double place;
     /* the state for running slightly changed rows, or NULL if an engine runs them */
     struct study *study;
-    dom_row_make *make; /* callback that writes the dominoes of the row for a given growth */
-    void *context;
     enum dom_status status;
     struct dom_verdict verdict; /* verdict of the last run */
     enum dom_row_end ends;      /* how the fall ended in the last run in which some dominoes did not fall */

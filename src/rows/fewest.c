@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'count H fewest': the gap and the growth together that need the fewest dominoes. */
 #include "language/quad.h"
+#include "rows/rows.h"
 #include "train/row_start.h"
 #include "train/seek.h"
-#include "train/train.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -135,22 +135,6 @@ static bool fewest_find(struct search *s, domq_real count)
 }
 
 /* ---- The answer ---- */
-
-size_t kinds_find(const struct query *query, const struct domq_train *train, domq_real kind[KINDS_MOST])
-{
-    size_t count = 0;
-    struct domq_train other = *train;
-    for (const struct word *w = parameter_find("q")->words;; other.q = w++->value) {
-        /* Several words can have the same value, and trains in air may not be self-similar. */
-        bool is_new = any_train_check(&other, query_compute(query)) != DOM_NO_AIR;
-        for (size_t k = 0; k < count; k++)
-            is_new = is_new && kind[k] != other.q;
-        if (is_new && count < KINDS_MOST)
-            kind[count++] = other.q;
-        if (!w->name)
-            return count;
-    }
-}
 
 /* Returns the word for how a row starts. */
 static const char *start_word(const struct query *query, bool moves)
