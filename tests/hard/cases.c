@@ -118,6 +118,8 @@ const struct hard_case hard_cases[] = {
     {"margin 1e-12", "duration diverges", 0.4, 1.64422903953, STANDARD, 4, 0.1, .check = {REF_DURATION, END}},
     {"margin 1e-9, detaching", "duration diverges", 0.4, 2.06377177, STANDARD, 3, 0.1,
      .check = {REF_DURATION, REF_MARGIN, END}},
+    {"slow launch", "rounding errors of the distance count at the launch", 0.052010575617230437,
+     19.226858892691848, 2.2493188156625961e-06, 4, 0, .check = {REF_DURATION, END}},
 
     /* Difficult maxima of H. */
     {"two maxima", "H falls first, rises later", 0.54, 1.8515, STANDARD, 3, 0.1,

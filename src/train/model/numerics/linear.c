@@ -168,13 +168,17 @@ static real series_moved(const real *series, int n, real x, real by)
 
 KERNEL real num_linear_moved(const struct num_linear *s, real x, real by)
 {
+    /* From the start of the solution on, whole panels are added. If rounding errors of `by` were carried from
+     * panel to panel, they would count where v changes fastest. */
+    const bool whole = by == x - s->panel[0].lo;
     real sum = 0;
     for (int k = panel_of(s, x); by > 0 && k >= 0; k--) {
         const struct num_panel *panel = &s->panel[k];
-        real width = panel->hi - panel->lo, part = k == 0 ? by : fmin(by, x - panel->lo);
+        real width = panel->hi - panel->lo, part = x - panel->lo;
+        part = whole ? part : k == 0 ? by : fmin(by, part);
         real u = fmin(fmax((x - panel->lo - (panel->hi - x)) / width, -1), 1);
         sum += series_moved(panel->v, panel->terms, u, 2 * part / width);
-        by -= part;
+        by = whole ? by : by - part;
         x = panel->lo;
     }
     return sum;
