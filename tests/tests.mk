@@ -149,7 +149,7 @@ SANITIZED := $(patsubst %,tests/%.bats,pictures/draw rows/rowfiles $(addprefix s
   names options save settings undo variables))
 sanitize: | $(FIRST)
 	@find $(B)/sanitize -name '*.gcda' -delete 2>/dev/null || :
-	@LDFLAGS=--coverage $(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(SANITIZED)' HARD_BIN='$(patsubst %,$(B)/sanitize/hard/test_%,proof search sweep)' COVER=--coverage \
+	@LDFLAGS=--coverage $(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(SANITIZED)' HARD_BIN='$(patsubst %,$(B)/sanitize/hard/test_%,proof properties sweep)' COVER=--coverage \
 	  CC=gcc CFLAGS='-O1 -g1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer' test
 	@tests/coverage $(B)/sanitize 95
 

@@ -41,6 +41,17 @@ void make_row(struct run *run, size_t count, double s, double r, double mu)
     run->row.mu = mu;
 }
 
+void alike(struct run *run, size_t count)
+{
+    make_row(run, count, 13.0 / 48, 1, 0);
+    run->row.push = 5;
+}
+
+double tips_at(const struct domq_domino *domino)
+{
+    return atan((double)(domino->thickness / domino->height));
+}
+
 /* Makes a random row of equal, growing, shrinking or uneven dominoes. The push is between slightly less and
  * much more than a single domino needs to turn over. */
 void row_of_kind(struct run *run, uint64_t *seed, int kind)

@@ -30,6 +30,12 @@ double push_over(const struct domq_domino *domino);
  * 10 g, and is pushed three times as hard as push_over says. */
 void make_row(struct run *run, size_t count, double s, double r, double mu);
 
+/* Makes a row of equal dominoes, the first of which is pushed. */
+void alike(struct run *run, size_t count);
+
+/* Returns the tilt at which a domino tips over. */
+double tips_at(const struct domq_domino *domino);
+
 /* Makes a random row of equal (kind 0), growing, shrinking or uneven dominoes (kind 3). */
 void row_of_kind(struct run *run, uint64_t *seed, int kind);
 

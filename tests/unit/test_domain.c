@@ -1,27 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Trains without fuel, trains that cannot grow, the texts of statuses, and physical units. */
+/* Trains that cannot grow, the texts of statuses, and physical units. */
 #include "support.h"
-
-/* Checks a thick train, and one just below the separation at which a fall releases energy. */
-TEST(no_cycle_without_fuel)
-{
-    static const double trains[][4] = {{0.3, 1.1, 1.5, 3}, {0.00633775, 1, 7.0 / 48, 3}};
-    for (size_t i = 0; i < 2; i++) {
-        struct setup t = setup_default();
-        struct domq_launch launch;
-        struct domq_barrier barrier;
-        domq_real value;
-        t.s = trains[i][0];
-        t.r = trains[i][1];
-        t.d = trains[i][2];
-        t.q = trains[i][3];
-        assert_status(ask_launch_find(&t, &launch), DOM_NO_FUEL);
-        assert_status(ask_barrier_find(&t, &barrier), DOM_NO_FUEL);
-        assert_status(ask_cycle_omegasq(&t, 1e-3, &value), DOM_NO_FUEL);
-        assert_status(ask_cycle_stop(&t, &value), DOM_NO_FUEL);
-        assert_status(ask_cycle_duration(&t, &value), DOM_NO_FUEL);
-    }
-}
 
 /* Checks that there is no domino effect for s <= 2 d^3 / (1 - d^2): 0.0063378 for the standard domino. */
 TEST(no_fuel_below_a_separation)

@@ -56,13 +56,6 @@ TEST(thin_dominoes_with_friction)
     assert_status(ask_barrier_find(&t, &barrier), DOM_STOPS);
 }
 
-/* Makes a row of equal dominoes, the first of which is pushed. */
-static void alike(struct run *seen, size_t count)
-{
-    make_row(seen, count, 13.0 / 48, 1, 0);
-    seen->row.push = 5;
-}
-
 /* Checks dominoes that touch, so that they hit each other at once. Without friction nothing locks. */
 TEST(touching)
 {

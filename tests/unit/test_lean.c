@@ -4,12 +4,6 @@
 #include "support.h"
 #include <float.h>
 
-/* Returns the tilt at which a domino tips over. */
-static double tips_at(const struct domq_domino *d)
-{
-    return atan((double)(d->thickness / d->height));
-}
-
 /* ---- Limits ---- */
 
 /* Checks that a tiny lean to either side changes the results in proportion to the lean. */

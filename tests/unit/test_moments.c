@@ -196,29 +196,6 @@ TEST(tips_before_the_first_hit)
     }
 }
 
-/* Before the first hit, the tilts of a domino with rounded edges change at the rate omega, from almost rest.
- */
-TEST(rounded_before_the_first_hit)
-{
-    static struct run run;
-    static struct seen seen;
-    enum { TIMES = 40 };
-    domq_real times[TIMES];
-    make_row(&run, 2, 0.4, 1.3, 0);
-    run.row.push = DOMQ_NAN;
-    for (int k = 0; k < TIMES; k++)
-        times[k] = -(domq_real)(TIMES - k) / 100;
-    for (int sloping = 0; sloping < 2; sloping++) {
-        run.row.rho = 0.02;
-        run.row.alpha = sloping ? 0.02 : 0;
-        assert_status(watch(&run, times, TIMES, &seen), DOM_OK);
-        assert_true(seen.omega[0][0] > 0 && seen.omega[0][0] < 0.02);
-        for (size_t k = 1; k + 1 < TIMES; k++)
-            assert_near("tilt", (seen.tilt[k + 1][0] - seen.tilt[k - 1][0]) / 0.02,
-                        (seen.omega[k - 1][0] + 4 * seen.omega[k][0] + seen.omega[k + 1][0]) / 6, 1e-4);
-    }
-}
-
 TEST(refuses)
 {
     static struct run run;

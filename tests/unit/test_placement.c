@@ -4,13 +4,6 @@
 #include "run.h"
 #include "support.h"
 
-/* Makes a row of equal dominoes, the first of which is pushed. */
-static void alike(struct run *seen, size_t count)
-{
-    make_row(seen, count, 13.0 / 48, 1, 0);
-    seen->row.push = 5;
-}
-
 /* Checks the budget of a row, also with too few rows for the probability, and the budget of a row that stops
  * even without errors. */
 TEST(budgets)

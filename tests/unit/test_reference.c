@@ -68,6 +68,7 @@ static void check_dynamics(const struct csv *csv, struct setup train, const stru
         assert_status(ask_cycle_omegasq(&train, theta, &omegasq), DOM_NO_FUEL);
         assert_true(isnan(omegasq));
         assert_status(ask_cycle_duration(&train, &duration), DOM_NO_FUEL);
+        assert_status(ask_cycle_stop(&train, &duration), DOM_NO_FUEL);
         return;
     }
     assert_near("omega0sq", launch.omegasq, omega0sq, bounds->digits);

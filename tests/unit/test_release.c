@@ -6,12 +6,6 @@
 
 static const double g = 9.81, deg = M_PI / 180;
 
-/* Returns the tilt at which a domino tips over. */
-static double tips_at(const struct domq_domino *d)
-{
-    return atan((double)(d->thickness / d->height));
-}
-
 static void released(struct run *run, size_t count, double s, double r, double release)
 {
     make_row(run, count, s, r, 0);

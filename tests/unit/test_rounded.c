@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rounded edges, compared with published digits, with quad, with sharp edges in the limit of small radii, and
- * with Newton's law for the centre of each block. Newton's law is written in vectors and shares no formula
- * with the model.
+ * Rounded edges and slopes, compared with published digits, with quad, with sharp edges in the limit of small
+ * radii, and with Newton's law for the centre of each block. Newton's law is written in vectors and shares no
+ * formula with the model.
  */
 #include "support.h"
 
@@ -23,14 +23,21 @@ static double rmax_of(const struct setup *train)
     return (double)limit.r_max;
 }
 
+/* r_max on a slope is from arithmetic with 40 digits. */
 TEST(largest_growths)
 {
-    static const double table[][3] = {/* s, rho, r_max */
-                                      {0.2, 0.005, 1.599355}, {0.2, 0.01, 1.649661}, {0.2, 0.02, 1.772503},
-                                      {0.3, 0.005, 1.871112}, {0.3, 0.01, 1.935795}, {0.3, 0.02, 2.092912}};
+    static const double table[][4] = {
+        /* s, rho, slope in degrees, r_max */
+        {0.2, 0.005, 0, 1.599355}, {0.2, 0.01, 0, 1.649661}, {0.2, 0.02, 0, 1.772503},
+        {0.3, 0.005, 0, 1.871112}, {0.3, 0.01, 0, 1.935795}, {0.3, 0.02, 0, 2.092912},
+        {0.2, 0, -1, 1.48052142},  {0.2, 0, 0, 1.55478182},  {0.2, 0, 1, 1.64507145},
+        {0.2, 0, 2, 1.75719157},   {0.3, 0, -1, 1.71622498}, {0.3, 0, 0, 1.81350829},
+        {0.3, 0, 1, 1.93065102},   {0.3, 0, 2, 2.07536161},  {0.4, 0, -1, 1.93981351},
+        {0.4, 0, 0, 2.06377177},   {0.4, 0, 1, 2.22126200},  {0.4, 0, 2, 2.40239954}};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         struct setup train = train_of(table[i][0], table[i][1], 0);
-        assert_near("r_max", rmax_of(&train), table[i][2], 1e-6);
+        train.alpha = table[i][2] * M_PI / 180;
+        assert_near("r_max", rmax_of(&train), table[i][3], table[i][1] > 0 ? 1e-6 : 3e-9);
     }
 }
 
@@ -397,4 +404,31 @@ TEST(radii_that_do_not_fit)
     assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_OK);
     two[1].radius = -1;
     assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_BAD_RADIUS);
+}
+
+/* Checks that a domino tips over earlier by alpha, and that a slope on which no domino stands is an error. */
+TEST(slopes_that_do_not_hold)
+{
+    struct setup train = train_of(0.4, 0, 0);
+    struct domq_angles angles;
+    double edge = atan(7.0 / 48);
+    for (int side = -1; side <= 1; side += 2) {
+        train.alpha = side * edge * (1 + 1e-12);
+        assert_status(ask_train_check(&train), DOM_NO_STAND);
+        train.alpha = side * edge * (1 - 1e-12);
+        assert_status(ask_angles_find(&train, &angles), DOM_OK);
+        assert_near("theta_u", (double)angles.theta_u, edge - (double)train.alpha, 1e-3);
+    }
+    train.alpha = 2;
+    assert_status(ask_train_check(&train), DOM_BAD_ALPHA);
+    train.alpha = 0.01;
+    train.method = DOM_METHOD_GSL;
+    struct domq_limit limit;
+    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
+    train.method = DOM_METHOD_OURS;
+    train.fuel = DOM_FUEL_PAPER;
+    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
+    assert_status(ask_limit_pair(&train, &limit), DOM_OK);
+    struct domq_launch launch;
+    assert_status(ask_launch_find(&train, &launch), DOM_NO_METHOD);
 }

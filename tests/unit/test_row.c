@@ -13,12 +13,6 @@ static const double g = 9.81;
 
 enum { PLAIN, SLOPE_OR_WALLS, AIR, LEANS, RELEASED, EFFECTS };
 
-/* Returns the tilt at which a domino tips over. */
-static double tips_at(const struct domq_domino *d)
-{
-    return atan((double)(d->thickness / d->height));
-}
-
 /* Puts some rows on a slope and turns the dominoes of some rows into boxes. */
 static void slope_or_walls(struct run *run, uint64_t *seed, int i)
 {
