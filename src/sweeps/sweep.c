@@ -88,10 +88,11 @@ static const char *unit_at(const struct question *q, int column, const struct qu
 {
     struct call call;
     struct problem ignored = {.kind = PROBLEM_NONE};
-    if (!unit_varies(q, column))
-        return q->command->columns[column].unit;
+    const char *unit = q->command->columns[column].unit;
+    if (!unit_varies(q, column) || !q->command->in_joules)
+        return unit;
     bool good = question_bind(q, at, &call, &ignored);
-    const char *unit = command_unit(q->command, column, good ? call.query.scene : at->scene);
+    unit = q->command->in_joules(good ? call.query.scene : at->scene) ? "J" : unit;
     arena_free(&call.given.memory);
     return unit;
 }

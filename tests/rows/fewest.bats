@@ -12,7 +12,6 @@ row() { # SCENE HEIGHT KIND START KEY...
     for key in "${@:5}"; do values "$key" <<<"$line"; done | paste -sd ' ' -
 }
 
-# bats test_tags=rows
 @test "count 112 m fewest: the quiz with the best gap, in a table, two sentences and details" {
     same 'the table' "kind     start          dominoes             r             s
                                                            h
@@ -39,7 +38,6 @@ These are the fewest dominoes that topple one that is 112 m tall. Each row was r
     same 'in an expression' 10 "$(json 'print min(fewest(112 m).dominoes)' | values value)"
 }
 
-# bats test_tags=rows
 @test "the growth and the gap that are printed reach the height, and such a row falls" {
     while IFS='|' read -r scene height; do
         answer=$(json "$scene; count $height fewest")
@@ -70,7 +68,7 @@ set h 1 cm; set density 700 kg/m^3; set air 1.2|8 m
 END
 }
 
-# bats test_tags=rows,sweeps
+# bats test_tags=sweeps
 @test "no smaller number of dominoes falls at any gap or growth of a grid" {
     # Every growth with which fewer dominoes would reach the height, at 60 gaps each, run as a row.
     while IFS='|' read -r scene height ratio; do
@@ -112,7 +110,7 @@ END
     [ "$(row reset '1e300 m' solid 'tips over' dominoes)" -gt 1000 ]
 }
 
-# bats test_tags=rows,engine
+# bats test_tags=engine
 @test "with the rigid-body engine, only the moving train has an answer" {
     grep -q '"start":"tips over","dominoes":null.*"reason":"the rigid-body engine would take too long' <<<"$(json 'set bounce 0.3; count 112 m fewest')"
     same 'moving' 14 "$(row 'set bounce 0.3' '112 m' solid moving dominoes)"

@@ -18,6 +18,16 @@ static bool end_seen(const struct domq_moment *moment, void *context)
     return true;
 }
 
+domq_real scene_row_tilt(const struct scene_row *row)
+{
+    domq_real touch;
+    if (isnan(row->row.push) || !(row->row.release > 0))
+        return row->domino->lean;
+    if (any_row_touch(&row->row, &row->compute, &touch) != DOM_OK)
+        return 0;
+    return quad_smaller(row->row.release, touch);
+}
+
 void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
 {
     const struct domq_row *r = &row->run.scene.row;

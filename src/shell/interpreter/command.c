@@ -194,12 +194,6 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
 
 /* ---- Commands in expressions ---- */
 
-const char *command_unit(const struct command *c, int column, const struct scene *scene)
-{
-    const char *unit = c->columns[column].unit;
-    return c->in_joules && strcmp(unit, "mgh/2") == 0 && c->in_joules(scene) ? "J" : unit;
-}
-
 int command_values(const struct command *c, int *fewest)
 {
     int most = 0;

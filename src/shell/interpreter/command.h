@@ -195,9 +195,6 @@ int command_count(void);
 /* Returns command number k, counted from 0, or NULL if there are no more. */
 const struct command *command_at(int k);
 
-/* Returns the unit that a column of the command's answer has in this scene. */
-const char *command_unit(const struct command *command, int column, const struct scene *scene);
-
 /* Returns the index of the command's principal column. The command must have one. */
 int command_principal(const struct command *command);
 

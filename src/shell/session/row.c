@@ -288,16 +288,6 @@ bool scene_row_check(const struct scene *scene, const struct scene_row *row, str
            row_has_room(scene, row, problem);
 }
 
-domq_real scene_row_tilt(const struct scene_row *row)
-{
-    domq_real touch;
-    if (isnan(row->row.push) || !(row->row.release > 0))
-        return row->domino->lean;
-    if (any_row_touch(&row->row, &row->compute, &touch) != DOM_OK)
-        return 0;
-    return quad_smaller(row->row.release, touch);
-}
-
 /* The smallest relative tolerance of searches that run the engine. */
 #define ENGINE_TOL ((domq_real)1 / 10000)
 

@@ -47,9 +47,6 @@ domq_real scene_push(const struct scene *scene, domq_real height);
 /* Returns the tilt in rad at which the first domino is released, as in struct domq_row. */
 domq_real scene_release(const struct scene *scene);
 
-/* Returns the tilt in rad of the first domino before the fall. */
-domq_real scene_row_tilt(const struct scene_row *row);
-
 /* Returns true if the masses of the row are known in kg. Energies are then in J. If the masses are not known,
  * the unit of energy is m g h/2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
