@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs the row of a scene in the engine: converts dominoes to boxes, and what the engine finds to the answers
- * that the library and the commands ask for. To add an effect, add its name to session/effects.h, its
+ * that the library and the commands ask for. To add an effect, add its name to session/scene.h, its
  * description and its value here, and its code to the engine. */
 #include "engine/engine.h"
 #include "interpreter/feature.h"

@@ -239,17 +239,15 @@ const struct command explain_commands[] = {
                    .bind = explain_bind,
                    .choices = deep_names}},
      .summary = "where a number comes from: its equations, with numbers filled in",
-     .help =
-         "WHAT is a command, such as barrier, or an equation of the paper by its label or number, such as "
-         "c6 or 24, from a1 to e8. For each quantity of its answer, 'explain' shows the "
-         "equation in symbols and with numbers, and the value; 'details' lists the quantities in the "
-         "equation. With 'deep' at the end, these quantities are explained as well, down to the "
-         "parameters. The values are the ones that the commands themselves print. With theta1, energy "
-         "and omega, the first word of MORE is a tilt; with rmax, a separation; with count, a height. "
-         "With friction or rounded edges, a quantity may have no equation in closed form. A maximum that the "
-         "program "
-         "finds by a search has none either. The derivation then says so and ends. json gives the "
-         "tree: 'needs' names the quantities in each equation.",
+     .help = "WHAT is a command, such as barrier, or an equation of the paper by its label or number, such "
+             "as c6 or 24, from a1 to e8. For each quantity of its answer, 'explain' shows the equation in "
+             "symbols and with numbers, and the value; 'details' lists the quantities in the equation. With "
+             "'deep' at the end, these quantities are explained as well, down to the parameters. The values "
+             "are the ones that the commands themselves print. With theta1, energy and omega, the first "
+             "word of MORE is a tilt; with rmax, a separation; with count, a height. With friction or "
+             "rounded edges, a quantity may have no equation in closed form. A maximum that the program "
+             "finds by a search has none either. The derivation then says so and ends. json gives the tree: "
+             "'needs' names the quantities in each equation.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .sweep.refusal = "it explains one train",

@@ -203,13 +203,12 @@ static const struct command row_commands[] = {
      .precision = PRECISION_DOUBLE,
      .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
-     .help =
-         "Tries the gap at which the row stops, and up to 30 gaps before it. If the row stops at a gap that "
-         "is "
-         "too wide to reach across, only this gap is tried. For each gap, 'mend' finds the nearest value "
-         "at which all dominoes fall, and lists the smallest change first. If the row needs a push, the "
-         "answer says so. The search tries up to 40 smaller and 40 larger values of each gap (10 in the "
-         "rigid-body engine), and then bisects. It can miss a range of gaps that is narrower than one step.",
+     .help = "Tries the gap at which the row stops, and up to 30 gaps before it. If the row stops at a gap "
+             "that is too wide to reach across, only this gap is tried. For each gap, 'mend' finds the "
+             "nearest value at which all dominoes fall, and lists the smallest change first. If the row "
+             "needs a push, the answer says so. The search tries up to 40 smaller and 40 larger values of "
+             "each gap (10 in the rigid-body engine), and then bisects. It can miss a range of gaps that is "
+             "narrower than one step.",
      .see = "fall tolerance change budget",
      .rows = true,
      .brief = "",
@@ -262,10 +261,9 @@ static const struct command row_commands[] = {
      .argument = {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes},
                   {.name = "GAP", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the gap before domino K of the row",
-     .help = "'place 3 25 mm' is short for 'change 3 gap 25 mm'. All dominoes after the gap move, and the "
-             "other gaps stay the same. A GAP with a sign changes the gap: 'place 3 +1 cm' widens it by 1 "
-             "cm, and "
-             "'place 3 -1 cm' narrows it.",
+     .help = "'place 3 25 mm' is short for 'change 3 gap 25 mm'. All dominoes after the gap move, and "
+             "the other gaps stay the same. A GAP with a sign changes the gap: 'place 3 +1 cm' widens "
+             "it by 1 cm, and 'place 3 -1 cm' narrows it.",
      .example = "set row 5; place 3 25 mm; fall",
      .see = "change row mend",
      .access.changes = true,
@@ -285,11 +283,9 @@ static const struct command row_commands[] = {
      .synonyms = "add append extend more copy",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}},
      .summary = "put another domino into the row, as number K",
-     .help =
-         "The new domino is a copy of the one that was number K, with the same gap before it; 'change' gives "
-         "it other sizes. The domino that was number K and those after it move on. If the row has 5 "
-         "dominoes, "
-         "'insert 6' adds one at the end, like the last.",
+     .help = "The new domino is a copy of the one that was number K, with the same gap before it; 'change' "
+             "gives it other sizes. The domino that was number K and those after it move on. If the row has "
+             "5 dominoes, 'insert 6' adds one at the end, like the last.",
      .example = "set row 5; insert 3; change 3 height 9 cm; row",
      .see = "remove change row",
      .access.changes = true,

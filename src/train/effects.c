@@ -44,11 +44,10 @@ const struct command effect_commands[] = {
     {.name = "effects",
      .synonyms = "list switch scene",
      .summary = "what effects there are, which are on, and what each adds",
-     .help = "Effects decide which of three methods finds the motion, from the quickest to the slowest: the "
-             "energy balance; the equation of motion, if friction or air takes energy; or a rigid-body "
-             "engine, for "
-             "feet that slip and dominoes that bounce, which runs rows only. An effect that is off costs no "
-             "computing time. 'details' shows the methods and the sources.",
+     .help = "Effects decide which of three methods finds the motion, from the quickest to the slowest: "
+             "the energy balance; the equation of motion, if friction or air takes energy; or a "
+             "rigid-body engine, for feet that slip and dominoes that bounce, which runs rows only. An "
+             "effect that is off costs no computing time. 'details' shows the methods and the sources.",
      .example = "set friction 0.2; effects; set friction off",
      .see = "set show",
      .rows = true,

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: proof */
 /*
- * Tests each operation on intervals (proof/span.h) against exact rational numbers. The bounds of the
- * intervals are all pairs of difficult doubles: zeros of both signs, subnormal numbers, the largest doubles
- * and infinities. Rational numbers are taken from each interval, and the exact result of the operation must
- * lie within the interval that the operation returns.
+ * Tests each operation on intervals (src/proof/model/span.h) against exact rational numbers. The bounds of
+ * the intervals are all pairs of difficult doubles: zeros of both signs, subnormal numbers, the largest
+ * doubles and infinities. Rational numbers are taken from each interval, and the exact result of the
+ * operation must lie within the interval that the operation returns.
  */
 #include "../unit/suite.h"
 #include "proof/model/span.h"

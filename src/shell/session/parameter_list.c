@@ -47,20 +47,15 @@ static const char precision_help[] =
     "tol has its default, tol changes with the precision. 'set digits 33' shows all digits that quad gives. "
     "Commands that search for a row or run many rows compute in double, and say so.";
 static const char errors_help[] =
-    "Each answer is computed a second time, with 30 digits (quad precision, tol 1e-30). A number is then "
-    "followed "
-    "by +/- and its error: the difference between the two computations, plus the rounding error of the "
-    "number and "
-    "the digits that are not printed. The difference is no proof: a mistake that both computations make does "
-    "not "
-    "show. In quad precision the second computation has another tolerance, and the difference does not show "
-    "all "
+    "Each answer is computed a second time, with 30 digits (quad precision, tol 1e-30). A number in a "
+    "table is then followed by +/- and its error ('details' has the numbers of an answer in words): the "
+    "difference between the two computations, plus the rounding error of the number and the digits that "
+    "are not printed. The difference is no proof: a mistake that both computations make does not show. In "
+    "quad precision the second computation has another tolerance, and the difference does not show all "
     "rounding errors. No error is shown if the two computations come to different conclusions, and where "
-    "only "
-    "double precision is available, as in studies of many rows. While errors are on, the parameter 'digits' "
-    "affects only numbers without an error, such as the values of 'print'. In csv and json the error has a "
-    "column "
-    "or key of its own, named KEY_error.";
+    "only double precision is available, as in studies of many rows. While errors are on, the parameter "
+    "'digits' affects only numbers without an error, such as the values of 'print'. In csv and json the "
+    "error has a column or key of its own, named KEY_error.";
 static const char density_help[] =
     "If 'mass' is 0, the mass of the first domino is the density times its volume, for which 'set width' "
     "gives the width. With 'set walls', only the volume of the walls counts.";
@@ -69,9 +64,8 @@ static const char method_help[] =
     "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
     "domino that touches the foot of the next one. The time step is halved until the verdict no longer "
     "changes. One run of a row takes about a hundred times as long, and a study of many rows a thousand "
-    "times. "
-    "A row can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or "
-    "'set bounce', because the model lacks these two effects. Endless trains always use the model.";
+    "times. A row can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' "
+    "or 'set bounce', because the model lacks these two effects. Endless trains always use the model.";
 
 static bool fuel_check(const struct state *state, const struct parameter *p, domq_real fuel,
                        struct problem *problem)
@@ -186,10 +180,10 @@ static const struct parameter every_parameter[] = {
          .highest = 256, .whole = true),
      .feature = "parallel", .synonyms = "parallel cores processors cpu fast", .setting = true},
     {ENTRY("output", settings.style.output, "", "format in which answers are printed", .usual = 0),
-     .synonyms = "format csv json spreadsheet",
+     .synonyms = "csv json format spreadsheet",
      .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
     {ENTRY("header", settings.style.header, "", "whether csv begins with the names of its columns", .usual = 1),
-     .synonyms = "csv columns names first line",
+     .synonyms = "columns names first line csv",
      .words = SWITCH, .words_only = true, .setting = true},
     {ENTRY("digits", settings.style.digits, "", "significant digits in tables; csv and json always have all digits", .lowest = 1,
          .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true),
