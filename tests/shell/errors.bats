@@ -24,7 +24,6 @@ junk() { # PATTERN
 1|q 3|^'q' is a parameter; enter 'set q VALUE'
 1|sqrt 2|^'sqrt' is a function; write its arguments in parentheses, as in 'sqrt\(2\)'$
 8|4.8 cm in mm|'to' converts, as in '4.8 cm to mm'$
-1|fuell|^unknown command 'fuell'; did you mean 'fuel'\?$
 6|rmax hollow|^rmax: S at 'hollow': 'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 1|hollow|^'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 5|set hollow|^set: 'hollow' is a value of q; enter 'set q hollow', or
@@ -39,13 +38,9 @@ END
 @test "missing and surplus arguments: the usage of the command" {
     all_wrong <<'END'
 4|set|^set: .*missing.*set NAME VALUE
-11|set s 0.4 1|^set: '1' .*too many.*set NAME VALUE
 10|help set show|^help: 'show' .*too many.*help \[NAME\]
-8|thetac 1|^thetac: '1' .*too many.*usage: thetac
 12|theta1 0.1 0.2|^theta1: '0.2' .*too many.*theta1 T
-17|curve 0.1 0.9 5 6|^curve: '6' .*too many.*curve FROM TO N
 6|count|^count: .*missing.*count H \[R\]
-9|print 1 2|^print: '2' .*too many.*print VALUE
 8|save a b|^save: 'b' .*too many.*save FILE
 6|fuel a b c d e f g h i j k l m n o p q r s t u|^fuel: 'a' .*too many.*usage: fuel
 END
@@ -55,27 +50,19 @@ END
 @test "a value that is not a number: the message says where and what" {
     sed -E 's/^([0-9]+) (.*)/\1|set s \2|^set: (s at|s:|s =|unexpected .* after the value of s;)/' <<'END' | all_wrong
 7 nan
-7 0x10
-8 1,5
-10 0.4.1
 8 -
-9 1/
 7 /2
-9 1/0x2
 7 '0.4'
 END
     all_wrong <<'END'
 8|set s -1e5000|^set: s.*too large
 13|set h 1e4900/1e-90|^set: h.*not a finite number
 8|set s 1/0|^set: s.*division by zero
-9|set s 1 / (2 - 2)|^set: s.*division by zero
 7|set q wooden|^set: .*q.*'wooden'
 10|set fuel diesel|^set: unknown value of fuel 'diesel'.*exact.paper
 12|set output xml|^set: unknown value of output 'xml'.*table.csv.json
 6|rmax nan|^rmax: S.*'nan' has no value
-7|curve x 0.9 3|^curve: FROM.*'x' has no value
 15|curve 0.1 0.9 x|^curve: N.*'x' has no value
-9|count 1 x|^count: R.*'x' has no value
 END
 }
 
@@ -87,7 +74,6 @@ END
         done
     done <<'END' | all_wrong
 s 0 1.0001 1e-06 \.\. 1( |$)
-s -0.4 1e300 1e-06 \.\. 1( |$)
 s 9e-7 1+1e-9 1e-06 \.\. 1( |$)
 r 0.9999 1.1e6 1 \.\. 1e\+06$
 d 0 101 1e-12 \.\. 100( |$)
@@ -96,14 +82,12 @@ tol -1e-3 1 1e-15 \.\. 0.1$
 h 0 1e10 1e-09 \.\. 1e\+09( |$)
 g -9.81 1e10 1e-09 \.\. 1e\+09( |$)
 digits 0 37 1 \.\. 36$
-digits -3 1e300 1 \.\. 36$
 END
     all_wrong <<'END'
 6|rmax 2|^rmax: S = 2 is out of range; S is a value of s, 1e-06 \.\. 1$
 7|curve 0 1 3|^curve: FROM = 0 is out of range; FROM is a value of s, 1e-06 \.\. 1$
 11|curve 0.1 1.1 3|^curve: TO = 1.1 is out of range; TO is a value of s, 1e-06 \.\. 1$
 15|curve 0.1 0.9 0|^curve: N = 0 .*integer in 1 \.\. [0-9]+$
-15|curve 0.1 0.9 2.5|^curve: N = 2.5 .*integer in 1 \.\. [0-9]+$
 15|curve 0.1 0.9 1e12|^curve: N = 1e\+12 .*integer in 1 \.\. [0-9]+$
 0|curve 0.1 0.9 1|^curve: one value of s .*at least 2, for example
 7|count -112|^count: H = -112 .*metres, larger than 0$
@@ -119,7 +103,6 @@ END
 -0.1 -0.1
 -1e-300 -1e-300
 0.7 0.7
-1e300 1e+300
 END
         # Both ends belong to the range.
         same "$command" "0 $theta_c" "$(json "$command 0; $command $theta_c" | grep -E '^.("i":0,)?"(theta|theta_i)":' |
