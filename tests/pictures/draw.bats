@@ -73,17 +73,13 @@ record="effect row \"$root/examples/record.csv\""
     one_line 'T is an angle, not a length' 'draw 10 mm'
     one_line "'8' is one argument too many; usage: draw, draw at 2.5 s, " 'draw forces 0.3 8'
     one_line "'sideways' is neither a value nor a word that fits here; usage: draw" 'draw sideways'
-    one_line "'forces' is one argument too many; usage: draw" 'draw forces forces'
     one_line 'it stops at 0.02802163121 rad, before the top of the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
-    one_line 'use .svg, .png, .pdf, .gp or .txt' 'draw 0.1 > a.jpg'
     one_line "'a.png' is the name of a picture, which 'animate' cannot write; use .gif" 'animate > a.png'
     one_line "'a.gif' is the name of a film, which 'draw' cannot write; use .svg" 'draw > a.gif'
-    one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
     one_line "cannot write 'none/a.gif'" 'animate > none/a.gif'
     one_line "an animation can be shown only on a terminal; enter 'animate > film.gif' for a file" 'set row 3; animate'
     one_line "'a.gif' can hold only one picture; '>' replaces it" 'animate >> a.gif'
-    one_line 'use .svg, .png' 'plot growth > a.gif'
     one_line 'the fuel P is not positive' 'set s 0.001; draw > a.svg'
     one_line 'r s = 3.6 > 1' 'set r 9; draw > a.svg'
     same 'nothing is left' '(nothing)' "$(ls)"
@@ -108,10 +104,10 @@ record="effect row \"$root/examples/record.csv\""
         same "$what: data" "$(csv "${what%% >*}")" "$rows"
     done
     same 'nothing is left' empty "$(ls "$dir" | grep -v '\.bats')"
-    run -1 "$DOMINO" --keep-going --safe -e "animate > $dir/a.gif"
-    [[ $output == *'a safe session cannot read or write files'* ]]
-    run -1 "$DOMINO" --keep-going --safe -e "draw > $dir/a.svg"
-    [[ $output == *'a safe session cannot read or write files'* ]]
+    for what in 'animate > a.gif' 'draw > a.svg' 'plot growth > a.svg'; do
+        run -1 "$DOMINO" --keep-going --safe -e "$what"
+        [[ $output == *'a safe session cannot read or write files'* ]]
+    done
 }
 
 @test "gnuplot settings of the user have no effect" {
@@ -130,10 +126,8 @@ record="effect row \"$root/examples/record.csv\""
         same "$row; $what" "$count" "$("$DOMINO" -e "set output json; $row; $what" | "$root/tests/pictures/polygons" a.svg)"
     done <<END
 10|$record|draw
-10|$record|draw at 3.9 s
 10|$record|draw at domino 8
 10|$record|draw at end
-12|set r 1; effect row 12; effect push 5|draw at 0.2
 5|set r 1.4; effect row 5; effect friction 0.2; effect slope 1 deg|draw at domino 4
 200|set r 1; effect row 200|draw
 END
@@ -290,20 +284,16 @@ END
     one_line "'draw at' shows a row at a given time; first enter 'set row N', for example 'set row 10'" 'draw at 2 s'
     one_line "the motion ends at 7.648 s; 'draw at end' shows the row at this time" "$record; draw at 8 s > a.svg"
     one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last one" "$record; draw at domino 11"
-    one_line 'there is no domino 0: this row has 10;' "$record; draw at domino 0"
     one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
     one_line "domino 5 is never hit: the fall ends at domino 2; 'draw at end' shows how far the row falls" 'set r 1.6; effect row 12; draw at domino 5'
     one_line "times count from the push and cannot be negative; 'draw at 0' shows the row at the push" 'effect row 5; effect push 5; draw at -1'
     one_line "this needs a time such as 2.5 s, not a length" "$record; draw at 2 m"
     one_line "'at' needs a time, 'domino N' or 'end'; usage: draw, draw at 2.5 s, " "$record; draw at"
     one_line "'never' is neither a value nor a word that fits here; usage: draw" "$record; draw at never"
-    one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
     one_line "the value of 'domino' is missing; usage: draw, draw at 2.5 s, draw at domino 8" "$record; draw at domino"
-    one_line "the file extension of 'a.mov' is unknown; use .gif" "$record; animate > a.mov"
     one_line 'speed is 0; it must be in the range 0.001 .. 1000' "$record; animate speed 0 > a.gif"
     one_line 'rate is 1000 frames per second; it must be in the range 1 .. 50 frames per second' "$record; animate rate 1000 > a.gif"
     one_line "at most 3000 are drawn; enter 'speed" "$record; animate speed 0.01 > a.gif"
-    one_line "'quickly' is neither a value nor a word that fits here; usage: animate, animate speed" "$record; animate quickly > a.gif"
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 
