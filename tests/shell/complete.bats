@@ -27,7 +27,6 @@ load common
     done <<END
 |$all
 th|thetac theta1
-bar|barrier
 zzz|(nothing)
 set |$parameters $effects
 show |$parameters $effects all
@@ -35,38 +34,24 @@ reset |$parameters $effects
 set friction |off on
 effect floor |off on
 set placement 0.1 |m mm cm km in ft yd
-set ou|output
 set d|d density digits drag
 show t|tol threads timing
-set ti|timing
 set output |table csv json
-set output j|json
 set fuel |exact paper
-set angle |rad deg
-set timing |off on
 set q |hollow solid
-set q h|hollow
 help b|barrier back best budget bounce
-help dig|digits
-theta1 at|atan( atan2(
 rmax 0.9*rm|0.9*rmax
-rmax (rm|(rmax
 count |h $landmarks
 count 112 |fewest r rmax pair m mm cm km in ft yd
 count 112 m |fewest r rmax pair
 set h 48 |m mm cm km in ft yd
 set h 48m|48m 48mm
 set mass 10 |kg g t lb oz
-set s 0.3 |m mm cm km in ft yd
 curve 0.1 0.9 |mm cm in
 theta1 |thetac where
-sweep s |(nothing)
 sweep fuel |exact paper
 sweep h 40 mm 60 mm 3 den|density
 count 2*sq|2*sqrt(
-print an|ans
-0.9*rm|0.9*rmax
-r = 0.9*rm|0.9*rmax
 rmax.r_max_e|rmax.r_max_exact
 solve d 0.05 |d m mm cm km in ft yd
 rmax with q ho|hollow
@@ -76,22 +61,14 @@ print 4 cm to f|ft
 sweep s 0.1 0.3 3 q hollow, s|solid
 animate speed 2; set ou|output
 draw |at tower train forces
-draw f|forces
-draw 0.3 f|forces
 draw 0.3 forces |train
 draw at |domino end
-draw forces |train
-draw train |forces
 animate |speed rate tower
 animate speed 2 r|rate
 plot f|fit fall
-plot fall |(nothing)
 plot growth |(nothing)
 plot sweep fr|friction
 plot sweep s 0.1 0.3 3 : rm|rmax
-plot energy |(nothing)
-plot energy r|(nothing)
-plot fit fr|friction
 cost |fuel launch barrier duration rmax pair
 set precision |float double quad
 set s |(nothing)

@@ -9,12 +9,8 @@ load common
     all_worth <<'END'
 112|m|domtoren
 2240|-|domtoren / 5 cm
-96|m|big_ben
 96|m|Big Ben
-96|m|(big ben)
 426|m|big ben + eiffel tower
-381|m|empire state building
-508|m|taipei 101
 2|-|Burj Khalifa / (828 m / 2)
 20|-|count(domtoren)
 END
@@ -23,8 +19,6 @@ END
         close "$name" "$(json "print $value" | values value)" "$(json "print $name" | values value)" 1e-3
     done <<'END'
 liberty|305 ft + 1 in
-empire_state|1250 ft
-one_world_trade|1776 ft
 washington_monument|555 ft + 5.125 in
 giza|280 * 52.36 cm
 END
@@ -38,7 +32,6 @@ END
         same "$name" "$("$DOMINO" -e 'count 96 m 1.3')" "$("$DOMINO" -e "count $name 1.3")"
     done
     all_print <<'END'
-eiffel tower / 330 m|1
 big ben to ft|314.961 ft
 set h big ben; print h|96 m
 let tall(x) = 2*x; tall(taipei 101)|1016 m
@@ -49,7 +42,6 @@ END
     all_print <<'END'
 let eiffel = 3 m; print eiffel|3 m
 let big_ben = 3 m; print big ben|3 m
-let ulm(x) = 2*x; print ulm(4)|8
 let eiffel = 3 m; reset eiffel; print eiffel|330 m
 let f(eiffel) = 2*eiffel; f(4)|8
 END
@@ -72,7 +64,6 @@ END
 
 @test "messages about landmarks" {
     all_wrong <<'END'
-7|count washington|did you mean 'washington_monument'
 7|count burj|did you mean 'burj_khalifa'
 7|count eifel|did you mean 'eiffel'
 6|rmax eiffel|S = 6875 is out of range

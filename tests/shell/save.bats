@@ -49,11 +49,7 @@ load common
     done <<'END'
 s 1/3
 r pi/3
-d 7.1 mm / 48 mm
 q hollow
-tol 1e-9/3
-h 1 ft
-fuel paper
 angle deg
 END
     # 'output' is checked alone, because the other checks set it.
@@ -97,8 +93,6 @@ END
     echo 'set s 0.3' >plain
     same 'forty in a row' 0.3 \
         "$(json "$(for _ in $(seq 40); do echo 'source plain'; done); show s" | values value)"
-    run -1 --separate-stderr "$DOMINO" --keep-going -f itself
-    same '-f: lines on stderr' 1 "$(wc -l <<<"$stderr")"
 }
 
 # bats test_tags=rows

@@ -7,17 +7,14 @@ load ../shell/common
 
 sweeps='sweep s 0.1 0.9 81 d 0.05 0.3 6 : rmax
 sweep s 0.02 0.98 200 : barrier
-sweep q hollow, massive s 0.001 1 40 log : launch
 sweep s 0.1 0.9 30 : count 112 0.9*rmax
 sweep s 0.1 0.9 30 : theta1 40 deg
 sweep s 0.1 0.9 9 : chain 0.05
 sweep r 1.2 2.4 13 : cycle 4
-sweep d 0.1 0.2 4 : curve 0.1 0.5 5
 sweep friction 0 0.4 5 s 0.2 0.4 3 : duration
 sweep row 3 9 3 push 5, 6.5 : fall
 sweep fuel exact, paper s 0.1 0.4 3 : fuel
 sweep precision float, double, quad : rmax
-sweep s 0.1 0.9 300 : print 112*s/r
 set mass 1; sweep s 0.4, 0.9, 0.1 : step 3
 set errors on; sweep s 0.9 0.3 13 : barrier
 set angle deg; sweep r 1.2 2 5 : thetac
@@ -63,7 +60,7 @@ END
 
 # bats test_tags=rows
 @test "the parts of a sweep, however many, concatenate to the whole sweep, in csv and json" {
-    some=$(grep -v 'row 3\|40 log\|print' <<<"$sweeps")
+    some=$(grep -v 'row 3' <<<"$sweeps")
     mkdir "$BATS_TEST_TMPDIR/whole" && cd "$BATS_TEST_TMPDIR/whole"
     each_sweep '' csv json <<<"$some" | "$DOMINO" --bail
     for parts in 1 2 3 7 40; do
@@ -110,13 +107,10 @@ END
 @test "grids: even, by equal ratios, lists, words, units, one point, in degrees" {
     grid() { csv "sweep $1 : print 0" | tail -n +2 | cut -d , -f "1-${2:-1}" | paste -sd ' ' -; }
     same even '0.1 0.3 0.5' "$(grid 's 0.1 0.5 3')"
-    same down '0.5 0.3 0.1' "$(grid 's 0.5 0.1 3')"
     same ratios '0.001 0.01 0.1 1' "$(grid 's 0.001 1 4 log')"
     same list '0.3 0.1 0.25' "$(grid 's 0.3, 0.1,1/4')"
     same words '3 4' "$(grid 'q hollow, massive')"
-    same from 'exact paper' "$(grid 'fuel exact, paper')"
     same units '0.01 0.02' "$(grid 'h 1 cm 20 mm 2')"
-    same expressions '0.2 0.4' "$(grid 's s/2 s 2')"
     same one 0.4 "$(grid 's 0.4 0.4 1')"
     same whole '1 4 7' "$(grid 'seed 1 7 3')"
     same 'whole, by ratios' '5 16 50' "$(grid 'row 5 50 3 log')"
@@ -124,7 +118,6 @@ END
     same 'nor behind a list' '0.1,0.4 0.2,0.4' "$(grid 'd 0.1, 0.2 s 0.4 0.4 1' 2)"
     same 'g is gravity here' '0.1,1 0.1,2 0.2,1 0.2,2' "$(grid 'h 0.1, 0.2 g 1, 2' 2)"
     same 'but a gram of a mass' '0.001 0.01' "$(grid 'mass 1 g 10 g 2')"
-    same 'in a list, too' '0.001,0.1 0.01,0.1' "$(grid 'mass 1 g, 10 g d 0.1 0.1 1' 2)"
     same 'without blanks' '0.1 0.2' "$(csv 'sweep s 0.1 0.2 2: print 0' | tail -n +2 | cut -d , -f 1 | paste -sd ' ' -)"
     same 'tol follows precision' '1e-05 1e-12 1e-30' \
         "$(csv 'sweep precision float, double, quad : print tol' | tail -n +2 | cut -d , -f 2 | paste -sd ' ' -)"
@@ -134,7 +127,6 @@ END
 @test "columns: none occurs twice, and columns that repeat a parameter are left out" {
     same rmax s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax' | head -n 1)"
     same 'rmax S' s,rmax.s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax s/2' | head -n 1)"
-    same best s,best.s,r_max,reason "$(csv 'sweep s 0.2 0.4 2 : best' | head -n 1)"
     same fuel fuel,fuel.fuel,fuel_exact,fuel_paper,reason "$(csv 'sweep fuel exact, paper : fuel' | head -n 1)"
     same count r,height,dominoes,exact,first_height,last_height,feasible,goes_on,stops_at,push,r_start,reason "$(csv 'sweep r 1.2 1.5 2 : count 112 m' | head -n 1)"
     same 'count H R' r,height,count.r "$(csv 'sweep r 1.2 1.5 2 : count 112 m r/2+1' | head -n 1 | cut -d , -f 1-3)"
@@ -189,7 +181,6 @@ END
     wrong_line 'sweep : rmax' 'the grid is missing; for each parameter, enter NAME FROM TO N'
     wrong_line 'sweep s 0.1 0.9 9' "':' and a command are missing after the grid; enter, for example,"
     wrong_line 'sweep s 0.1 0.9 9 :' "the command after ':' is missing; enter, for example,"
-    wrong_line 'sweep s 0.1 : rmax' 's: TO is missing'
     wrong_line 'sweep s 0.1 0.9 : rmax' ':17: .*s: N, the number of values, is missing'
     wrong_line 'sweep z 0.1 0.9 9 : rmax' ":7: sweep: unknown parameter 'z'"
     wrong_line 'sweep output 1 2 3 : rmax' "'output' is a setting of the calculator"
@@ -199,7 +190,6 @@ END
     wrong_line 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is not a count'
     wrong_line 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' is in the grid twice"
     wrong_line 'sweep fuel exact paper 2 : rmax' "the values of fuel are words; list them, as in 'sweep fuel exact, paper : rmax'"
-    wrong_line 'sweep friction off 0.2 3 : rmax' "the values of friction are words; list them, as in 'sweep friction off, on : rmax'"
     wrong_line 'sweep seed 1 10 5 : rmax' 'seed takes whole numbers'
     wrong_line 'sweep mass 0 1 3 log : rmax' "with 'log', FROM and TO must be above 0"
     wrong_line 'sweep s 0.1 0.9 1e7 d 0.1 0.9 1e7 : rmax' 'more than 1000000000000 points'
