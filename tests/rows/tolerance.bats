@@ -77,11 +77,6 @@ verdicts() { # COMMANDS...
     wrong tolerance 'there is no row'
 }
 
-@test "tolerance: the table has only windows of places, gaps and heights, and marks the tightest limits" {
-    run -0 "$DOMINO" -e 'effect row 4; tolerance details'
-    same heads 'domino from to gap_low gap_high height_low height_high first' "$(echo $(grep '^domino' <<<"$output"))"
-}
-
 @test "tolerance: the thickness with the tightest limits is named, and the ends of its window are in csv" {
     said=$("$DOMINO" -e 'effect row 5; tolerance details')
     [[ $said =~ The\ thickness\ of\ domino\ ([0-9]+)\ has\ the\ tightest\ limits:\  ]]
