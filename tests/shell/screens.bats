@@ -16,17 +16,16 @@ setup() {
 on_terminal() { # COLUMNS ROWS COMMANDS
     python3 "$BATS_TEST_DIRNAME/terminal.py" "$1" "$2" env PATH="${programs:-$PATH}" "$DOMINO" -n -e "$3"
 }
-scenes=('plot growth' 'effect row 6; effect friction 0.1; plot fall' 'effect row 8; plot speed'
-    'plot sweep q 3, 4 s 0.2 0.8 13 : rmax' 'plot sweep s 0.1 0.9 9 d 0.05 0.4 8 : rmax')
+scenes=('plot growth' 'effect row 6; effect friction 0.1; plot fall' 'plot sweep s 0.1 0.9 9 d 0.05 0.4 8 : rmax'
+    'effect row 8; plot speed' 'plot sweep q 3, 4 s 0.2 0.8 13 : rmax')
 
 screens() {
     local scene
-    for scene in "${scenes[@]}"; do
+    for scene in "${scenes[@]:0:3}"; do
         printf '%s\n' "$scene"
         on_terminal 80 24 "$scene"
     done
 }
-
 
 @test "golden screen: plots in braille, boxes and blocks" {
     NO_COLOR=1 screens >"$BATS_TEST_TMPDIR/screens"
@@ -78,7 +77,7 @@ screens() {
     done
     grep -q '#' "$BATS_TEST_TMPDIR/screen" # a console has no braille
     same 'no colour on a dumb terminal' '(nothing)' "$(TERM=dumb on_terminal 80 24 "$scene" | grep -o $'\x1b' | head -1)"
-    differ 'a map in colour' "$(on_terminal 80 24 "${scenes[4]}" | grep -c '▀')" 0
+    differ 'a map in colour' "$(on_terminal 80 24 "${scenes[2]}" | grep -c '▀')" 0
 }
 
 @test "a terminal gets characters, whatever it can show, and no program is run for them" {

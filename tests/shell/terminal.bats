@@ -110,7 +110,6 @@ errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'prin
         'placement 50' details plan details
     see 'all dominoes still fall'
 }
-@test "answers fit in 120 columns" { fits 120 "${answers[@]}"; }
 @test "help fits in 80 columns" { fits 80 "${helps[@]}"; }
 @test "errors fit in 80 columns" { fits 80 "${errors[@]}"; }
 
