@@ -156,22 +156,16 @@ null_of() { # COMMANDS SELECTION KEY REASON
         same "$line: one object" 1 "$(wc -l <<<"$got")"
         python3 -c 'import json, sys; assert "command" in json.loads(sys.stdin.read())' <<<"$got"
     done <<'END'
-rmax|\{"command":"rmax","s":0\.4,"r_max":.*\}
-set s 0.3|\{"command":"set"\}
-effect friction 0.2|\{"command":"effect"\}
 rmax > answer|\{"command":"rmax"\}
 quit|\{"command":"quit"\}
-foo|\{"command":null,"error":"unknown command 'foo'; .*","source":"stdin","line":2,"column":1\}
 theta1 9|\{"command":"theta1","error":"T = 9 rad is outside .*","source":"stdin","line":2,"column":8\}
 assert verdict|\{"command":"verdict","error":"there is no row; .*","source":"stdin","line":2,"column":null\}
 print "|\{"command":"print","error":".*\\".*","source":"stdin","line":2,"column":7\}
-source missing|\{"command":"source","error":"cannot read 'missing': .*"source".*\}
 print 1e400|\{"command":"print","value":null,"unit":"","reason":".*quad.*"\}
 print 1e-400|\{"command":"print","value":null,"unit":"","reason":".*closer to 0.*"\}
 print 1e5000|\{"command":"print","error":".*this number is too large","source".*\}
 help rmax|\{"command":"help","name":"rmax","kind":"command","usage":"rmax \[S\]",.*"keys":"s r_max ends_by r_max_exact r_max_paper r_start".*\}
 help friction|\{"command":"help","name":"friction","kind":"effect","usage":"set friction .*\}
-show s|\{"command":"show","name":"s","value":0\.4,.*\}
 complete set output j|\{"command":"complete","line":".*json"\}
 echo "a; b"|\{"command":"echo","text":"a; b"\}
 END
@@ -244,9 +238,7 @@ END
 # bats test_tags=rows,sweeps
 @test "values that a precision cannot represent are null in json and empty in csv, with the reason" {
     null_of 'print 1e400' true value "too large for double precision; quad precision has a wider range"
-    null_of 'print -1e4000' true value 'too large for double precision'
     null_of 'set precision float; print 1e39' true value 'too large for float precision'
-    null_of 'set precision float; print -1e39 m' true value 'too large for float precision'
     same 'a float that is one' 3e+38 "$(json 'set precision float; print 3e38' | values value)"
     same 'quad holds it' 1e+4000 "$(json 'set precision quad; print 1e4000' | values value)"
     null_of 'set r 1e6; effect row 60; row' '.domino == 60' height 'too large for double precision'
