@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the growths at which all dominoes of a row fall. */
+#pragma GCC visibility push(default) /* precision/shared.awk */
 #include "domino_study.h"
+#pragma GCC visibility pop
 #include "search/trial.h"
 
 /* Each step of the search multiplies the growth by GROWTH_STEP. Because an engine is slow, the search for the
