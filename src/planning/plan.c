@@ -100,11 +100,10 @@ static bool plan_make(const struct query *query, struct problem *problem, struct
         p->has_leans = p->has_leans || scene->domino[k].lean != 0;
     }
     struct trials t;
-    bool good =
-        status == DOM_OK
-            ? trials_make(query, problem, scene->row.engine ? STUDY_ROWS_OF_ENGINE : STUDY_ROWS, true, &t)
-            : row_status(query, problem, status);
-    if (good) {
+    bool good = false;
+    if (status != DOM_OK) {
+        row_status(query, problem, status);
+    } else if (trials_make(query, problem, scene->row.engine ? STUDY_ROWS_OF_ENGINE : STUDY_ROWS, true, &t)) {
         memcpy(p->error, t.placement.error, sizeof p->error);
         if (t.has_errors)
             status = dom_placement_study(&t.row.row, &t.row.compute, &t.placement, &p->study, NULL);

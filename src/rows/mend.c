@@ -89,7 +89,7 @@ static enum dom_status mends_find(const struct double_row *made, struct dom_wind
     for (size_t i = 0; i < gaps && status == DOM_OK; i++)
         if (!isnan(w[i].low))
             w[(*found)++] = w[i];
-    if (*found > 1)
+    if (status == DOM_OK && *found > 1)
         qsort(w, *found, sizeof *w, by_change);
     return status;
 }

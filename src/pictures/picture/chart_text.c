@@ -401,8 +401,8 @@ static void names_draw(const struct frame *f, const struct stage *stage)
                            (stage->tall <= 0 || (middle >= f->left && middle < f->right));
             if (is_free && stage->tall > 0 && d->number == NUMBER_TOWER)
                 text_add(name, sizeof name, " %s", measured((domq_real)d->height, "m", 4).text);
-            const int wide = (int)strlen(name),
-                      from = is_free ? (int)clamp(middle - wide / 2, f->left, c->width - wide) : 0;
+            const int wide = (int)strlen(name), half = wide / 2,
+                      from = is_free ? (int)clamp(middle - half, f->left, c->width - wide) : 0;
             for (int i = from > f->left ? from - 1 : from; is_free && i <= from + wide; i++)
                 is_free = canvas_blank(c, i, row);
             if (is_free)

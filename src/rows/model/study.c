@@ -216,7 +216,7 @@ static enum dom_status study_falls(struct study *s, size_t k, struct dom_verdict
     run.ends = study_ends;
     s->off = (real)INFINITY;
     s->doubt = false;
-    if (k > 0) {
+    if (s->mark && k > 0) {
         run.omegasq = s->mark[k].omegasq;
         run.inertia_ratio = s->mark[k].inertia_ratio;
         run.moving = s->mark[k].moving;

@@ -317,7 +317,7 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
                                 struct dom_window *windows)
 {
     struct trial t = trial_of(row, compute);
-    t.of = of;
+    t.of = (int)of;
     bool falls = trial_begin(&t), one = of == DOM_WINDOW_FRICTION;
     const size_t first = of == DOM_WINDOW_GAP || of == DOM_WINDOW_PLACE, end = one ? 1 : row->count;
     const struct dom_verdict planned = t.verdict;

@@ -182,11 +182,12 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
     case ARGUMENT_VALUE_OF:
         if (is_length && is_own && q.value > 0)
             return true; /* another h may put this length into the range */
-        if (is_own || (q.value >= of->lowest && q.value <= of->highest))
-            return parameter_check(query->state, p, a->which, q.value, problem);
-        snprintf(range, sizeof range, "a value of %s, %g .. %g", p->name, (double)of->lowest,
-                 (double)of->highest);
-        return out_of_range(problem, a, q.value, "out of range", range);
+        if (p && !is_own && !(q.value >= of->lowest && q.value <= of->highest)) {
+            snprintf(range, sizeof range, "a value of %s, %g .. %g", p->name, (double)of->lowest,
+                     (double)of->highest);
+            return out_of_range(problem, a, q.value, "out of range", range);
+        }
+        return parameter_check(query->state, p, a->which, q.value, problem);
     default:
         return true;
     }

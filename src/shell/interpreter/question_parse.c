@@ -185,14 +185,13 @@ static bool arguments_parse(struct reader *r, struct question *q)
         const struct command *variant =
             q->count == 1 && c->typed.variant ? command_find(c->typed.variant) : NULL;
         if (variant && reader_takes(r, variant->name)) {
-            q->command = variant;
-            r->problem->command = q->command->name;
+            q->command = c = variant;
+            r->problem->command = c->name;
             break;
         }
         if (!argument_parse(r, q, q->count))
             return false;
     }
-    c = q->command;
     r->at = skip_blanks(r->at);
     reader_place(r, r->at);
     const struct argument *missing = q->count < ARGUMENTS_MAX ? &c->argument[q->count] : NULL;
