@@ -13,16 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *optimum_names(const void *context, int k)
-{
-    (void)context;
-    const struct parameter *p = session_parameters;
-    while (p->name && (p->setting || p->words_only || p->of_precision ||
-                       (p->from == p->to && !p->value->whole) || k-- > 0))
-        p++;
-    return p->name;
-}
-
 /* ---- The search ---- */
 
 enum { POINTS = 241, POINTS_OF_TWO = 41 /* along each of two parameters */ };

@@ -103,6 +103,16 @@ static bool ranges_parse(struct reader *r, struct question *q, names_list *names
     return false;
 }
 
+const char *optimum_names(const void *context, int k)
+{
+    (void)context;
+    const struct parameter *p = session_parameters;
+    while (p->name && (p->setting || p->words_only || p->of_precision ||
+                       (p->from == p->to && !p->value->whole) || k-- > 0))
+        p++;
+    return p->name;
+}
+
 bool solve_parse_name(struct reader *r, struct question *q)
 {
     return ranges_parse(r, q, solve_names, 1);

@@ -21,10 +21,6 @@ void command_run_text(struct session *session, const char *text);
 /* Runs the commands of a stream line by line. `name` is the name of the stream in error messages. */
 void line_stream(struct session *session, FILE *in, const char *name);
 
-/* Parses and runs the command at the reader's position, writes its answer to standard output or a
- * file, and moves the reader to where parsing ended. */
-void run_command_at(struct session *session, struct reader *line);
-
 /* ---- A line that is being typed, for completion. No command is run. ---- */
 
 /* The character that marks the cursor. No name, value or operator contains this character. */

@@ -4,11 +4,6 @@
 #include <ctype.h>
 #include <string.h>
 
-bool is_value_name(const struct state *state, const char *name)
-{
-    return names_exact(value_names, state, name) >= 0;
-}
-
 /* ---- Expressions ---- */
 
 /* Reports an error in the expression for the argument `name`. If a problem has been reported already, it

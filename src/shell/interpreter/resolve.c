@@ -8,6 +8,11 @@
 #include <stdio.h>
 #include <string.h>
 
+bool is_value_name(const struct state *state, const char *name)
+{
+    return names_exact(value_names, state, name) >= 0;
+}
+
 /* Reports an error in a tree. The value of the macro is false. */
 #define fail(p, t, ...) expression_wrong((p)->error, (t)->at, __VA_ARGS__)
 

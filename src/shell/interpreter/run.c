@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/run.h"
 #include "answer/format.h"
 #include "interpreter/feature.h"
-#include "interpreter/interpret.h"
 #include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"

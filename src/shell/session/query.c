@@ -7,19 +7,6 @@
 #include <string.h>
 #include <unistd.h>
 
-bool problem_report(struct problem *problem, enum problem_kind kind, const char *format, ...)
-{
-    if (problem->kind != PROBLEM_NONE)
-        return false;
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(problem->text, sizeof problem->text, format, arguments);
-    va_end(arguments);
-    problem->kind = kind;
-    problem->column = problem->place;
-    return false;
-}
-
 void run_context_note(const struct run_context *run_context, const char *format, ...)
 {
     char text[PROBLEM_TEXT];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "session/parameters.h"
 #include "answer/format.h"
 #include "language/names.h"
 #include "language/text.h"
+#include "session/parameters.h"
 #include <limits.h>
 #include <string.h>
 
