@@ -8,8 +8,8 @@
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
  *     time (s)                       when dominoes are hit, as a microphone hears some of them
  *
- * fit_answer.c reads the file and writes the answer, fit_sound.c numbers the hits of a sound, fit_solve.c finds the
- * smallest sum of squares, and pictures/fit_chart.c draws it.
+ * fit_answer.c reads the file and writes the answer, fit_sound.c numbers the hits of a sound, fit_solve.c
+ * finds the smallest sum of squares, and pictures/fit_chart.c draws it.
  */
 #ifndef FIT_H
 #define FIT_H
