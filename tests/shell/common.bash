@@ -34,7 +34,7 @@ effect row 5; verdict|verdict domino short_by seconds weakest spare
 effect row 3; set mass 1; row|domino height thickness gap mass
 effect row 3; tolerance|domino place from to gap gap_low gap_high height height_low height_high thickness thickness_low thickness_high lean lean_low lean_high friction_low friction_high first
 effect row 5; rowmax|s count r_max r_train
-design 1|s r steps feet length mass safety weakest train seconds
+design 1|s r steps feet length mass safety weakest train seconds probability low
 sensitivity rmax|parameter value step less more
 solve d : rmax = 5/3|value answer branch
 effect row 4; effect placement 5 mm; placement 50|sigma heights rows fall probability low high unknown stops_most errors
