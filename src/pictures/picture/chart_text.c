@@ -395,7 +395,7 @@ static void names_draw(const struct frame *f, const struct stage *stage)
     for (int pass = 0; pass < 2; pass++)
         for (size_t k = 0; k < stage->count; k++) {
             const struct drawn *d = &stage->domino[k];
-            char name[DRAWN_NAME + CELL_TEXT];
+            char name[DRAWN_NAME + CELL_TEXT] = "";
             const double middle = stage_dot(f, (struct point){d->foot - d->thickness / 2, 0}).x / c->across;
             bool is_free = drawn_marked(d) == (pass == 0) && drawn_name(d, name) > 0 &&
                            (stage->tall <= 0 || (middle >= f->left && middle < f->right));

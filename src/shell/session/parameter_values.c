@@ -176,7 +176,8 @@ static bool state_assign(struct state *state, const struct assigned *assigned, i
     /* parameters that take only words, such as 'precision', are set first, because the range of tol depends
      * on the precision */
     for (int words = 1; words >= 0; words--)
-        for (const struct assigned *a = assigned; a < assigned + count; a++) {
+        for (int i = 0; i < count; i++) {
+            const struct assigned *a = &assigned[i];
             const struct parameter *p = a->parameter;
             void *place = (char *)state + p->offset;
             if (p->words_only != (words == 1))
