@@ -510,9 +510,7 @@ static const struct command fit_commands[] = {
          "'trial 1 (s)', 'trial 2 (s)', have repeated measurements, whose spread is their error.\n\n"
          "Hits are those of the row of 'set row' or, without it, of a row with the growth r. Each residual "
          "is divided by its error, and 'fit' finds the values with the smallest sum of squares. It also "
-         "finds their standard deviations and correlations. 'plot fit ... > fit.svg' (or .png, .pdf) draws "
-         "the "
-         "measurements against the fitted values.",
+         "finds their standard deviations and correlations.",
      .see = "plot solve duration fall sensitivity",
      .access.files = true,
      .rows = true,

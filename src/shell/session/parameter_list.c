@@ -34,7 +34,7 @@ static const char width_help[] =
     "domino has the same width relative to its height. If you give a length, as in 'set width 24 mm', it is "
     "the width of the first domino. In a row from a file, a length is the width of all dominoes for which "
     "the file gives none. The width counts in masses that follow from a density, in the boxes of "
-    "'set walls', and in the boards of 'plan'. 'w' is short for width.";
+    "'set walls', and in the boards to cut. 'w' is short for width.";
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
     "than the tolerance justifies. Rounding errors can exceed the tolerance where an answer depends strongly "
