@@ -62,8 +62,9 @@ enum { ROOT_STEPS = 12 };
 
 /* Follows one maximum of H from the growth r to a root between `from` and the reach, by the secant method,
  * and by inverse interpolation through the last three points near the root. `slope` is about -d margin / d ln
- * r. Returns false if the method does not find a root. */
-static bool root_secant(struct margin_context *c, real from, real r, real slope, struct root *root)
+ * r. If it is accurate, `exact` is true. Returns false if the method does not find a root. */
+static bool root_secant(struct margin_context *c, real from, real r, real slope, bool exact,
+                        struct root *root)
 {
     struct root_point at[3] = {{0}};
     const real tol = c->geometry.tol, reach = c->geometry.span / c->s;
@@ -88,18 +89,22 @@ static bool root_secant(struct margin_context *c, real from, real r, real slope,
                               .barrier = c->nearest.height,
                               .falls = known > 1 ? (at[1].value - at[2].value) / (r - at[1].r) : 0,
                               .beside = at[1].r};
-        /* The error after the next step is about the product of the last two errors, divided by a length. The
-         * step has the relative error of the share at the point before. */
-        if (known > 1 && 16 * step * step <= tol / 8 * r * before && at[2].tol <= tol &&
-            step * at[1].tol <= tol / 2 * r * fabs(at[1].share))
+        /* The error after the next step is about the product of the last two errors, divided by a length.
+         * With an exact slope, the steps do not show this length, which is about r. The step has the relative
+         * error of the share at the point before. */
+        const bool last =
+            exact ? 16 * step * before <= tol * r * r : 16 * step * step <= tol / 8 * r * before;
+        if (known > 1 && last && at[2].tol <= tol && step * at[1].tol <= tol / 2 * r * fabs(at[1].share))
             return next > from && next < reach;
         r = next;
     }
     return false;
 }
 
-/* The root that a coarser kernel has found is correct to about ROOT_NEAR. */
-#define ROOT_NEAR ((real)1e-10)
+/* The root that a coarser kernel has found is correct to about ROOT_NEAR. With losses, a margin is expensive,
+ * so the slope there comes from a margin with a few digits, at the relative distance ROOT_ASIDE. */
+#define ROOT_NEAR  ((real)1e-10)
+#define ROOT_ASIDE ((real)1e-5)
 
 /* Estimates the root by a fitted formula. For ordinary dominoes, the logarithm of the estimate is correct to
  * a few percent. Also estimates the slope at the root: minus the derivative of the margin with respect to
@@ -124,8 +129,16 @@ KERNEL enum dom_status root_any(struct margin_context *c, real from, real near, 
     real slope, start = root_guess(c, &slope);
     struct root at = {.r = 0};
     *root = (struct root){.r = (real)INFINITY};
+    const bool exact = near > 0 && !c->geometry.conservative;
     margin_follow_begin(c, near > 0 ? ROOT_NEAR : 1);
-    const bool found = root_secant(c, from, near > 0 ? near : start, slope, &at);
+    if (exact) {
+        const real tol = c->geometry.tol;
+        c->geometry.tol = fmax(tol, ROOT_ASIDE * ROOT_NEAR);
+        margin_follow(near * (1 - ROOT_ASIDE), c);
+        slope = c->followed_value / ROOT_ASIDE;
+        c->geometry.tol = tol;
+    }
+    const bool found = root_secant(c, from, near > 0 ? near : start, slope, exact, &at);
     if (c->status == DOM_INTERRUPTED || c->status == DOM_TOO_LONG)
         return c->status;
     c->status = DOM_OK;
