@@ -54,6 +54,11 @@ struct trials {
 bool trials_make(const struct query *query, struct problem *problem, size_t rows, bool progress,
                  struct trials *trials);
 
+/* Runs a study of `rows` random rows, and stores their errors in `error`. Without random errors, runs nothing
+ * and leaves the study as it is. */
+bool study_run(const struct query *query, struct problem *problem, size_t rows, struct dom_study *study,
+               struct dom_random_error error[DOM_ERROR_COUNT]);
+
 /* Reports that `what` needs random errors. Returns false. */
 bool problem_no_errors(struct problem *problem, const char *what);
 

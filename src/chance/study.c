@@ -29,6 +29,19 @@ bool trials_make(const struct query *query, struct problem *problem, size_t rows
     return true;
 }
 
+bool study_run(const struct query *query, struct problem *problem, size_t rows, struct dom_study *study,
+               struct dom_random_error error[DOM_ERROR_COUNT])
+{
+    struct trials t;
+    if (!trials_make(query, problem, rows, true, &t))
+        return false;
+    memcpy(error, t.placement.error, sizeof t.placement.error);
+    const enum dom_status status =
+        t.has_errors ? dom_placement_study(&t.row.row, &t.row.compute, &t.placement, study, NULL) : DOM_OK;
+    free(t.row.domino);
+    return row_status(query, problem, status);
+}
+
 bool problem_no_errors(struct problem *problem, const char *what)
 {
     return problem_error(

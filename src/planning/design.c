@@ -215,20 +215,14 @@ static bool design_study(const struct query *query, struct designing *d, domq_re
 {
     struct state state = *query->state;
     struct query of_row = *query;
-    struct trials t;
+    struct dom_random_error error[DOM_ERROR_COUNT];
     const bool engine = query->next && scene_has_engine(&query->next->scene);
     const double rows = ceil((engine ? 10 : 20) / (double)(1 - falls));
     state.scene.listed = (struct listed_row){.domino = NULL};
     of_row.state = &state;
     of_row.scene = &state.scene;
-    bool good = design_keep(&state, d, problem) &&
-                trials_make(&of_row, problem, (size_t)fmax(rows, engine ? 100 : 2000), true, &t);
-    if (good) {
-        const enum dom_status status =
-            dom_placement_study(&t.row.row, &t.row.compute, &t.placement, &d->study, NULL);
-        good = status == DOM_OK || row_status(query, problem, status);
-        free(t.row.domino);
-    }
+    const bool good = design_keep(&state, d, problem) &&
+                      study_run(&of_row, problem, (size_t)fmax(rows, engine ? 100 : 2000), &d->study, error);
     listed_free(&state.scene.listed);
     return good;
 }

@@ -93,23 +93,15 @@ static bool plan_make(const struct query *query, struct problem *problem, struct
         return false;
     }
     p->back = malloc(count * sizeof *p->back);
-    enum dom_status status = p->back ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
+    const enum dom_status status = p->back ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
     for (size_t k = 0; k < count && p->back; k++) {
         p->back[k] =
             k > 0 ? p->back[k - 1] + (double)(scene->domino[k - 1].thickness + scene->domino[k].gap) : 0;
         p->has_leans = p->has_leans || scene->domino[k].lean != 0;
     }
-    struct trials t;
-    bool good = false;
-    if (status != DOM_OK) {
-        row_status(query, problem, status);
-    } else if (trials_make(query, problem, scene->row.engine ? STUDY_ROWS_OF_ENGINE : STUDY_ROWS, true, &t)) {
-        memcpy(p->error, t.placement.error, sizeof p->error);
-        if (t.has_errors)
-            status = dom_placement_study(&t.row.row, &t.row.compute, &t.placement, &p->study, NULL);
-        free(t.row.domino);
-        good = row_status(query, problem, status);
-    }
+    const size_t rows = scene->row.engine ? STUDY_ROWS_OF_ENGINE : STUDY_ROWS;
+    const bool good =
+        row_status(query, problem, status) && study_run(query, problem, rows, &p->study, p->error);
     if (!good)
         plan_free(p);
     return good;
