@@ -152,17 +152,6 @@ struct dom_arithmetic {
 
 const struct dom_arithmetic *dom_arithmetic(void);
 
-/*
- * Checks a train, as every function below does that takes one. Returns DOM_OK if every parameter is in its
- * range, tol is at least dom_arithmetic()->tol_floor, and the head reaches the next domino: r <=
- * dom_train_reach. Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or
- * DOM_NO_PRECISION, or a status named at struct dom_train.
- *
- * If r is 1/s rounded to the precision, the product r s counts as 1, even if rounding has made it slightly
- * larger.
- */
-enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
-
 /* Returns the largest growth at which the head can still touch the next domino: (1 - 2 rho + rho pi/2)/s,
  * which is 1/s with sharp edges. Does not use train->r. */
 dom_real dom_train_reach(const struct dom_train *train);
@@ -179,6 +168,11 @@ struct dom_angles {
     bool detaches; /* true if followers detach from their leaders (41; A17) */
 };
 
+/* Finds the angles of a train. Like every function below that takes a train, checks it first: DOM_OK means
+ * that every parameter is in its range, that tol is at least dom_arithmetic()->tol_floor, and that the head
+ * reaches the next domino, r <= dom_train_reach. Otherwise the status is DOM_BAD_..., DOM_OUT_OF_REACH,
+ * DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION, or one named at struct dom_train. If r is 1/s rounded to
+ * the precision, r s counts as 1, even if rounding has made it slightly larger. */
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_angles *angles);
 
@@ -333,11 +327,6 @@ struct dom_state {
 enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_state *state);
 
-/* Finds the tilt at a given time since the launch, in tau. The status is DOM_BAD_TIME for a time after the
- * next hit or after the stop. */
-enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
-                               dom_real time, dom_real *theta);
-
 /* Visits the states of a cycle in chronological order: `count` states that are evenly spaced over the cycle,
  * for which `event` is NULL, and one state at each event. This takes far less time than dom_cycle_state for
  * each. The statuses are those of dom_cycle_events; DOM_STOPS is returned after all states. */
@@ -474,7 +463,6 @@ struct dom_effect {
     const char *adds;   /* what the effect adds, in a few words */
     const char *help;   /* a description in full sentences, with equations in the paper's notation */
     const char *source; /* the publication from which the mathematics comes */
-    const char *plan;   /* the equation that is solved, and how it is solved, in a few words */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
     unsigned needs; /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
     /* What takes energy from moving dominoes, in a few words, or NULL if nothing does; see dom_law. */

@@ -19,9 +19,8 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
     .parameter.example = "set row on; " needs_ "set error_" #kind " on; placement " rows_,                   \
     .effect.name = "error_" #kind,                                                                           \
     .effect.source = "pseudo-random numbers from GSL: the generators taus2 and mrg",                         \
-    .effect.plan = "many rows, verdicts only, on all processors", .effect.argument[0].name = "SIZE",         \
-    .effect.argument[0].unit = unit_, .effect.argument[0].usual = (domq_real)(usual_),                       \
-    .effect.argument[0].highest = (domq_real)(most_),                                                        \
+    .effect.argument[0].name = "SIZE", .effect.argument[0].unit = unit_,                                     \
+    .effect.argument[0].usual = (domq_real)(usual_), .effect.argument[0].highest = (domq_real)(most_),       \
     .effect.argument[1] = {                                                                                  \
         .name = "LIMITS",                                                                                    \
         .unit = "",                                                                                          \

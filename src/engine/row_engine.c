@@ -298,7 +298,6 @@ static const struct domq_effect feet = {
             "sqrt(2 g/h) lifts the first domino and throws it at the second. 'rowmax' finds the largest "
             "growth at which such a row falls; 'rmax' is for the endless train, whose feet are hinges.",
     .source = "Chipmunk 7, a rigid-body engine; Coulomb friction",
-    .plan = "rigid-body engine, with steps halved until the results no longer change",
     .argument = {{.name = "MU",
                   .unit = "",
                   .meaning = "friction coefficient of the floor",
@@ -318,7 +317,6 @@ static const struct domq_effect bounce = {
             "Chipmunk 7 runs the row. The dominoes collide again and again, more and more softly, until they "
             "stay together. Up to E = 0.2, the largest growth changes by less than 0.2 %.",
     .source = "Chipmunk 7, a rigid-body engine; Newton's law of restitution",
-    .plan = "rigid-body engine, with steps halved until the results no longer change",
     .argument = {{.name = "E",
                   .unit = "",
                   .meaning = "restitution between dominoes",

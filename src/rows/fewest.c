@@ -194,7 +194,8 @@ bool run_fewest(const struct query *query, struct answer *a, struct problem *pro
     }
     /* A row of two shows whether the effects can be combined, and whether the dominoes stand. */
     const struct scene row = start_scene(query, train, 2);
-    const enum dom_status status = any_train_check(train, query_compute(query));
+    struct domq_angles angles;
+    const enum dom_status status = any_angles_find(train, query_compute(query), &angles);
     if (!query_status(query, problem, status) || !scene_row_make(&row, &made, problem))
         return false;
     free(made.domino);

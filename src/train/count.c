@@ -77,7 +77,8 @@ size_t kinds_find(const struct query *query, const struct domq_train *train, dom
     struct domq_train other = *train;
     for (const struct word *w = parameter_find("q")->words;; other.q = w++->value) {
         /* Several words can have the same value, and trains in air may not be self-similar. */
-        bool is_new = any_train_check(&other, query_compute(query)) != DOM_NO_AIR;
+        struct domq_angles angles;
+        bool is_new = any_angles_find(&other, query_compute(query), &angles) != DOM_NO_AIR;
         for (size_t k = 0; k < count; k++)
             is_new = is_new && kind[k] != other.q;
         if (is_new && count < KINDS_MOST)

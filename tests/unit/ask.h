@@ -107,10 +107,15 @@ static inline enum dom_status ask_cycle_stop(const struct setup *setup, domq_rea
     return status == DOM_STOPS ? DOM_OK : status;
 }
 
+/* Checks a train. */
+static inline enum dom_status ask_check(const struct setup *setup)
+{
+    struct domq_angles angles;
+    return ask_angles_find(setup, &angles);
+}
+
 /* Functions with several results, and walks along a chain or a cycle. */
-#define ask_train_check(a)            any_train_check(ASKED(a))
 #define ask_cycle_events(a, ...)      any_cycle_events(ASKED(a), __VA_ARGS__)
-#define ask_cycle_tilt(a, ...)        any_cycle_tilt(ASKED(a), __VA_ARGS__)
 #define ask_cycle_forces(a, ...)      any_cycle_forces(ASKED(a), __VA_ARGS__)
 #define ask_cycle_least_force(a, ...) any_cycle_least_force(ASKED(a), __VA_ARGS__)
 #define ask_cycle_floor(a, ...)       any_cycle_floor(ASKED(a), __VA_ARGS__)

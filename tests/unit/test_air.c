@@ -260,14 +260,14 @@ TEST(refusals)
     assert_status(ask_limit_pair(&train, &limit), DOM_NO_AIR);
     assert_status(ask_limit_best(&train, &best), DOM_NO_AIR);
     assert_status(ask_cycle_duration(&train, &number), DOM_NO_AIR);
-    assert_status(ask_train_check(&train), DOM_NO_AIR);
+    assert_status(ask_check(&train), DOM_NO_AIR);
     train.q = 4;
-    assert_status(ask_train_check(&train), DOM_OK);
+    assert_status(ask_check(&train), DOM_OK);
     train.air = DOMQ_NAN; /* the mass is not known */
-    assert_status(ask_train_check(&train), DOM_BAD_AIR);
+    assert_status(ask_check(&train), DOM_BAD_AIR);
     train.air = 0.002;
     train.drag = -1;
-    assert_status(ask_train_check(&train), DOM_BAD_DRAG);
+    assert_status(ask_check(&train), DOM_BAD_DRAG);
     train.drag = 0;
     train.fuel = DOM_FUEL_PAPER;
     assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);

@@ -195,17 +195,3 @@ TEST(tips_before_the_first_hit)
         assert_true(seen.omega[k][0] == 0 && seen.time[k] == 0);
     }
 }
-
-TEST(refuses)
-{
-    static struct run run;
-    static struct seen seen;
-    make_row(&run, 5, 0.4, 1.2, 0);
-    const domq_real back[] = {0.1, 0.05}, nothing[] = {(domq_real)NAN}, early[] = {-0.1};
-    assert_status(watch(&run, back, 2, &seen), DOM_BAD_TIME);
-    assert_status(watch(&run, nothing, 1, &seen), DOM_BAD_TIME);
-    assert_status(watch(&run, early, 1, &seen), DOM_BAD_TIME);
-    assert_int_equal(seen.count, 0);
-    run.row.count = 0;
-    assert_status(watch(&run, back, 1, &seen), DOM_BAD_COUNT);
-}

@@ -75,7 +75,6 @@ static void every_function(const struct dom_train *t, const struct dom_compute *
     DOM_FINDS_AT(FIND_AT)
     DOM_NUMBERS(NUMBER)
     DOM_NUMBERS_AT(NUMBER_AT)
-    assert_named(dom_train_check(t, c), expected);
     assert_named(dom_chain_walk(t, c, 0.1, never_link, NULL), expected);
     assert_named(dom_cycle_events(t, c, events, &count), expected);
     assert_named(dom_cycle_walk(t, c, 3, DOM_BY_TIME, never_state, NULL), expected);
@@ -92,7 +91,8 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
                                     DOM_TRAIN_PARAMETERS(SETUP_COPY_NUMBER) DOM_DYNAMICS(SETUP_COPY_EFFECT)};
     const struct any_compute wide_compute = {
         .tol = compute->tol, .precision = IN_DOUBLE, .method = compute->method};
-    assert_status(any_train_check(&wide, &wide_compute), expected);
+    struct domq_angles angles;
+    assert_status(any_angles_find(&wide, &wide_compute, &angles), expected);
 }
 
 /* Lists numbers outside a range. */
@@ -110,6 +110,7 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
 TEST(parameters)
 {
     struct dom_train train;
+    struct dom_angles angles;
     struct dom_compute compute = dom_compute_default();
 #define BAD(owner, name, lowest, highest, expected)                                                          \
     for (int k = 0; k < 5; k++) {                                                                            \
@@ -133,16 +134,17 @@ TEST(parameters)
     train = dom_train_default();
     compute = dom_compute_default();
     compute.tol = dom_arithmetic()->tol_floor;
-    assert_status(dom_train_check(&train, &compute), DOM_OK);
+    assert_status(dom_angles_find(&train, &compute, &angles), DOM_OK);
     compute.tol *= 0.999;
     refused(&train, &compute, "tol", DOM_BAD_TOL);
     const struct domq_train wide = domq_train_default();
+    struct domq_angles wide_angles;
     for (enum precision p = IN_FLOAT; p <= IN_QUAD; p++)
         if (any_arithmetic(p).bits) {
             struct any_compute of = {.tol = any_arithmetic(p).tol_floor, .precision = p};
-            assert_status(any_train_check(&wide, &of), DOM_OK);
+            assert_status(any_angles_find(&wide, &of, &wide_angles), DOM_OK);
             of.tol *= 0.999;
-            assert_status(any_train_check(&wide, &of), DOM_BAD_TOL);
+            assert_status(any_angles_find(&wide, &of, &wide_angles), DOM_BAD_TOL);
         }
 }
 
@@ -181,9 +183,8 @@ TEST(tilts_and_times)
     struct dom_contact contact;
     struct dom_energy energy;
     struct dom_state moving;
-    double whole, value, theta = -7;
+    double value;
     assert_status(dom_angles_find(&t, NULL, &angles), DOM_OK);
-    assert_status(dom_cycle_duration(&t, NULL, &whole), DOM_OK);
     const double bad[] = {-1e-300, angles.theta_c * (1 + 1e-14), (double)NAN, (double)INFINITY,
                           -(double)INFINITY};
     for (int k = 0; k < 5; k++) {
@@ -193,10 +194,7 @@ TEST(tilts_and_times)
         assert_named(dom_cycle_omegasq(&t, NULL, bad[k], &value), DOM_BAD_TILT);
         assert_named(dom_cycle_state(&t, NULL, bad[k], &moving), DOM_BAD_TILT);
         assert_named(dom_cycle_forces(&t, NULL, bad[k], never_force, NULL), DOM_BAD_TILT);
-        double time = k == 1 ? whole * (1 + 1e-9) : bad[k];
-        assert_named(dom_cycle_tilt(&t, NULL, time, &theta), DOM_BAD_TIME);
     }
-    assert_true(theta == -7);
     assert_status(dom_energy_find(&t, NULL, angles.theta_c, &energy), DOM_OK);
 }
 
@@ -315,6 +313,28 @@ TEST(rows)
     compute = dom_compute_default();
     compute.interrupt = &now;
     row_refused(&r.row, &compute, 0, DOM_INTERRUPTED);
+}
+
+static bool never_moment(const struct dom_moment *moment, void *context)
+{
+    (void)moment;
+    (void)context;
+    fail();
+    return false;
+}
+
+/* Checks times that are not in order, that are no numbers, or that are before a push. */
+TEST(times)
+{
+    const double bad[][2] = {{0.1, 0.05}, {(double)NAN, 1}, {-0.1, 0}};
+    struct some_row r;
+    struct dom_verdict verdict;
+    row_make(&r);
+    r.row.push = 5;
+    for (int k = 0; k < 3; k++)
+        assert_named(dom_row_watch(&r.row, NULL, bad[k], 2, never_moment, NULL, &verdict), DOM_BAD_TIME);
+    r.row.count = 0;
+    assert_named(dom_row_watch(&r.row, NULL, bad[0], 1, never_moment, NULL, &verdict), DOM_BAD_COUNT);
 }
 
 /* Checks the limits of the searches for a growth and for a push. */

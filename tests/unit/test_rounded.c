@@ -372,7 +372,7 @@ TEST(radii_that_do_not_fit)
     struct setup train = train_of(0.4, 0.5, 0);
     struct domq_limit limit;
     train.rho = train.d / 2 + 1e-9;
-    assert_status(ask_train_check(&train), DOM_NO_ROUND);
+    assert_status(ask_check(&train), DOM_NO_ROUND);
     train.rho = train.d / 2;
     assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
     assert_true(limit.r_max > 1);
@@ -385,15 +385,15 @@ TEST(radii_that_do_not_fit)
     train.method = DOM_METHOD_OURS;
     train.s = 1; /* the reach of a rounded domino is less than its height */
     train.r = 1;
-    assert_status(ask_train_check(&train), DOM_OUT_OF_REACH);
+    assert_status(ask_check(&train), DOM_OUT_OF_REACH);
     train.s = 0.4;
     domq_real lean[2]; /* the centre must be above the flat part of the foot */
     domq_lean_limits(&(struct domq_domino){.height = 1, .thickness = train.d}, 0, train.rho, lean);
     assert_near("limit", lean[1], atan(7.0 / 48 - 0.02), 1e-15);
     train.alpha = lean[1] * (1 - 1e-9);
-    assert_status(ask_train_check(&train), DOM_OK);
+    assert_status(ask_check(&train), DOM_OK);
     train.alpha = lean[1] * (1 + 1e-9);
-    assert_status(ask_train_check(&train), DOM_NO_STAND);
+    assert_status(ask_check(&train), DOM_NO_STAND);
     struct domq_domino two[] = {{1, 0.1, 0, 1, 0, 0, 0}, {1, 0.1, 0.5, 1, 0.06, 0, 0}};
     struct row_setup row = row_setup_default(two, 2, 4);
     struct domq_verdict verdict;
@@ -414,13 +414,13 @@ TEST(slopes_that_do_not_hold)
     double edge = atan(7.0 / 48);
     for (int side = -1; side <= 1; side += 2) {
         train.alpha = side * edge * (1 + 1e-12);
-        assert_status(ask_train_check(&train), DOM_NO_STAND);
+        assert_status(ask_check(&train), DOM_NO_STAND);
         train.alpha = side * edge * (1 - 1e-12);
         assert_status(ask_angles_find(&train, &angles), DOM_OK);
         assert_near("theta_u", (double)angles.theta_u, edge - (double)train.alpha, 1e-3);
     }
     train.alpha = 2;
-    assert_status(ask_train_check(&train), DOM_BAD_ALPHA);
+    assert_status(ask_check(&train), DOM_BAD_ALPHA);
     train.alpha = 0.01;
     train.method = DOM_METHOD_GSL;
     struct domq_limit limit;

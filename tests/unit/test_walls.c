@@ -38,10 +38,10 @@ TEST(no_room)
     struct setup train = setup_default();
     struct domq_limit limit;
     train.walls = train.d / 2 * (1 + 1e-9);
-    assert_status(ask_train_check(&train), DOM_NO_ROOM);
+    assert_status(ask_check(&train), DOM_NO_ROOM);
     assert_status(ask_limit_rmax(&train, &limit), DOM_NO_ROOM);
     train.walls = train.d / 2;
-    assert_status(ask_train_check(&train), DOM_OK);
+    assert_status(ask_check(&train), DOM_OK);
     /* An error in a row names the domino. */
     struct domq_domino domino[] = {
         {0.048, 0.007, 0, 1, 0, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0, 0}};

@@ -403,7 +403,8 @@ static struct planner planner_make(const struct dom_train *train, const struct d
     p.train.r = 1;
     if (wish->boxes_above > 0)
         p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
-    p.status = dom_train_check(&p.train, &p.compute);
+    struct dom_angles angles;
+    p.status = dom_angles_find(&p.train, &p.compute, &angles);
     p.compute.tol = dom_arithmetic()->tol_default;
     return p;
 }

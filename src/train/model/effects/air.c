@@ -68,7 +68,6 @@ const struct dom_effect dom_effect_air = {
         "estimates for a plate in still air; the flow between dominoes is left out, and so is buoyancy. "
         "'fuel paper' cannot be combined with air.",
     .source = "quasi-steady drag and added mass of a slender plate, strip by strip; textbook fluid mechanics",
-    .plan = "equation of motion, linear in omega^2: Chebyshev series",
     .dissipates = "the drag of the air",
     .equations = (const char *const[]){"B = sum r^(-(q+1) i) S_i (theta_i'' + k theta_i'^2)",
                                        "k I = rho C w h^4/8, the torque of the drag over omega^2",
@@ -90,7 +89,6 @@ const struct dom_effect dom_effect_drag = {
         "C is the drag coefficient of a domino in the air: 1.1 to 1.3 for plates that are 0.5 to 1 times as "
         "wide as tall, and 2 for an endless strip. If this effect is off, C is 1.2.",
     .source = "measured drag of flat plates across a flow; textbook fluid mechanics",
-    .plan = "the drag of 'set air', with another coefficient",
     .argument = {{.name = "C",
                   .unit = "",
                   .meaning = "drag coefficient",

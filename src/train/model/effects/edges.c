@@ -45,7 +45,6 @@ const struct dom_effect dom_effect_edges = {
             "be combined with "
             "rounded edges: the paper's closed form of the fuel does not include this effect.",
     .source = "rigid bodies that roll and slide, after J. M. J. van Leeuwen, Domino Magnification",
-    .plan = "contacts by Halley's method, inertia i(theta)",
     .equations =
         (const char *const[]){"l = 1 - 2 rho", "h(theta) = 2 rho + l cos theta + (d - 2 rho) sin theta",
                               "J = sum r^(-(q+1) i) i(theta_i) theta_i'^2",

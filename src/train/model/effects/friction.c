@@ -31,7 +31,6 @@ const struct dom_effect dom_effect_friction = {
         "and cannot turn it. 'fuel paper' cannot be combined with friction: the paper's closed form "
         "of the fuel does not include this effect.",
     .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
-    .plan = "equation of motion, linear in omega^2: Chebyshev series",
     .dissipates = "friction",
     .equations = (const char *const[]){"a = Y/r - L x - mu d", "b = (Y + mu X)/r", NULL},
     .argument = {{.name = "MU",

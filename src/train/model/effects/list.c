@@ -11,7 +11,6 @@ const struct dom_effect dom_energy_balance = {
             "conserves angular momentum (22; c4). This gives a closed form for the kinetic energy of a train "
             "whose cycles repeat (24; c6).",
     .source = "J. M. J. van Leeuwen, Domino Magnification",
-    .plan = "energy balance (21; c3) (22; c4) (24; c6), not integrated",
 };
 
 const struct dom_effect dom_equation_of_motion = {
@@ -23,7 +22,6 @@ const struct dom_effect dom_equation_of_motion = {
         "for w = tau^2 omega^2, which is solved over the whole cycle. In the collision the angular velocity "
         "is multiplied by (A(0) - 1)/A(0).",
     .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
-    .plan = "equation of motion, linear in omega^2: Chebyshev series",
     .dissipates = "losses",
     .equations =
         (const char *const[]){"(A/2) dw/dtheta + B w = C", "A = sum r^(-(q+1) i) S_i theta_i'",

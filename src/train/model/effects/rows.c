@@ -16,7 +16,6 @@ const struct dom_effect dom_effect_floor = {
             "its centre of percussion. If a domino would be lifted off the floor, no amount of "
             "friction is enough.",
     .source = "Newton's law for a hinged block; the centre of percussion is textbook mechanics",
-    .plan = "forces at sampled tilts, with denser samples where the required friction is largest",
     .argument = {{.name = "MU",
                   .unit = "",
                   .meaning = "friction coefficient of the floor",
@@ -39,7 +38,6 @@ const struct dom_effect dom_effect_row = {
         "Domino j leans on domino k = j + 1. If an upper edge would pass above the next domino, or if a "
         "contact would have to pull, the model does not apply, and the output ends with a message.",
     .source = "energy balance and collision of the paper, (19; c1) to (22; c4), for dominoes of any sizes",
-    .plan = "for each head: kinetic energy compared with the maximum of H",
     .equations =
         (const char *const[]){"h_j sin(theta_j - theta_k) = (gap_k + d_k) cos theta_k - d_k",
                               "H = sum m g (h cos theta + d sin theta)/2", "J = sum I theta'^2",
@@ -67,7 +65,6 @@ const struct dom_effect dom_effect_push = {
             "be the speed of the domino's upper edge, as in 'set push 0.5 m/s'; it then stays this speed if "
             "the domino becomes taller.",
     .source = "energy of a single domino, (6; b2) and (9; b5)",
-    .plan = "omega^2 of the first domino",
     .argument = {{.name = "OMEGA",
                   .unit = "rad/s",
                   .meaning = "angular velocity of the first domino",
@@ -89,7 +86,6 @@ const struct dom_effect dom_effect_release = {
         "at which the two touch. If ANGLE is smaller than the tilt at which the domino tips over "
         "(tan theta_u = d with sharp edges on a level floor), it falls back.",
     .source = "energy balance from a first domino at rest, as in (9; b5)",
-    .plan = "height of the first domino at its tilt",
     .argument = {{.name = "ANGLE",
                   .unit = "rad",
                   .meaning = "tilt of the first domino when it is released",
@@ -119,7 +115,6 @@ const struct dom_effect dom_effect_placement = {
             "whole row.",
     .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
               "pseudo-random numbers from GSL",
-    .plan = "verdicts on many random rows, computed on all processors",
     .argument = {{.name = "SIGMA",
                   .unit = "m",
                   .meaning = "standard deviation of every gap",

@@ -39,7 +39,6 @@ const struct dom_effect dom_effect_slope = {
             "cannot be combined with a slope: the paper's closed "
             "form of the fuel does not include this effect.",
     .source = "the potential energy of a block on an inclined plane",
-    .plan = "the potential energy, with the tilt increased by alpha",
     .equations = (const char *const[]){"h(theta) = cos(theta + alpha) + d sin(theta + alpha)",
                                        "x_i = sin(theta_i + alpha), y_i = cos(theta_i + alpha) in C", NULL},
     .argument = {{.name = "ALPHA",

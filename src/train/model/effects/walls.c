@@ -60,7 +60,6 @@ const struct dom_effect dom_effect_walls = {
             "the volume of the "
             "hollow.",
     .source = "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
-    .plan = "moment of inertia of a box, in closed form",
     .equations =
         (const char *const[]){"I = I_solid (1 + v (1 - u)/(4 (1 - v)))", "v = (1 - 2 t)(1 - 2 t/d)(1 - 4 t)",
                               "u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2)", NULL},

@@ -19,7 +19,6 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
 KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *duration);
 KERNEL enum dom_status cycle_events(const struct request *train, struct dom_event *events, int *count);
 KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state);
-KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time, dom_real *theta);
 KERNEL enum dom_status cycle_walk(const struct request *train, size_t count, enum dom_spacing by,
                                   dom_state_visit *visit, void *context);
 KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta, dom_force_visit *visit,

@@ -139,7 +139,6 @@ ANSWER(cycle_floor, struct dom_floor, ASK)
 ANSWER_AT(contact_find, struct dom_contact)
 ANSWER_AT(energy_find, struct dom_energy)
 ANSWER_AT(cycle_state, struct dom_state)
-ANSWER_AT(cycle_tilt, dom_real)
 
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, dom_real *omegasq)
@@ -147,12 +146,6 @@ enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct do
     struct question q = question_make(train, compute);
     *omegasq = DOM_NAN;
     return ASK(q, cycle_omegasq, theta, omegasq);
-}
-
-enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute)
-{
-    struct dom_angles angles;
-    return dom_angles_find(train, compute, &angles);
 }
 
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,

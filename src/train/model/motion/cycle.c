@@ -237,23 +237,6 @@ KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, 
     return status;
 }
 
-KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time, dom_real *theta)
-{
-    struct motion m;
-    real whole = 0, at = 0;
-    enum dom_status status = motion_prepare(train, true, &m);
-    if (status == DOM_OK)
-        whole = clock_time(&m.clock, m.end);
-    if (status == DOM_OK && !(time >= 0 && time <= whole * (1 + fmax(m.clock.tol, 4 * REAL_EPSILON))))
-        status = DOM_BAD_TIME;
-    if (status == DOM_OK)
-        status = clock_tilt(&m.clock, time, &at);
-    motion_end(&m);
-    if (status == DOM_OK)
-        *theta = at;
-    return status;
-}
-
 /* ---- The cycle as a table ---- */
 
 struct table {
