@@ -18,7 +18,7 @@
 enum { EXIT_USAGE = 2 };
 
 static const char usage[] = "usage: domino [-in] [--bail | --keep-going] [--safe] [--interruptible]\n"
-                            "              [--shard I/N] [-e COMMANDS | -f FILE | FILE] ...\n";
+                            "              [-e COMMANDS | -f FILE | FILE] ...\n";
 
 static const char help[] =
     "\n"
@@ -36,7 +36,6 @@ static const char help[] =
     "      --keep-going        go on after errors, even in -e, -f and FILE\n"
     "      --safe              commands may not read or write files\n"
     "      --interruptible     SIGINT ends the running command, not the program\n"
-    "      --shard I/N         compute only part I of N of a curve or sweep\n"
     "  -h, --help              print this help\n"
     "  -V, --version           print the version, and what this program was built with\n"
     "\n"
@@ -44,12 +43,17 @@ static const char help[] =
     "The command 'help' lists the commands: domino -e help\n";
 
 static const struct option options[] = {
-    {"execute", required_argument, NULL, 'e'}, {"file", required_argument, NULL, 'f'},
-    {"no-init", no_argument, NULL, 'n'},       {"bail", no_argument, NULL, 'b'},
-    {"keep-going", no_argument, NULL, 'k'},    {"safe", no_argument, NULL, 's'},
-    {"help", no_argument, NULL, 'h'},          {"version", no_argument, NULL, 'V'},
-    {"shard", required_argument, NULL, 'p'},   {"interruptible", no_argument, NULL, 'c'},
-    {"interactive", no_argument, NULL, 'i'},   {NULL, 0, NULL, 0},
+    {"execute", required_argument, NULL, 'e'},
+    {"file", required_argument, NULL, 'f'},
+    {"no-init", no_argument, NULL, 'n'},
+    {"bail", no_argument, NULL, 'b'},
+    {"keep-going", no_argument, NULL, 'k'},
+    {"safe", no_argument, NULL, 's'},
+    {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},
+    {"interruptible", no_argument, NULL, 'c'},
+    {"interactive", no_argument, NULL, 'i'},
+    {NULL, 0, NULL, 0},
 };
 
 /* The leading '-' makes getopt return each FILE as option 1, so that files and options arrive in the order in
@@ -98,22 +102,6 @@ static void signals_begin(void)
 
 /* ---- Options ---- */
 
-/* Reads the argument of --shard, such as "2/7". */
-static bool shard_read(const char *text, struct shard *shard)
-{
-    enum { PARTS_MAX = 1000000000 };
-    unsigned long part = 0, parts = 0;
-    int end = 0;
-    bool is_read = text[strspn(text, "0123456789/")] == '\0' &&
-                   sscanf(text, "%10lu/%10lu%n", &part, &parts, &end) == 2 && text[end] == '\0';
-    *shard = (struct shard){part, parts};
-    if (is_read && part >= 1 && part <= parts && parts <= PARTS_MAX)
-        return true;
-    fprintf(io_stderr(), "domino: --shard '%s': I/N means part I of N, with 1 <= I <= N <= %d, such as 2/7\n",
-            text, PARTS_MAX);
-    return false;
-}
-
 static bool is_row(const char *name)
 {
     const char *extension = strrchr(name, '.');
@@ -147,8 +135,6 @@ static bool options_check(int argc, char **argv, struct session *session, struct
             session->quit = true;
             return true;
         }
-        if (option == 'p' && !shard_read(optarg, &session->run_context.shard))
-            return false;
         if (option == '?') {
             fputs(usage, io_stderr());
             return false;

@@ -21,8 +21,7 @@ static const struct command sweep_commands[] = {
              "with q hollow'. Every line of the output begins with the values of the parameters, even if the "
              "answer at a point has several lines. If a point has no answer, csv and json give the reason. "
              "The parameters of the session do not change. Points are computed on all cores, unless 'set "
-             "threads' gives another number of threads. The output does not depend on this number. 'domino "
-             "--shard 2/7' computes only the second of seven parts.",
+             "threads' gives another number of threads. The output does not depend on this number.",
      .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
      .see = "curve set effects",
      .columns = sweep_answers,

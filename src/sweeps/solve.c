@@ -213,7 +213,6 @@ domq_real probe_ask(struct probe *p, const struct assigned *assigned, int count)
     problem_begin(&p->problem, p->command);
     bool put = query_with(p->query, assigned, count, &point, &at, &p->problem);
     at.run_context = &run_context;
-    run_context.shard.parts = 0;
     run_context.seeks_yes = p->seeks_yes;
     point.settings.threads = 1;
     bool done = put && (p->verdict ? verdict_ask(p, &at, &answer, &p->problem)

@@ -5,6 +5,7 @@
 #include "language/text.h"
 #include "parallel/workers.h"
 #include "sweeps/sweeps.h"
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,6 +14,7 @@ enum { SWEEP_REASON = 256 };
 /* Counts two kinds of points: points without any answer, and points with a reason why a value is missing. A
  * point without an answer also has a reason, so it is in both counts. */
 struct tally {
+    pthread_mutex_t lock;
     size_t without_answer, with_reason;
     size_t first; /* index of the first point that has a reason */
     char reason[SWEEP_REASON];
@@ -37,15 +39,13 @@ struct sweeper {
     const struct grid *grid;   /* that of the sweep */
     const struct query *query; /* the state of the session, which each point copies and changes */
     const char *command;       /* the name of the command that does the sweep, for messages */
-    /* query->run_context without --shard, because the answer at a point is not divided */
-    struct run_context run_context;
-    bool styled; /* true if the grid changes the precision or the tolerance */
+    bool styled;               /* true if the grid changes the precision or the tolerance */
     /* Receives this worker's part of the sweep. It is also the template from which the answer at each point
      * is made. */
     struct answer answer;
     struct sweep_columns columns;
     struct cell sample[ANSWER_COLUMNS]; /* a sample row of the sweep, set by sample_find */
-    struct tally tally;
+    struct tally *tally;                /* of all workers */
     /* The values of the parameters at the point that is being computed. */
     struct assigned assigned[ASSIGNED_MAX];
     struct cell value[ASSIGNED_MAX];
@@ -53,6 +53,7 @@ struct sweeper {
     bool answered;             /* true if the answer at this point has at least one row */
     char reason[SWEEP_REASON]; /* why a value is missing, or "" */
     struct problem problem;
+    bool failed; /* the question is wrong; `problem` says why */
 };
 
 /* ---- Columns ---- */
@@ -147,7 +148,6 @@ static bool point_query(struct sweeper *w, size_t k, struct state *state, struct
 {
     point_values(w, k);
     bool good = query_with(w->query, w->assigned, w->grid->axes, state, at, problem);
-    at->run_context = &w->run_context;
     state->settings.threads = 1; /* a point uses one thread, because whole points are computed in parallel */
     return good;
 }
@@ -327,8 +327,7 @@ static bool sample_find(struct sweeper *w)
     return true;
 }
 
-/* These two are callbacks of struct workers. On an error, the first stores it in w->problem and returns
- * false. The second adds the tally of a worker to that of the sweep. */
+/* Is workers.point. On an error, stores it in w->problem and returns false. */
 static bool point_write(void *sweeper, size_t k, FILE *out)
 {
     struct sweeper *w = sweeper;
@@ -338,26 +337,16 @@ static bool point_write(void *sweeper, size_t k, FILE *out)
     w->to->columns = w->columns.column; /* row_take changes the units, so each worker has its own columns */
     if (k > 0)
         w->to->progress.has_rows = w->to->progress.is_open = true;
-    if (!point_answer(w, k))
-        return false;
-    w->tally.without_answer += !w->answered;
-    if (*w->reason && w->tally.with_reason++ == 0) {
-        w->tally.first = k;
-        memcpy(w->tally.reason, w->reason, sizeof w->reason);
+    w->failed = !point_answer(w, k);
+    struct tally *t = w->tally;
+    pthread_mutex_lock(&t->lock);
+    t->without_answer += !w->answered;
+    if (*w->reason && (t->with_reason++ == 0 || k < t->first)) {
+        t->first = k;
+        memcpy(t->reason, w->reason, sizeof w->reason);
     }
-    return true;
-}
-
-static void sweeper_merge(void *sweeper, const void *worker)
-{
-    struct tally *all = &((struct sweeper *)sweeper)->tally;
-    const struct tally *t = &((const struct sweeper *)worker)->tally;
-    if (t->with_reason > 0 && (all->with_reason == 0 || t->first < all->first)) {
-        all->first = t->first;
-        memcpy(all->reason, t->reason, sizeof all->reason);
-    }
-    all->with_reason += t->with_reason;
-    all->without_answer += t->without_answer;
+    pthread_mutex_unlock(&t->lock);
+    return !w->failed;
 }
 
 /* ---- The answer ---- */
@@ -388,37 +377,34 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
 
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
-    bool by_point = true;
     if ((a->style.errors || a->style.format->for_people) && !sample_find(w))
         return point_failed(w, problem);
     a->columns = w->columns.column;
     a->csv.has_reasons = true;
     /* The columns must be laid out in the same way in every part of a sweep. The first row that is written
-     * cannot decide their layout, because it depends on the workers and on --shard. */
+     * cannot decide their layout, because it depends on the workers. */
     a->layout.sample = w->answered ? w->sample : NULL;
     values_announce(a, w->grid);
     answer_plan(a, w->sample);
     w->answer = *a;
     w->answer.kept = NULL;
-    const struct workers workers = {.points = w->grid->points,
-                                    .point = point_write,
-                                    .context = w,
-                                    .size = sizeof *w,
-                                    .merge = sweeper_merge};
-    return points_answer(w->query, problem, a, workers, &by_point) || (by_point && point_failed(w, problem));
+    const enum dom_status status = points_answer(
+        w->query, a,
+        &(struct workers){.points = w->grid->points, .point = point_write, .context = w, .size = sizeof *w});
+    return status == DOM_OK ? !w->failed || point_failed(w, problem)
+                            : query_status(w->query, problem, status);
 }
 
 /* Prints the number of points at which a value is missing, and the reason at the first of these points. */
 static void tally_say(struct sweeper *w, struct answer *a)
 {
-    const struct tally *t = &w->tally;
+    const struct tally *t = w->tally;
     char where[256] = "", number[CELL_TEXT];
     point_values(w, t->first);
     for (int i = 0; i < w->grid->axes; i++)
         text_add(where, sizeof where, "%s%s = %s", i ? ", " : "", w->grid->axis[i].parameter->name,
                  cell_text(w->value[i], 6, false, number));
-    answer_say(a, "%zu of %zu points %s %s. The first is %s: %s.%s", t->with_reason,
-               shard_range(&w->query->run_context->shard, w->grid->points).count,
+    answer_say(a, "%zu of %zu points %s %s. The first is %s: %s.%s", t->with_reason, w->grid->points,
                t->with_reason == 1 ? "has" : "have",
                t->without_answer == t->with_reason ? "no answer" : "a missing value", where, t->reason,
                t->with_reason == 1 ? "" : " csv and json give the reason for each of them.");
@@ -427,6 +413,7 @@ static void tally_say(struct sweeper *w, struct answer *a)
 bool run_sweep(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct sweep *s = query->given->bound;
+    struct tally tally = {.lock = PTHREAD_MUTEX_INITIALIZER};
     struct sweeper *w = calloc(1, sizeof *w);
     if (!w)
         return query_status(query, problem, DOM_NO_MEMORY);
@@ -434,18 +421,17 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
     w->grid = &s->grid;
     w->query = query;
     w->command = problem->command;
-    w->run_context = *query->run_context;
-    w->run_context.shard.parts = 0;
+    w->tally = &tally;
     w->answer = *a;
     for (int i = 0; i < s->grid.axes; i++) {
         const struct parameter *p = s->grid.axis[i].parameter;
         w->styled = w->styled || p->of_precision || p->moves;
     }
     bool done = sweeper_columns(w, problem) && rows_write(w, a, problem);
-    if (done && w->tally.with_reason > 0) {
+    if (done && tally.with_reason > 0) {
         tally_say(w, a);
-        snprintf(a->made, sizeof a->made, "%zu of %zu points have a missing value", w->tally.with_reason,
-                 shard_range(&query->run_context->shard, w->grid->points).count);
+        snprintf(a->made, sizeof a->made, "%zu of %zu points have a missing value", tally.with_reason,
+                 w->grid->points);
     }
     a->layout.sample = NULL;
     free(w);

@@ -134,7 +134,7 @@ struct measured measured_share(domq_real value, int digits);
 struct reference {
     struct cell *cell; /* the cells of all rows */
     size_t columns;    /* the number of cells in a row */
-    size_t first;      /* the index of the first row: with --shard, it may be above 0 */
+    size_t first;      /* the index of the first row: in a sweep, it may be above 0 */
     size_t rows, room;
     /* True if nothing can be compared with these rows: the computation failed, or a part of it has only one
      * precision. */

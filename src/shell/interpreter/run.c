@@ -305,12 +305,9 @@ void run_command_at(struct session *session, struct reader *line)
         arena_free(&call.given.memory);
         /* A command that writes no answer to standard output gives an empty JSON object, because a program
          * may be waiting for an answer; but not if it changes the output format. 'source' has no answer of
-         * its own. With --shard, the outputs of all parts are concatenated later, so only part 1 writes this
-         * object. */
-        const struct shard *shard = &session->run_context.shard;
-        const bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows),
-                   is_source = c->access.runs && c->argument[0].kind == ARGUMENT_FILE;
-        if (done && session_format(session) == format && format->done && is_first &&
+         * its own. */
+        const bool is_source = c->access.runs && c->argument[0].kind == ARGUMENT_FILE;
+        if (done && session_format(session) == format && format->done &&
             (is_redirected || is_source || !session->wrote))
             format->done(session->output->out, c->name);
         if (is_step)

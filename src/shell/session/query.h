@@ -10,14 +10,8 @@
 struct command;
 struct arguments;
 
-/* The option --shard I/N: `part` is I, and `parts` is N. Without the option, both are 0. */
-struct shard {
-    size_t part, parts;
-};
-
 /* The context in which a command runs. It does not affect the numbers. */
 struct run_context {
-    struct shard shard;
     bool safe; /* commands must not read or write files */
     /* a command whose numbers suppose that its verdict is yes has no answer if it is no (sweep.needs_yes) */
     bool seeks_yes;
