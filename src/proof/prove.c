@@ -174,7 +174,8 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
               : start.falls                                    ? "goes on"
                                                                : "no start",
               proof.work,
-              !is_known    ? "not proved: the result depends on the last digit of a height or of r"
+              !is_known
+                  ? "not proved: there are too many dominoes, or the last digit of a height or of r matters"
               : !is_enough ? "with r = 1 all dominoes are equally tall, so none of them reaches this height"
               : goes_on && !start.falls ? ends
                                         : NULL);

@@ -54,14 +54,9 @@ root=$BATS_TEST_DIRNAME/../..
     within 'close dominoes' "$(values low <<<"$row")" "$(values high <<<"$row")" 'd >= 0 && d < 1e-6'
     # Before a dip of the margin of 4e-9 of the energy, strips are wide enough only if all derivatives are bounded.
     within 'a dip' 4.466885565832 "$(json 'set d 0.254524; set q 0.474363; prove rmax 0.119202042' | values low)" 'd < 0 && d > -1e-8'
-    # If there are too many powers to multiply, and for growths that are almost 1, the bounds come from
-    # logarithms.
+    # There may be too many powers to multiply.
     row=$(json 'set r 1.0000001; prove count 112 m')
-    same 'a small growth' '77550536 77550536' "$(values low <<<"$row") $(values high <<<"$row")"
-    row=$(json 'set r 1.00000000001; prove count 112 m')
-    same 'a tiny growth' 'not proved' "$(values result <<<"$row")"
-    within 'from below' 775505313941 "$(values low <<<"$row")" 'd < 0 && d > -1e-4'
-    within 'from above' 775505313941 "$(values high <<<"$row")" 'd > 0 && d < 1e-4'
+    same 'a small growth' 'not proved 100000 null' "$(for key in result low high; do values $key <<<"$row"; done | paste -sd ' ')"
 }
 
 @test "an incomplete proof is reported, with the reason" {

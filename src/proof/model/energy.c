@@ -22,7 +22,7 @@
  * P_n >= 0. To show that K - D > 0, it is enough to show that K_n - D_n > 0 for one n, and only these finite
  * sums need derivatives.
  */
-#include "proof/model/energy.h"
+#include "proof/model/proof.h"
 
 static const struct span everything = {-HUGE_VAL, HUGE_VAL};
 
@@ -83,10 +83,10 @@ static struct dual kinetic_of_train(const struct growth *g, struct dual fuel, st
  *
  *     f = r k^2/(1 + k),   k = r^(-(q+1)).
  */
-static void kinetic_of_pair(struct upright *u, struct span hit)
+static void kinetic_of_pair(struct upright *u)
 {
     const struct growth *g = &u->growth;
-    const struct span top = g->shape->v_top;
+    const struct span top = g->shape->v_top, hit = g->v_hit;
     const struct dual one = dual_of(span_of(1)),
                       k = power_of(g, g->inertia, span_add(g->shape->q, span_of(1)), 1),
                       share = dual_scale((struct dual){g->r, span_of(1)},
@@ -168,7 +168,7 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
                                            dual_scale(w.slope, w.slope)));
     }
     if (shape->pair)
-        kinetic_of_pair(u, chain_hit(g));
+        kinetic_of_pair(u);
     else {
         if (shape->paper) { /* the paper's closed form of the fuel, P = 1 - h(theta_last) */
             const struct domino last = chain_last(g);
@@ -194,16 +194,6 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
     }
     u->by_r = finite && span_finite(u->kinetic.by_r) && (!shape->pair || u->by_r);
     return true;
-}
-
-double upright_hit_above(const struct upright *u)
-{
-    return up(sqrt(up(2 * chain_hit(&u->growth).hi)));
-}
-
-double upright_hit_below(const struct upright *u)
-{
-    return least_0(down(sqrt(least_0(down(2 * chain_hit(&u->growth).lo)))));
 }
 
 struct climb climb_find(const struct upright *u, double low, double high, bool derivatives)

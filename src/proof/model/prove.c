@@ -3,9 +3,10 @@
 #pragma GCC visibility push(default) /* precision/shared.awk */
 #include "domino_proof.h"
 #pragma GCC visibility pop
-#include "proof/model/cover.h"
+#include "proof/model/proof.h"
 
 #include <fenv.h>
+#include <stdlib.h>
 
 const char *dom_proof_gap_text(enum dom_proof_gap gap)
 {
@@ -17,26 +18,15 @@ const char *dom_proof_gap_text(enum dom_proof_gap gap)
     return text[gap];
 }
 
+/* Checks the parameters of a train, but not its effects. The product r s may be too large. */
 static enum dom_status train_check(const struct dom_train *t, double tol)
 {
-    const struct {
-        double value, lowest, highest;
-        enum dom_status status;
-    } range[] = {
-#define BAD_s                                                 DOM_BAD_S
-#define BAD_r                                                 DOM_BAD_R
-#define BAD_d                                                 DOM_BAD_D
-#define BAD_q                                                 DOM_BAD_Q
-#define BAD_width                                             DOM_BAD_WIDTH
-#define RANGE(name, default_, lowest, highest, unit, meaning) {t->name, lowest, highest, BAD_##name},
-        DOM_TRAIN_PARAMETERS(RANGE)
-#undef RANGE
-    };
-    for (size_t k = 0; k < sizeof range / sizeof *range; k++)
-        if (!(range[k].value >= range[k].lowest && range[k].value <= range[k].highest))
-            return range[k].status;
-    if (t->fuel != DOM_FUEL_EXACT && t->fuel != DOM_FUEL_PAPER)
-        return DOM_BAD_FUEL;
+    const struct dom_train plain = {
+        .s = t->s, .r = t->r, .d = t->d, .q = t->q, .width = t->width, .fuel = t->fuel};
+    struct dom_angles angles;
+    const enum dom_status status = dom_angles_find(&plain, NULL, &angles);
+    if (status != DOM_OK && status != DOM_OUT_OF_REACH && status != DOM_UNDERFLOW)
+        return status;
     return tol > 0 && tol <= 0.1 ? DOM_OK : DOM_BAD_TOL;
 }
 
@@ -49,18 +39,15 @@ static enum dom_proof_gap gap_of(enum outcome outcome)
 
 static double tolerance_of(const struct dom_compute *compute)
 {
-/* dom_compute_default is not called, because a program that uses only <domino_quad.h> does not link it. */
-#define DEFAULT(name, default_, lowest, highest, unit, meaning) default_
-    return compute ? compute->tol : DOM_COMPUTE_PARAMETERS(DEFAULT);
-#undef DEFAULT
+    return compute ? compute->tol : dom_compute_default().tol;
 }
 
-/* Checks the arguments and prepares a proof. If no proof can be attempted, sets *gap to the reason. Call
- * proof_end afterwards. */
+/* Checks the arguments and prepares a proof. If no proof can be attempted, sets *gap to the reason. The
+ * caller frees proof->box.link. */
 static enum dom_status begin(struct proof *proof, const struct dom_train *train,
                              const struct dom_compute *compute, bool pair, enum dom_proof_gap *gap)
 {
-    *proof = (struct proof){.links = NULL};
+    *proof = (struct proof){.box.link = NULL};
     const enum dom_status status = train_check(train, tolerance_of(compute));
     if (status != DOM_OK)
         return status;
@@ -97,7 +84,7 @@ static enum dom_status prove_limit(const struct dom_train *train, const struct d
             result->gap = gap_of(outcome);
         result->work = (struct dom_proof_work){proof.boxes, proof.chains};
     }
-    proof_end(&proof);
+    free(proof.box.link);
     return DOM_OK;
 }
 
@@ -120,16 +107,17 @@ static struct span barrier_prove(struct proof *proof, double low, double high, d
 {
     struct span barrier = {0, INFINITY};
     if (upright_find(&proof->shape, low, high, 1e-17, 0, &proof->box)) {
-        double at = smaller(top, upright_hit_below(&proof->box));
+        double at = smaller(top, proof->box.growth.hit.lo);
         barrier.lo = least_0(climb_find(&proof->box, at, at, false).height.lo);
     }
     double kinetic = larger(proof->box.kinetic.value.hi, 0);
     *outcome = OUTCOME_OPEN;
     for (double more = larger(tol * (barrier.lo + kinetic), 1e-16); more < 1 && *outcome == OUTCOME_OPEN;
          more *= 4) {
-        *outcome = proof_below(proof, low, high, barrier.lo + more);
+        const double level = barrier.lo + more;
+        *outcome = proof_strip(proof, low, high, &level);
         if (*outcome == OUTCOME_PROVED)
-            barrier.hi = up(barrier.lo + more);
+            barrier.hi = up(level);
     }
     return barrier;
 }
@@ -156,12 +144,12 @@ static void cycle_prove(struct proof *proof, double r, double tol, struct dom_pr
     result->margin = (struct dom_interval){margin.lo, margin.hi};
     if (margin.hi < 0)
         result->verdict = DOM_PROVED_STOPS;
-    else if (fuel && (margin.lo >= 0 || proof_strip(proof, low, high) == OUTCOME_PROVED))
+    else if (fuel && (margin.lo >= 0 || proof_strip(proof, low, high, NULL) == OUTCOME_PROVED))
         result->verdict = DOM_PROVED_GOES_ON;
     else
-        result->gap = proof_interrupted(proof)    ? DOM_PROOF_INTERRUPTED
-                      : outcome == OUTCOME_PROVED ? DOM_PROOF_ROUNDING
-                                                  : gap_of(outcome);
+        result->gap = dom_interrupted(proof->interrupt) ? DOM_PROOF_INTERRUPTED
+                      : outcome == OUTCOME_PROVED       ? DOM_PROOF_ROUNDING
+                                                        : gap_of(outcome);
 }
 
 enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,
@@ -182,7 +170,7 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
             cycle_prove(&proof, train->r, larger(tolerance_of(compute), 1e-15), result);
         result->work = (struct dom_proof_work){proof.boxes, proof.chains};
     }
-    proof_end(&proof);
+    free(proof.box.link);
     return DOM_OK;
 }
 
@@ -198,44 +186,25 @@ static double product_above(double a, double b)
     return product_below(a, b) == a * b ? a * b : up(a * b);
 }
 
-enum { POWERS_MOST = 100000 };
-
 /*
- * Finds bounds on the smallest n with first * r^n >= height, by multiplying. The bounds are infinite if no n
- * is large enough, and NaN if n may exceed POWERS_MOST. Returns true if all products are exact.
+ * Finds bounds on the smallest n with first * r^n >= height, by multiplying. Without an upper bound, *most is
+ * infinite. Returns true if all products are exact.
  */
 static bool count_by_products(struct span first, struct span r, struct span height, double *least,
                               double *most)
 {
-    struct span tall = first, before = {0, 0};
-    *least = *most = DOM_NAN;
-    for (int n = 0; n < POWERS_MOST && isnan(*most); n++) {
-        const bool grows = tall.lo > before.lo, may_grow = tall.hi > before.hi;
-        if (isnan(*least) && (tall.hi >= height.lo || !may_grow))
-            *least = may_grow ? n : HUGE_VAL;
-        if (!isnan(*least) && (tall.lo >= height.hi || !grows))
-            *most = grows ? n : HUGE_VAL;
-        before = tall;
+    enum { POWERS_MOST = 100000 };
+    struct span tall = first;
+    int n = 0;
+    *least = 0;
+    for (; tall.lo < height.hi && n < POWERS_MOST; n++) {
+        *least += tall.hi < height.lo;
         tall = (struct span){product_below(tall.lo, r.lo), product_above(tall.hi, r.hi)};
     }
-    return before.lo == before.hi && !isnan(*most);
-}
-
-/* Finds bounds on the smallest n with first * r^n >= `height`, for an n that is too large for
- * count_by_products. This n is ln(height/first)/ln r, rounded up. `height` must be larger than `first`. */
-static void count_by_logarithms(double first, double height, double r, double *least, double *most)
-{
-    struct span growth = {larger(1, down(r)), up(r)},
-                ratio = span_over(span_around(height), span_around(first));
-    if (!span_finite(ratio)) {
-        *least = POWERS_MOST;
-        *most = INFINITY;
-        return;
-    }
-    ratio.lo = larger(ratio.lo, 1);
-    struct span n = span_over(span_log(ratio), span_log(growth));
-    *least = ceil(larger(0, n.lo));
-    *most = isfinite(n.hi) ? ceil(n.hi) : HUGE_VAL;
+    *most = tall.lo >= height.hi ? n : HUGE_VAL;
+    if (r.hi <= 1 && tall.hi < height.lo)
+        *least = HUGE_VAL;
+    return tall.lo == tall.hi;
 }
 
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most)
@@ -244,22 +213,17 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
         return DOM_BAD_HEIGHT;
     if (!(r >= 1 && isfinite(r)))
         return DOM_BAD_R;
-    if (fegetround() != FE_TONEAREST) {
-        *least = 0;
-        *most = INFINITY;
+    *least = 0;
+    *most = INFINITY;
+    if (fegetround() != FE_TONEAREST)
         return DOM_OK;
-    }
     /*
      * If all products are exact, the number of dominoes is computed exactly, for these very arguments.
      * Otherwise only bounds are found. The bounds hold not only for these arguments, but for all numbers that
      * round to them.
      */
-    if (count_by_products(span_of(first), span_of(r), span_of(height), least, most))
-        return DOM_OK;
-    count_by_products(span_around(first), (struct span){larger(1, down(r)), up(r)}, span_around(height),
-                      least, most);
-    if (isnan(*least))
-        count_by_logarithms(first, height, r, least, most);
-    *most = isnan(*most) ? HUGE_VAL : *most;
+    if (!count_by_products(span_of(first), span_of(r), span_of(height), least, most))
+        count_by_products(span_around(first), (struct span){larger(1, down(r)), up(r)}, span_around(height),
+                          least, most);
     return DOM_OK;
 }
