@@ -98,7 +98,7 @@ static bool run_lesson(struct session *session, const struct arguments *given, s
         fputs("Type each line that the lesson shows, or just press Enter. You may try other\n"
               "commands in between. Your own parameters stay as they are. 'q' ends the lesson.\n",
               reader.output->out);
-    while (!session_stops(&reader, reader.errors) && text_read(&line, &size, in, NULL) != -1)
+    while (!session_stops(&reader, reader.errors) && text_read(&line, &size, in) != -1)
         lesson_line(&reader, line, waits);
     session->errors += waits ? 0 : reader.errors;
     session_close(&reader);

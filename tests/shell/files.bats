@@ -137,16 +137,6 @@ END
     same 'nothing is left' s.dom "$(ls)"
 }
 
-# bats test_tags=rows,pictures
-@test "the name of a file without '>' leads to a message that names '>'" {
-    wrong 'draw row.png' "put '>' before its name: '> row.png'\$"
-    wrong 'rmax 0.4 x.csv; print 1' "put '>' before its name: '> x.csv'\$"
-    for call in 'draw foo' 'rmax x > x.csv' 'effect row a.csv b.csv'; do
-        run -1 "$DOMINO" -e "$call"
-        [[ $output != *"before its name"* ]]
-    done
-}
-
 @test "an inner command cannot write the file that an outer one is writing" {
     mkdir folder
     ln -s . again

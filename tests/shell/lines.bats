@@ -59,15 +59,6 @@ END
     same 'byte order mark, CRLF, no last newline' "$(json 'set s 0.3; fuel')" "$("$DOMINO" bom 2>&1)"
 }
 
-@test "a backslash continues a line" {
-    printf '2 + \\\n3 + \\  \n4\nset s \\\n  0.3; print s\n1 # no \\\n2\nset s x\n' >a.dom
-    run --separate-stderr "$DOMINO" a.dom
-    same joined '9 0.3 1 2' "$(grep . <<<"$output" | paste -sd ' ' -)"
-    [[ $stderr == a.dom:8:* ]] || same 'lines are counted' a.dom:8: "$stderr"
-    same stdin '9 0.3 1 2' "$("$DOMINO" <a.dom 2>/dev/null | grep . | paste -sd ' ' -)"
-    same 'at the end' 7 "$(printf '7 \\' | "$DOMINO")"
-}
-
 @test "empty input is not an error" {
     for text in '' ' ' ';' ' ; ;; ' '#' $'\n\n' $'\r\n' $'\t'; do
         same "-e '$text'" '(nothing)' "$("$DOMINO" -e "$text" 2>&1)"

@@ -45,7 +45,6 @@ same_at_the_prompt() { # FORMAT
     TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
 }
 @test "leaving with unsaved gaps needs a confirmation" { prompt unsaved; }
-@test "a backslash at the end continues the line below" { prompt backslash; }
 
 @test "the prompt opens with a row from a file, and after a file with -i" { prompt opened; }
 @test "^C in a file before the prompt ends the file, and the prompt opens" { prompt interrupt_opened; }

@@ -55,14 +55,6 @@ END
     same 'the last 100' 50 "$("$DOMINO" -f many.dom -e 'seed*1')"
 }
 
-@test "undo: the steps share one copy of each function's text" {
-    awk 'BEGIN { for (k = 0; k < 150; k++) { printf "let g%d(x) = x", k; for (i = 0; i < 5000; i++) printf "+1.000001"; print "" } }' >many.dom
-    echo 'undo > /dev/null' >>many.dom
-    # The sanitizers need more memory than this limit.
-    ([ -n "$(checked "$DOMINO")" ] || ulimit -v 150000 && "$DOMINO" -f many.dom -e 'print g148(1)' >out)
-    same 'a function' 5001 "$(sed 's/\..*//' out)"
-}
-
 # bats test_tags=rows
 @test "show lists differences from the defaults" {
     same none "All parameters have their defaults, and no effect is on. 'show all' lists them." "$("$DOMINO" -e show)"

@@ -95,7 +95,6 @@ END
 7|count 112 deg|^count: H is a length, not an angle
 7|count 3 m^2|^count: H is a length, not in m\^2
 7|set r h|^set: r is a plain number, not a length
-0|set h 5|^set: a height of 5 without a unit would be 5 m, but the height is 4\.8 cm now; write 'set h 5 m'
 10|set mass 3 mm|^set: mass is a mass, not a length; enter a value such as '10 g'$
 7|set h 10 g|^set: h is a length, not a mass; enter a value such as '48 mm'$
 13|set density 5 kg|^set: density is a density, not a mass; enter a value such as '600 kg/m\^3'$
@@ -188,11 +187,10 @@ thetac to deg|36.8699 deg
 print duration.speed to mm/s|214.37 mm/s
 END
     same json '{"value":10000,"unit":"mm"}' "$(json '10 m to mm')"
-    wrong '112 m to s' "the value is a length, and 's' is a unit of a time; its units: m mm cm km in ft yd"
-    wrong '5 to m/s' "the value is a plain number, and 'm/s' is in m s\^-1; its units: percent"
+    wrong '112 m to s' 'the value is a length, but 1 s is a time'
+    wrong '5 to m/s' 'the value is a plain number, but 1 m/s is in m s\^-1'
     wrong '112 m to fot' "'fot' is not a unit; did you mean 'ft'"
-    wrong '112 m to' "the unit after 'to' is missing; for example m mm"
-    wrong '112 to m' 'the value is a plain number.*its units: percent'
+    wrong '112 m to' "the unit after 'to' is missing; enter, for example, 'print 112 m to ft'"
     wrong '112 m ti ft' "'ti' is not a unit"
     wrong '112 m to ft 3' "'3' is one argument too many"
     wrong 'rmax to m/h' "'m/h' is not a unit"

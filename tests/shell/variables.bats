@@ -18,13 +18,9 @@ END
 @test "let: definitions are shown, explained, removed and completed" {
     local all='let xx = 2 m; let ff(a) = 2*a'
     while IFS='|' read -r line commands; do same "$line" "$(json "$all; $commands")" "$(json "$all; $line")"; done <<'END'
-xx?|help xx
-? ff|help ff
 ff|show ff
 END
-    same 'let alone' 'xx ff(a)' "$("$DOMINO" -e "$all; let" | awk 'NR > 1 { print $1 }' | paste -sd ' ' -)"
-    same 'let with a name' 'xx' "$("$DOMINO" -e "$all; let xx" | awk 'NR > 1 { print $1 }')"
-    same 'forgotten' 'ff(a)' "$("$DOMINO" -e "$all; reset xx; let" | awk 'NR > 1 { print $1 }')"
+    same 'forgotten' 'ff(a)' "$("$DOMINO" -e "$all; reset xx; show" | awk 'NR > 1 { print $1 }')"
     same 'back again' '2 m' "$("$DOMINO" -e "$all; reset xx" -e 'undo; xx' | tail -n 1)"
     same 'reset keeps them' '2 m' "$("$DOMINO" -e "$all; reset; xx")"
     wrong "$all; reset xx; xx" "unknown command 'xx'"

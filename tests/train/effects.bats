@@ -137,7 +137,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'both values' "$(json 'effect row 4; effect placement 1 cm 0.1; placement 50')" \
         "$(json 'effect row 4; set placement 1 cm 0.1; placement 50')"
     same 'the others stay' "$(json show)" "$(json 'set friction 0.2; reset s; show')"
-    [[ $("$DOMINO" -e 'set friction on') == 'friction is on now with MU = 0.2:'* ]]
+    [[ $("$DOMINO" -e 'set friction on') == 'friction is on: 0.2.'* ]]
     wrong 'set friction -1' 'MU = -1 is out of range'
     wrong 'set friction 0.1 0.2' 'one argument too many; usage: set friction MU'
     wrong 'set row 4; set feet 0.4; set error_floor 0.1; set feet off' "'set error_floor' needs the feet; first enter 'set error_floor off'"
@@ -228,10 +228,10 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
         same "$command: csv" '(nothing)' "$("$DOMINO" -e "set output csv; $command")"
         same "$command: json" '(nothing)' "$(json "$command")"
     done <<'END'
-effect row on|row is on now with N = 20: the number of dominoes. 'set row N|FILE' sets another value.
-effect friction on|friction is on now with MU = 0.2: the friction coefficient. 'set friction MU' sets another value.
-effect friction 0.3; effect friction on|friction is on with MU = 0.3: the friction coefficient. 'set friction MU' sets another value.
-effect row 5; effect push on|push is on now with OMEGA = 5 rad/s: the angular velocity of the first domino. 'set push OMEGA' sets another value.
+effect row on|row is on: 20. 'set row N|FILE' sets another value.
+effect friction on|friction is on: 0.2. 'set friction MU' sets another value.
+effect friction 0.3; effect friction on|friction is on: 0.3. 'set friction MU' sets another value.
+effect row 5; effect push on|push is on: 5 rad/s. 'set push OMEGA' sets another value.
 END
     same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
 }

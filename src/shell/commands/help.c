@@ -14,14 +14,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Topics: commands, parameters, effects, and the names that 'let' has defined ---- */
+/* ---- Topics: commands, parameters and effects ---- */
 
 /* A help topic. A text that the topic does not have is NULL. */
 struct topic {
     const struct command *command;     /* the command; NULL for other topics */
     const struct parameter *parameter; /* the parameter or effect; NULL for other topics */
     const char *name, *kind, *summary, *equation, *text, *example, *synonyms;
-    char usage[96], keys[ANSWER_HEADER], value[VARIABLE_VALUE];
+    char usage[96], keys[ANSWER_HEADER];
     char see[128]; /* the related topics that this build has; may be "" */
 };
 
@@ -105,7 +105,7 @@ static enum match topic_match(const struct topic *t, const char *word)
 
 static const struct column topic_columns[] = {
     {"name", "", "the name of the topic", 0},
-    {"kind", "", "command, parameter, effect, variable or function", 0},
+    {"kind", "", "command, parameter or effect", 0},
     {"usage", "", "how to type the command, parameter or effect", 0},
     {"summary", "", "a one-line summary", 0},
     {"equation", "", "equations of the paper, or the source of an effect", 0},
@@ -345,29 +345,13 @@ static void help_name(struct session *session, struct answer *a, const char *nam
     }
 }
 
-static void help_variable(const struct variable *v, struct answer *a)
-{
-    struct topic t = {.name = v->name, .kind = v->body ? "function" : "variable", .see = "let"};
-    t.summary = v->body ? v->body : variable_value(v, t.value);
-    snprintf(t.usage, sizeof t.usage, "let %s = VALUE", variable_head(v));
-    if (!answer_for_people(a)) {
-        topic_row(a, &t);
-        return;
-    }
-    fprintf(a->out, "%s = %s\n\n", variable_head(v), t.summary);
-    say(a->out, "This %s was defined with 'let'. '%s = VALUE' changes it, and 'reset %s' removes it.", t.kind,
-        variable_head(v), v->name);
-}
-
 static bool run_help(struct session *session, const struct arguments *given, struct answer *a,
                      struct problem *problem)
 {
     (void)problem;
     const bool people = answer_for_people(a), has_name = given->count && given->number[0] >= 0;
     const char *word = given->count && !has_name ? given->word[0] : NULL, *name;
-    if (given->variable)
-        help_variable(given->variable, a);
-    else if (people && !given->count)
+    if (people && !given->count)
         help_screen(a->out);
     else if (people && word && group_named(word))
         help_groups(a->out, word);

@@ -103,20 +103,6 @@ static const char *show_names(const void *context, int k)
     return k == count ? "all" : k < count ? parameter_names(context, k) : NULL;
 }
 
-bool show_variables(const struct query *query, struct answer *a)
-{
-    const struct variables *variables = &query->state->variables;
-    const struct variable *named = query->given->variable;
-    a->rows = true;
-    answer_columns(a, show_columns);
-    for (size_t i = 0; i < variables->count; i++)
-        if (!named || named == &variables->list[i])
-            variable_row(a, &variables->list[i]);
-    if (variables->count == 0)
-        answer_say(a, "No variable is defined; 'let x = 0.9*rmax' defines one.");
-    return true;
-}
-
 /* Without a name, the answer for people has what differs from the defaults. In csv and json, it is for
  * programs and always has the same rows. */
 static bool run_show(const struct query *query, struct answer *a, struct problem *problem)
@@ -177,23 +163,6 @@ change_say(const struct query *query, struct answer *a, const char *format, ...)
         run_context_note(query->run_context, "%s", text);
 }
 
-/* Refuses a height that has no unit and is far from the current height. 'set h 5' means 5 m, but the user
- * probably means 5 cm. */
-static bool height_likely(const struct query *query, struct problem *problem)
-{
-    const struct arguments *given = query->given;
-    const domq_real now = query->scene->scale.h, ratio = given->number[1] / now;
-    if (given->parameter != parameter_find("h") || given->count < 2 ||
-        !quantity_is_number(given->quantity[1]) || (ratio < 50 && ratio > (domq_real)1 / 50))
-        return true;
-    return problem_error(
-        problem,
-        "a height of %s without a unit would be %s, but the height is %s now; write 'set h %s m', "
-        "or add the unit that you mean",
-        quad_text(given->number[1], 10), measured(given->number[1], "m", 6).text, measured(now, "m", 4).text,
-        quad_text(given->number[1], 10));
-}
-
 /* Returns the length that was typed for a share of the height, with its unit. */
 static struct typed_length length_typed(const struct arguments *given)
 {
@@ -234,32 +203,20 @@ static bool run_set(const struct query *query, struct answer *a, struct problem 
     const struct arguments *given = query->given;
     struct state *next = query->next;
     const struct parameter *p = given->parameter, *moved = p->moves ? parameter_find(p->moves) : NULL;
-    domq_real before = parameter_get(next, p), was = moved ? parameter_get(next, moved) : 0;
+    const domq_real was = moved ? parameter_get(next, moved) : 0;
     const struct typed_length length = length_typed(given);
-    if (!height_likely(query, problem))
-        return false;
     if (!(given->word[1] ? p->load(&next->scene, given->word[1], query->run_context, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, &length, problem)))
         return false;
     /* In a script, the next line may set the parameter `moved` too, so no message is printed. */
     if (moved && parameter_get(next, moved) != was && !query->run_context->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
-    enum precision precision = next->scene.compute.precision;
-    int all = state_style(next).all_digits;
-    if (p == parameter_find("digits") && next->settings.style.digits > all && !query->run_context->sourced)
-        answer_say(a, "%s precision has at most %d digits%s", any_arithmetic(precision).name, all,
-                   precision == IN_QUAD ? "" : "; 'set precision quad' has more");
     if (!query->run_context->sourced)
         row_say(query, a, p);
-    if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON) {
-        /* The user may not know the value that 'on' has given. */
-        const bool is_file = effect_file(&next->scene, p->which);
-        change_say(query, a, "%s is %s with %s%s%s: the %s. 'set %s' sets another value.", p->name,
-                   before == EFFECT_OFF ? "on now" : "on", is_file ? "" : p->value->name,
-                   is_file ? "" : " = ", effect_setting(&next->scene, p->which),
-                   is_file ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
-                   parameter_usage(p));
-    }
+    /* The user may not know the value that 'on' has given. */
+    if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
+        change_say(query, a, "%s is on: %s. 'set %s' sets another value.", p->name,
+                   effect_setting(&next->scene, p->which), parameter_usage(p));
     return true;
 }
 

@@ -7,7 +7,4 @@
 
 extern const struct command session_commands[], value_commands[], script_commands[], help_commands[];
 
-/* Prints the variable that the arguments name, or all variables and functions. */
-bool show_variables(const struct query *query, struct answer *a);
-
 #endif

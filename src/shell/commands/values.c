@@ -23,36 +23,6 @@ struct conversion {
     char name[48];
 };
 
-/* Writes the units into which a quantity can be converted, with a blank before each unit. */
-static void units_list(struct quantity kind, char *text, size_t size)
-{
-    const char *name;
-    text[0] = '\0';
-    for (int k = 0; (name = expression_units(NULL, k)) != NULL; k++)
-        if (quantity_alike(expression_unit(name), kind))
-            text_add(text, size, " %s", name);
-    if (quantity_is_number(kind))
-        snprintf(text, size, " percent");
-}
-
-static bool conversion_find(struct problem *problem, const char *name, struct conversion *c)
-{
-    struct quantity unit = {.value = 1};
-    bool percent = strcmp(name, "percent") == 0 || strcmp(name, "%") == 0;
-    const char *end = percent ? "" : unit_scan(name, &unit);
-    const char *close = names_closest(expression_units, NULL, name);
-    if (percent)
-        unit.value = (domq_real)1 / 100;
-    c->unit = unit;
-    snprintf(c->name, sizeof c->name, "%s", percent ? "%" : name);
-    if (end && *end == '\0' && strlen(name) < sizeof c->name)
-        return true;
-    return problem_error(problem,
-                         close ? "'%s' is not a unit; did you mean '%s'?"
-                               : "'%s' is not a unit; enter, for example, 'print 112 m to ft'",
-                         names_shown(name), close);
-}
-
 static bool conversion_parse(struct reader *r, struct question *q)
 {
     struct item *item = &q->item[1];
@@ -71,30 +41,31 @@ static bool conversion_bind(const struct question *question, const struct query 
                             struct arguments *given, struct problem *problem)
 {
     struct quantity *q = &given->quantity[0];
-    const char *name = question->item[1].word;
-    char units[96];
+    const char *name = question->item[1].word, *close = names_closest(expression_units, NULL, name);
     struct conversion *c = arguments_take(given, sizeof *c, query, problem);
     if (!c)
         return false;
     problem->place = given->column[1];
-    units_list(*q, units, sizeof units);
+    const bool percent = strcmp(name, "percent") == 0 || strcmp(name, "%") == 0;
+    c->unit = (struct quantity){.value = percent ? (domq_real)1 / 100 : 1};
+    const char *end = percent ? "" : unit_scan(name, &c->unit);
+    snprintf(c->name, sizeof c->name, "%s", percent ? "%" : name);
     if (!*name)
-        return problem_error(problem, "the unit after 'to' is missing%s%s", *units ? "; for example" : "",
-                             units);
-    if (!conversion_find(problem, name, c))
-        return false;
+        return problem_error(problem,
+                             "the unit after 'to' is missing; enter, for example, 'print 112 m to ft'");
+    if (!end || *end || strlen(name) >= sizeof c->name)
+        return problem_error(problem,
+                             close ? "'%s' is not a unit; did you mean '%s'?"
+                                   : "'%s' is not a unit; enter, for example, 'print 112 m to ft'",
+                             names_shown(name), close);
     /* In '90 to rad', the plain number 90 is taken as an angle in the session's unit. */
     if (quantity_is_number(*q) && quantity_alike(c->unit, (struct quantity){.angle = 1}))
         *q = (struct quantity){
             .value = query->state->settings.style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value,
             .angle = 1};
-    const char *of = expression_kind(c->unit);
     return quantity_alike(*q, c->unit) ||
-           problem_error(problem, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q), c->name,
-                         quantity_is_number(c->unit)  ? "for a plain number"
-                         : strncmp(of, "in ", 3) == 0 ? "" /* `of` is a phrase such as "in m s^-1" */
-                                                      : "a unit of ",
-                         quantity_is_number(c->unit) ? "" : of, *units ? "; its units:" : "", units);
+           problem_error(problem, "the value is %s, but 1 %s is %s", expression_kind(*q), c->name,
+                         expression_kind(c->unit));
 }
 
 static bool run_print(const struct query *query, struct answer *a, struct problem *problem)
@@ -177,15 +148,6 @@ static bool body_parse(struct reader *r, struct variable *v)
 
 static bool definition_parse(struct reader *r, struct question *q)
 {
-    /* as in 'let x', which shows a variable */
-    char name[VARIABLE_NAME];
-    const size_t n = strcspn(r->at, " \t;>#(=");
-    const char *end = skip_blanks(r->at + n);
-    if (name_copy(r->at, n, name, sizeof name) && (command_ends(end) || *end == '>') &&
-        (q->variable = variable_find(&r->query->state->variables, name)) != NULL) {
-        r->at = end;
-        return true;
-    }
     struct definition *d = q->parsed = reader_memory(r, sizeof *d);
     if (!d)
         return false;
@@ -225,8 +187,6 @@ static bool definition_bind(const struct question *q, const struct query *query,
                             struct problem *problem)
 {
     const struct definition *d = q->parsed;
-    if (!d)
-        return true;
     struct variable *v = arguments_take(given, sizeof *v, query, problem);
     domq_real number;
     if (!v)
@@ -245,8 +205,7 @@ static bool definition_bind(const struct question *q, const struct query *query,
 static bool run_let(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct variable *v = query->given->bound;
-    if (!v)
-        return show_variables(query, a);
+    (void)a;
     struct variables *all = &query->next->variables;
     if (!variable_find(all, v->name) && all->count == VARIABLES_MOST)
         return problem_error(problem, "there can be no more than %d variables", VARIABLES_MOST);
@@ -292,16 +251,15 @@ const struct command value_commands[] = {
      .synonyms = "variable define function assign name constant vars variables who",
      .argument = {{.name = "NAME = VALUE",
                    .kind = ARGUMENT_WORDS,
-                   .optional = true,
                    .parse = definition_parse,
                    .bind = definition_bind}},
      .summary = "give a value a name, or define a function",
      .help =
          "'let x = 0.9*rmax' stores the value that the expression has now, and every expression can use x."
          " 'let f(s) = rmax(s)*s' stores the text, and f(0.3) evaluates it with s = 0.3. A function takes "
-         "1 to 4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and "
-         "'reset x' removes x. 'let' lists all variables and functions, and 'save' writes them into its "
-         "file.",
+         "1 to 4 values and cannot use itself. 'x' shows the value, 'x = 2' changes it, and 'reset x' "
+         "removes "
+         "x. 'show' lists all variables and functions, and 'save' writes them into its file.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; f(0.6)",
      .see = "print set show",
      .access.changes = true,

@@ -27,7 +27,7 @@ enum argument_kind {
     ARGUMENT_CHOICE,    /* one of the choices, stored as its index */
     ARGUMENT_PARAMETER, /* the name of a parameter; variables are accepted if no ARGUMENT_VALUE follows */
     ARGUMENT_VALUE,     /* a value of the parameter that an earlier argument names, or a file */
-    ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
+    ARGUMENT_TOPIC,     /* a command or a parameter */
     ARGUMENT_WORD,      /* a single word, or several words in double quotes */
     ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
     ARGUMENT_REST,      /* the rest of the line, unparsed, including any ';' */
@@ -73,7 +73,7 @@ struct arguments {
     const char *typed[ARGUMENTS_MAX];  /* where the argument begins in the line; may be NULL */
     int column[ARGUMENTS_MAX];         /* the column of each argument in the typed line, for messages */
     const struct parameter *parameter; /* the one that an ARGUMENT_PARAMETER names, or NULL */
-    const struct variable *variable;   /* the one that a parameter, a topic or 'let' names, or NULL */
+    const struct variable *variable;   /* the one that the name of a parameter stands for, or NULL */
     bool details;                      /* the answer includes what 'details' would print */
     void *bound;                       /* the result of argument.bind */
     struct arena memory;               /* for arguments_take */

@@ -88,7 +88,7 @@ static int run_lines(struct session *session, FILE *in, bool resumes)
     ssize_t length;
     bool goes_on = !session->quit;
     errno = 0;
-    for (long joined = 0; goes_on && (length = text_read(&line, &size, in, &joined)) != -1; joined = 0) {
+    while (goes_on && (length = text_read(&line, &size, in)) != -1) {
         const long errors = session->errors;
         bool is_text = strlen(line) == (size_t)length;
         session->source.line++;
@@ -100,7 +100,6 @@ static int run_lines(struct session *session, FILE *in, bool resumes)
             session_error(session, "the line contains a NUL byte; commands are text");
         if (resumes)
             resume(session);
-        session->source.line += joined;
         goes_on = !session_stops(session, errors) && (is_text || length <= TEXT_MOST);
         errno = 0;
     }

@@ -87,7 +87,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     bool is_topic = a->kind == ARGUMENT_TOPIC,
          has_value = i + 1 < ARGUMENTS_MAX && a[1].kind == ARGUMENT_VALUE;
     offer_names(r, a->choices, NULL);
-    if (!has_value)
+    if (!has_value && !is_topic)
         offer_kind(r, OFFER_VARIABLE);
     r->stops = has_value ? "=" : "?";
     const char *word = q->item[i].word = read_word(r, false);
@@ -97,7 +97,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
         r->at = next + strspn(next, "?");
     if (!word)
         return false;
-    const struct variable *v = variable_find(&r->query->state->variables, word);
+    const struct variable *v = is_topic ? NULL : variable_find(&r->query->state->variables, word);
     if (v && has_value)
         return problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it", word, word);
     q->variable = v;

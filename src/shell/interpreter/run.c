@@ -216,26 +216,6 @@ static void wrote_say(const struct session *session, const char *path)
             unit > 0 && size < 10, size, units[unit]);
 }
 
-/* The user may have forgotten the '>' before a file name. If an invalid command ends with a file name, as in
- * 'draw row.png', adds a hint to type '>' before the name. */
-static void redirect_hint(const struct command *c, const char *begin, struct problem *problem)
-{
-    const char *end = text_end(begin, ";>");
-    while (end > begin && isblank((unsigned char)end[-1]))
-        end--;
-    const char *word = end;
-    while (word > begin && !isblank((unsigned char)word[-1]))
-        word--;
-    char path[64];
-    snprintf(path, sizeof path, "%.*s", (int)(end - word), word);
-    const enum extension_kind kind = extension_of(path)->kind;
-    const size_t length = strlen(problem->text);
-    if (*skip_blanks(end) != '>' && kind >= EXTENSION_TEXT && (c->columns || is_picture(c)) &&
-        !c->access.files)
-        snprintf(problem->text + length, sizeof problem->text - length,
-                 "; to write the answer to a file, put '>' before its name: '> %s'", names_shown(path));
-}
-
 static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
                            const struct query *query)
 {
@@ -313,8 +293,7 @@ void run_command_at(struct session *session, struct reader *line)
         if (is_step)
             undo_keep(&session->undo, &session->state, before, line->at,
                       (size_t)(text_end(line->at, ";") - line->at));
-    } else if (q.command)
-        redirect_hint(q.command, line->at, &problem);
+    }
     if (problem.kind != PROBLEM_NONE) {
         /* Messages for people name the command as help does, 'step to' rather than 'goto'. */
         if (q.command && q.command->typed.phrase && problem.command == q.command->name &&

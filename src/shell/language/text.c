@@ -70,9 +70,9 @@ void text_free(struct text *text)
     free(text->origin);
 }
 
-ssize_t text_read(char **line, size_t *size, FILE *in, long *joined)
+ssize_t text_read(char **line, size_t *size, FILE *in)
 {
-    size_t n = 0, begin = 0; /* the last of the joined lines begins at the offset `begin` */
+    size_t n = 0;
     int c = 0;
     /* If a line is too long and contains a NUL byte, the remainder of the line is not read. The input may
      * come from a device such as /dev/zero, which never ends. */
@@ -85,19 +85,11 @@ ssize_t text_read(char **line, size_t *size, FILE *in, long *joined)
             *line = more;
             *size = larger;
         }
-        if ((c = getc_unlocked(in)) != EOF && c != '\n') {
-            has_nul = has_nul || c == '\0';
-            if (n <= TEXT_MOST)
-                (*line)[n++] = (char)c;
-            continue;
-        }
-        (*line)[n] = '\0';
-        if (!joined || has_nul || n > TEXT_MOST || !text_continues(*line + begin))
+        if ((c = getc_unlocked(in)) == EOF || c == '\n')
             break;
-        n = begin += strlen(*line + begin);
-        if (c == EOF)
-            break;
-        ++*joined;
+        has_nul = has_nul || c == '\0';
+        if (n <= TEXT_MOST)
+            (*line)[n++] = (char)c;
     }
     if (c == EOF && (n == 0 || ferror(in)))
         return -1;
@@ -131,17 +123,6 @@ const char *text_end(const char *c, const char *ends)
         c = next ? next : c + strlen(c);
     }
     return c;
-}
-
-bool text_continues(char *line)
-{
-    size_t n = strlen(line);
-    while (n > 0 && (line[n - 1] == ' ' || line[n - 1] == '\t' || line[n - 1] == '\r'))
-        n--;
-    if (n == 0 || line[n - 1] != '\\' || *text_end(line, "") == '#')
-        return false;
-    line[n - 1] = '\0';
-    return true;
 }
 
 void text_add(char *text, size_t size, const char *format, ...)

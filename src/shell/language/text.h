@@ -32,12 +32,10 @@ void text_free(struct text *text);
  * Reads the next line, without its newline, into the buffer *line of *size bytes. As with getline, the buffer
  * grows if necessary, and the caller frees it. Returns the length of the line, or -1 at the end of the file.
  * If there is an error, returns -1 and sets errno.
- * - If `joined` is not NULL, a line that ends with a backslash is joined with the next line. *joined then
- *   increases by 1.
- * - If a line is longer than TEXT_MOST bytes, only its first TEXT_MOST + 1 bytes are kept. The caller can
- *   tell by the length that the line was too long.
+ * If a line is longer than TEXT_MOST bytes, only its first TEXT_MOST + 1 bytes are kept. The caller can tell
+ * by the length that the line was too long.
  */
-ssize_t text_read(char **line, size_t *size, FILE *in, long *joined);
+ssize_t text_read(char **line, size_t *size, FILE *in);
 
 /* Appends formatted text to `text`, as far as there is room in its buffer of `size` bytes. */
 void text_add(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
@@ -53,9 +51,6 @@ const char *text_quote(const char *c);
  * within quotes are skipped. Returns the end of the text if there is no such character, or if a quote is
  * never closed. */
 const char *text_end(const char *c, const char *ends);
-
-/* If a backslash continues the line, removes the backslash and returns true. */
-bool text_continues(char *line);
 
 /* Converts a position in text->line to its column in the line as it was typed. Columns count from 1. */
 static inline int text_column(const struct text *text, const char *place)

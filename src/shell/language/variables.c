@@ -2,29 +2,9 @@
 #include "language/variables.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include <stdatomic.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* The text of a function with its reference count. Each step of 'undo' has a copy of every variable. To save
- * memory, all copies of a function share one text. */
-struct body {
-    atomic_size_t users;
-    char text[];
-};
-
-static struct body *body_of(char *text)
-{
-    return (struct body *)(void *)(text - offsetof(struct body, text));
-}
-
-static void body_drop(char *text)
-{
-    if (text && atomic_fetch_sub(&body_of(text)->users, 1) == 1)
-        free(body_of(text));
-}
 
 const struct variable *variable_find(const struct variables *variables, const char *name)
 {
@@ -37,25 +17,18 @@ const struct variable *variable_find(const struct variables *variables, const ch
 bool variable_put(struct variables *variables, const struct variable *variable)
 {
     struct variable copy = *variable, *at = (struct variable *)variable_find(variables, variable->name);
-    const size_t size = copy.body ? strlen(copy.body) + 1 : 0;
-    struct body *body = size ? malloc(sizeof *body + size) : NULL;
-    if (size && !body)
+    copy.body = variable->body ? strdup(variable->body) : NULL;
+    struct variable *list =
+        at ? variables->list : realloc(variables->list, (variables->count + 1) * sizeof *list);
+    if (list)
+        variables->list = list;
+    if (!list || (variable->body && !copy.body)) {
+        free(copy.body);
         return false;
-    if (body) {
-        atomic_init(&body->users, 1);
-        copy.body = memcpy(body->text, copy.body, size);
     }
-    if (!at) {
-        struct variable *more = realloc(variables->list, (variables->count + 1) * sizeof *more);
-        if (!more) {
-            free(body);
-            return false;
-        }
-        variables->list = more;
-        at = &more[variables->count++];
-    } else
-        body_drop(at->body);
-    *at = copy;
+    if (at)
+        free(at->body);
+    *(at ? at : &list[variables->count++]) = copy;
     return true;
 }
 
@@ -64,22 +37,17 @@ void variable_drop(struct variables *variables, const char *name)
     struct variable *at = (struct variable *)variable_find(variables, name);
     if (!at)
         return;
-    body_drop(at->body);
+    free(at->body);
     memmove(at, at + 1, (size_t)(variables->list + --variables->count - at) * sizeof *at);
 }
 
 bool variables_copy(struct variables *to, const struct variables *from)
 {
-    const size_t size = from->count * sizeof *from->list;
-    *to = (struct variables){.list = size ? malloc(size) : NULL};
-    if (!to->list)
-        return size == 0;
-    memcpy(to->list, from->list, size);
-    to->count = from->count;
-    for (size_t i = 0; i < to->count; i++)
-        if (to->list[i].body)
-            body_of(to->list[i].body)->users++;
-    return true;
+    bool good = true;
+    *to = (struct variables){.list = NULL};
+    for (size_t i = 0; i < from->count && good; i++)
+        good = variable_put(to, &from->list[i]);
+    return good;
 }
 
 bool variables_equal(const struct variables *one, const struct variables *other)
@@ -90,7 +58,7 @@ bool variables_equal(const struct variables *one, const struct variables *other)
         equal = strcmp(a->name, b->name) == 0 && a->count == b->count && !a->body == !b->body;
         for (int k = 0; equal && k < a->count; k++)
             equal = strcmp(a->argument[k], b->argument[k]) == 0;
-        equal = equal && (a->body ? a->body == b->body || strcmp(a->body, b->body) == 0
+        equal = equal && (a->body ? strcmp(a->body, b->body) == 0
                                   : a->value.value == b->value.value && quantity_alike(a->value, b->value));
     }
     return equal;
@@ -99,7 +67,7 @@ bool variables_equal(const struct variables *one, const struct variables *other)
 void variables_free(struct variables *variables)
 {
     for (size_t i = 0; i < variables->count; i++)
-        body_drop(variables->list[i].body);
+        free(variables->list[i].body);
     free(variables->list);
     *variables = (struct variables){.list = NULL};
 }

@@ -27,7 +27,7 @@ bool variable_put(struct variables *variables, const struct variable *variable);
 
 void variable_drop(struct variables *variables, const char *name);
 
-/* Copies all variables; the copies share the texts of functions. Returns false if memory runs out. */
+/* Copies all variables. Returns false if memory runs out. */
 bool variables_copy(struct variables *to, const struct variables *from);
 bool variables_equal(const struct variables *a, const struct variables *b);
 void variables_free(struct variables *variables);

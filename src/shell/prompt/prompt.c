@@ -192,11 +192,6 @@ static char **complete_word(const char *text, int start, int end)
 
 /* ---- Keys ---- */
 
-/* The lines typed so far of a command that continues on the next line after a backslash. NULL if there is no
- * such command. */
-static char *unfinished;
-
-static bool is_joined; /* The running command was typed on several lines. */
 static bool was_empty; /* Nothing had been typed when ^C ended the last line. */
 
 static bool is_raised(void)
@@ -279,47 +274,20 @@ char *line_edit(struct session *session, const char *prompt)
 static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";
-    if (unfinished) {
-        /* The width 0 turns off the caret of error messages, because a caret cannot point into a command
-         * that spans several lines. */
-        session->source.prompt_width = 0;
-        snprintf(text, size, "  ...%s ", mark);
-        return text;
-    }
     bool colour = terminal_colour(session->output->out);
     snprintf(text, size, colour ? "\001\033[1m\002domino%s\001\033[m\002 " : "domino%s ", mark);
     session->source.prompt_width = (int)strlen("domino> ");
     return text;
 }
 
-/* Adds a typed line to the unfinished command, if there is one. Returns the whole command. If the line ends
- * with a backslash, the command is not complete yet, and the function returns NULL. The caller frees the
- * command. */
-static char *line_whole(char *line)
-{
-    bool before = is_joined = unfinished != NULL, goes_on = text_continues(line);
-    char *whole = NULL;
-    if (asprintf(&whole, "%s%s", before ? unfinished : "", line) < 0)
-        whole = NULL;
-    free(unfinished);
-    unfinished = goes_on ? whole : NULL;
-    return goes_on ? NULL : whole;
-}
-
-/* Runs a typed line, or the lines of a pasted text. A pasted text with the line ends of other systems has an
- * empty line after each line, which does not end an unfinished command. */
+/* Runs a typed line, or the lines of a pasted text. */
 static void lines_run(struct session *session, char *text)
 {
     const bool is_pasted = strchr(text, '\n') != NULL;
     for (char *line; (line = strsep(&text, "\n")) != NULL && !is_raised() && !session->quit;) {
-        bool is_blank = *skip_blanks(line) == '\0';
-        char *whole = is_pasted && is_blank ? NULL : line_whole(line);
-        session->is_last = !is_joined && !is_pasted;
-        if (whole) {
-            history_keep(session, whole);
-            command_run_text(session, whole);
-        }
-        free(whole);
+        session->is_last = !is_pasted;
+        history_keep(session, line);
+        command_run_text(session, line);
     }
 }
 
@@ -336,10 +304,8 @@ void line_prompt(struct session *session, volatile sig_atomic_t *raised)
         *raised = 0;
         char *line = line_read(session, prompt_text(session, prompt, sizeof prompt));
         if (*raised) { /* ^C discards what was typed */
-            fputs(was_empty && !unfinished ? "'quit' or ^D leaves\n" : "", rl_outstream);
+            fputs(was_empty ? "'quit' or ^D leaves\n" : "", rl_outstream);
             fflush(rl_outstream);
-            free(unfinished);
-            unfinished = NULL;
         } else if (line)
             lines_run(session, line);
         else {
@@ -356,7 +322,5 @@ void line_prompt(struct session *session, volatile sig_atomic_t *raised)
         has_warned = warns;
         free(line);
     }
-    free(unfinished);
-    unfinished = NULL;
     session->source.prompt_width = 0;
 }

@@ -26,9 +26,7 @@ struct session {
         FILE *stream;     /* the stream of the script, for 'lesson'; NULL at the prompt and for -e */
         long line;        /* the number of the current line in the script */
         int depth;        /* how deeply 'source' commands are nested */
-        /* The width of the prompt in columns. It is 0 in a script, and for a command that was typed on
-         * several lines. */
-        int prompt_width;
+        int prompt_width; /* the width of the prompt in columns; 0 in a script */
     } source;
 
     bool is_last;        /* the session is at the prompt, and nothing has been written below the typed line */
