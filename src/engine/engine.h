@@ -1,48 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs a row of boxes in the rigid-body engine Chipmunk. The boxes stand on hinges, or on a floor with
- * friction. Nothing here is specific to dominoes; row_engine.c makes boxes of them. */
+/* Runs a row of boxes in the rigid-body engine Chipmunk 7. The boxes stand on hinges, or on a floor with
+ * friction. world.c puts the boxes into Chipmunk, run.c moves them step by step, and row_engine.c makes boxes
+ * of the dominoes of a scene. */
 #ifndef ENGINE_H
 #define ENGINE_H
 
-#include "domino_common.h"
+#include "domino_row.h"
+#include <chipmunk/chipmunk.h>
+#include <chipmunk/chipmunk_structs.h>
 #include <math.h>
 #include <signal.h>
-#include <stdbool.h>
-#include <stddef.h>
 
-/* A box of a row. `gap` is the clear distance to the previous box and is ignored for the first box. */
-struct engine_box {
-    double height, thickness, gap, mass;
-    /* moment of inertia about the centre, divided by that of a solid box; 0 means a solid box */
-    double inertia;
-    /* Radius of the edges of this box. If it is 0, the radius is the height of the box multiplied by the
-     * member `radius` of struct engine_row. Ignored if the row has sharp edges. */
-    double radius;
-};
-
+/* The boxes are the dominoes of a row, whose effects `mu`, `alpha`, `rho` and `walls` apply, and whose
+ * `release` is finite. `feet` is the friction coefficient of the floor. If it is infinite, feet with sharp
+ * edges turn on hinges, and rounded feet roll without slipping. */
 struct engine_row {
-    const struct engine_box *box;
-    size_t count;
-    double g;
-    /* angular velocity given to the first box; NaN if this box is tipped over its edge and released */
-    double push;
-    double tilt;   /* tilt at which the first box gets the push; 0 if it is upright */
-    double slope;  /* angle at which the floor slopes down in the direction of the row */
-    double mu;     /* friction coefficient between boxes */
+    struct dom_row row;
     double bounce; /* coefficient of restitution between boxes */
-    /* Friction coefficient of the floor. If it is infinite, feet with sharp edges turn on hinges, and rounded
-     * feet roll without slipping. */
-    double feet;
-    double radius; /* radius of the edges, relative to the height; 0 means sharp edges */
     /* length by which the upper back edge is cut off, relative to the height; masses are unaffected */
     double bevel;
 };
-
-/* Initialiser for a row of solid, frictionless boxes on hinges. A caller may change members afterwards. */
-#define ENGINE_ROW(box_, count_)                                                                             \
-    {                                                                                                        \
-        .box = (box_), .count = (count_), .g = 1, .push = (double)NAN, .feet = (double)INFINITY              \
-    }
 
 /* The resolution of a run. A caller refines both numbers until the result stops changing. */
 struct engine_grain {
@@ -90,48 +67,37 @@ struct engine_fall {
     /* True if an edge of a box touched the top of the box behind it. In a normal contact, a tip touches the
      * back face of the next box. */
     bool other_contact;
+    struct engine_grain grain; /* the resolution of the run */
+    /* Set by engine_settle: how much the last halving of the step length changed the times. This is the
+     * largest change of any time, divided by the duration. NaN if the verdict changed, or without times. */
+    double change;
+    /* Set by engine_settle: true if the verdict is reliable. Either the last halving of the step length did
+     * not change it, or the verdict of a single run was certain. */
+    bool same;
 };
 
 /* The largest number of boxes in a row. The time of a run grows with the square of this number. */
 enum { ENGINE_MOST = 200 };
-
-/* The state of a row during a run. For k < count, tilt[k] is the tilt of box k, and foot[k] is how far its
- * foot has slid. */
-struct engine_moment {
-    double time;  /* time since the start of the run */
-    size_t head;  /* index of the foremost box that was hit */
-    size_t count; /* number of boxes in the engine so far; all later boxes still stand upright */
-    const double *tilt, *foot;
-};
-typedef bool engine_visit(const struct engine_moment *moment, void *context);
-
-/* The result of repeating a run with shorter and shorter steps. */
-struct engine_settled {
-    struct engine_fall fall;
-    struct engine_grain grain; /* the resolution of the last run */
-    /* How much the last halving of the step length changed the times: the largest change of any time, divided
-     * by the duration. NaN if the verdict changed. Valid only if times were requested. */
-    double change;
-    /* True if the verdict is reliable: the last halving of the step length did not change it, or the verdict
-     * of a single run was certain. */
-    bool same;
-};
 
 /* Two limits for engine_settle. It stops when no time changes by more than ENGINE_AGREES times the duration.
  * It also stops after a run with ENGINE_FINEST steps per unit of time. */
 #define ENGINE_AGREES 0.01
 #define ENGINE_FINEST 1600
 
-/* Loads the engine, unless it is already loaded. The status is DOM_NO_METHOD if Chipmunk is not installed. */
+/* Loads the engine, unless it is already loaded. Thread-safe. The status is DOM_NO_METHOD if Chipmunk is not
+ * installed, or DOM_NO_MEMORY. */
 enum dom_status engine_load(void);
 
 /* Returns the version of the engine, or NULL if it cannot be loaded. */
 const char *engine_version(void);
 
+struct world;
+typedef bool engine_visit(const struct world *world, void *context);
+
 /*
- * Runs a row once. `hit` is an array of row->count elements and receives a record of each box that is hit. If
- * `hit` is NULL, all times are measured from the start of the run. `visit`, which may be NULL, is called
- * after each step and returns false to end the run.
+ * Runs a row once. `hit` is an array with an element for each box, and receives a record of each box that is
+ * hit. If `hit` is NULL, all times are measured from the start of the run. `visit`, which may be NULL, is
+ * called after each step and returns false to end the run.
  *
  * If `hit` and `visit` are both NULL, only the verdict is wanted. The run then ends as soon as it is certain
  * that all boxes fall, and fall->seconds is roughly the time at which the run ended.
@@ -154,6 +120,63 @@ extern const struct engine_grain engine_coarsest;
  */
 enum dom_status engine_settle(const struct engine_row *row, bool times,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
-                              struct engine_settled *settled);
+                              struct engine_fall *fall);
+
+/* ---- The row as bodies in a space of Chipmunk ---- */
+
+/* the velocity of the centre of a box, and the speed of its ends relative to the centre */
+struct motion {
+    cpVect v;
+    double turns;
+};
+
+/* A box in Chipmunk's space. */
+struct body {
+    cpBody *body;
+    cpShape *shape;
+    cpConstraint *hinge, *limit; /* hinge and its limit; both NULL if the box stands on a floor */
+    cpVect corner;               /* position of the lower front corner at the start */
+    double moment;
+    /* the velocities before the first iteration of a step, and after the latest iteration */
+    struct motion begin, now;
+};
+
+struct world {
+    const struct dom_row *row;
+    double bounce, bevel;
+    struct engine_fall *fall;
+    struct engine_hit *hit; /* may be NULL */
+    bool has_room;          /* true if memory for the space is reserved */
+    cpSpace *space;
+    cpShape *floor; /* NULL if the boxes stand on hinges */
+    struct body *body;
+    size_t count, head; /* number of boxes in the space, and index of the foremost box that was hit */
+    double now;
+    struct cpConstraint watch; /* ends the iterations of a step */
+    double change;             /* the largest change in any velocity during the last iteration */
+};
+
+/* Creates a world with the first box, which is pushed or tips over. Call world_free afterwards, even after an
+ * error. */
+enum dom_status world_make(struct world *world);
+void world_free(struct world *world);
+
+/* Adds the next box in its upright position. */
+void world_add_box(struct world *world);
+
+/* Moves all boxes by a step. The solver iterates until its impulses have converged. */
+void world_step(struct world *world, double dt);
+
+/* These functions return the tilt and the angular velocity of box k, its upper and lower front corners, how
+ * far its foot has slid, and the velocity of a point of it. */
+double world_tilt(const struct world *world, size_t k);
+double world_spin(const struct world *world, size_t k);
+cpVect world_tip(const struct world *world, size_t k);
+cpVect world_foot(const struct world *world, size_t k);
+double world_slid(const struct world *world, size_t k);
+cpVect world_velocity(const struct world *world, size_t k, cpVect point);
+
+/* Returns the foremost point of the upper or lower front edge of box k, which may be rounded. */
+cpVect world_front(const struct world *world, size_t k, bool upper);
 
 #endif

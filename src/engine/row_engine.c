@@ -22,54 +22,40 @@ static struct unit unit_of(const struct dom_domino *first, double g)
     return (struct unit){first->height, first->mass, sqrt(first->height / g)};
 }
 
-/* Returns the moment of inertia of a box about its centre. The unit is the moment of inertia of a solid block
- * with the same size and mass. For a solid domino, returns 0. */
-static double box_inertia(const struct dom_row *row, const struct dom_domino *d)
-{
-    struct dom_box box;
-    if (row->walls == 0 || d->height <= row->boxes_above ||
-        dom_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
-            DOM_OK)
-        return 0;
-    /* box.inertia is the moment of inertia about a lower edge, divided by that of a solid block. In the unit
-     * of this function, the moment about the edge is the moment about the centre plus 3 (parallel axis
-     * theorem), so it is 1 + 3 = 4 for a solid block. */
-    return 4 * box.inertia - 3;
-}
-
-/* Converts a row to the engine's units. The caller frees *boxes, even after a failure. */
+/* Converts a row to the engine's units. The caller frees the dominoes, even after a failure. */
 static enum dom_status row_convert(const struct dom_row *row, struct engine_row *engine,
-                                   struct engine_box **boxes)
+                                   struct dom_domino **dominoes)
 {
     const struct scene_engine *of_scene = row->engine->context;
     const struct unit unit = unit_of(row->domino, row->g);
-    struct engine_box *box = *boxes = malloc(row->count * sizeof *box);
-    if (!box)
+    struct dom_domino *to = *dominoes = malloc(row->count * sizeof *to);
+    struct dom_row *r = &engine->row;
+    if (!to)
         return DOM_NO_MEMORY;
-    for (size_t k = 0; k < row->count; k++) {
-        const struct dom_domino *d = &row->domino[k];
-        box[k] =
-            (struct engine_box){d->height / unit.length, d->thickness / unit.length, d->gap / unit.length,
-                                d->mass / unit.mass,     box_inertia(row, d),        d->radius / unit.length};
-        if (!(box[k].height > 0 && box[k].thickness > 0 && box[k].gap >= 0 && box[k].mass > 0) ||
-            !isfinite(box[k].height + box[k].thickness + box[k].gap + box[k].mass))
+    for (const struct dom_domino *d = row->domino; d < row->domino + row->count; d++, to++) {
+        *to = (struct dom_domino){.height = d->height / unit.length,
+                                  .thickness = d->thickness / unit.length,
+                                  .gap = d->gap / unit.length,
+                                  .mass = d->mass / unit.mass,
+                                  .radius = d->radius / unit.length,
+                                  .width = d->width / unit.length};
+        if (!(to->height > 0 && to->thickness > 0 && to->gap >= 0 && to->mass > 0) ||
+            !isfinite(to->height + to->thickness + to->gap + to->mass))
             return DOM_BAD_HEIGHT;
     }
-    *engine = (struct engine_row)ENGINE_ROW(box, row->count);
-    engine->bounce = of_scene->bounce;
-    engine->feet = fmax(of_scene->feet + row->feet, 0);
-    engine->push = row->push * unit.time;
-    if (row->release > 0 && !isnan(row->push)) {
-        double touch;
-        const enum dom_status status = dom_row_touch(row, NULL, &touch);
-        if (status != DOM_OK)
-            return status;
-        engine->tilt = fmin(row->release, touch);
-    }
-    engine->mu = row->mu;
-    engine->slope = row->alpha;
-    engine->radius = row->rho;
-    return DOM_OK;
+    *engine = (struct engine_row){.row = *row, .bounce = of_scene->bounce};
+    r->domino = *dominoes;
+    r->g = 1;
+    r->push *= unit.time;
+    r->feet = fmax(of_scene->feet + row->feet, 0);
+    r->walls /= unit.length;
+    r->boxes_above /= unit.length;
+    r->release = 0;
+    if (!(row->release > 0) || isnan(row->push))
+        return DOM_OK;
+    const enum dom_status status = dom_row_touch(row, NULL, &r->release);
+    r->release = fmin(row->release, r->release);
+    return status;
 }
 
 /* Reports the hits, in m, s and kg. */
@@ -121,35 +107,34 @@ static enum dom_status run_row(const struct dom_row *row, const struct dom_compu
     const struct scene_engine *of_scene = row->engine->context;
     const struct unit unit = unit_of(row->domino, row->g);
     struct engine_row engine;
-    struct engine_box *box;
-    struct engine_settled settled = {.same = false};
-    const struct engine_fall *fall = &settled.fall;
+    struct dom_domino *dominoes;
+    struct engine_fall fall = {.same = false};
     struct engine_hit *hit = times ? malloc(row->count * sizeof *hit) : NULL;
-    enum dom_status status = row_convert(row, &engine, &box);
+    enum dom_status status = row_convert(row, &engine, &dominoes);
     if (times && !hit)
         status = DOM_NO_MEMORY;
     if (status == DOM_OK)
-        status = engine_settle(&engine, times, compute->interrupt, hit, &settled);
-    if (status == DOM_OK && times && !settled.same)
+        status = engine_settle(&engine, times, compute->interrupt, hit, &fall);
+    if (status == DOM_OK && times && !fall.same)
         status = DOM_NOT_CONVERGED;
     if (status == DOM_OK)
-        verdict_fill(fall, row, times ? fall->seconds * unit.time : (double)NAN, verdict);
+        verdict_fill(&fall, row, times ? fall.seconds * unit.time : (double)NAN, verdict);
     if (status == DOM_OK && times) {
         struct engine_report *report = of_scene->report;
-        for (size_t k = 0; k < fall->hits && report; k++)
+        for (size_t k = 0; k < fall.hits && report; k++)
             report->slid[k] = hit[k].slid * unit.length;
         if (report)
             *report = (struct engine_report){.slid = report->slid,
-                                             .lies = fall->lies,
-                                             .change = settled.change,
-                                             .steps = settled.grain.steps,
-                                             .tolerance = settled.grain.tolerance,
-                                             .zero = fall->zero * unit.time};
+                                             .lies = fall.lies,
+                                             .change = fall.change,
+                                             .steps = fall.grain.steps,
+                                             .tolerance = fall.grain.tolerance,
+                                             .zero = fall.zero * unit.time};
         if (visit)
-            hits_visit(hit, fall, unit, visit, context);
+            hits_visit(hit, &fall, unit, visit, context);
     }
     free(hit);
-    free(box);
+    free(dominoes);
     return status;
 }
 
@@ -183,16 +168,17 @@ static void watch_visit(struct watch *w, double time)
 }
 
 /* The engine calls this function after each step. */
-static bool watch_step(const struct engine_moment *m, void *context)
+static bool watch_step(const struct world *world, void *context)
 {
     struct watch *w = context;
-    const double time = m->time * w->unit.time - w->zero, last = w->time, dt = time - last;
+    const double time = world->now * w->unit.time - w->zero, dt = time - w->time;
     w->time = time;
-    w->head = m->head;
-    for (size_t k = 0; k < m->count; k++) {
-        w->omega[k] = dt > 0 ? (domq_real)((m->tilt[k] - (double)w->tilt[k]) / dt) : 0;
-        w->tilt[k] = (domq_real)m->tilt[k];
-        w->feet[k] = m->foot[k] * w->unit.length;
+    w->head = world->head;
+    for (size_t k = 0; k < world->count; k++) {
+        const double tilt = world_tilt(world, k);
+        w->omega[k] = dt > 0 ? (domq_real)((tilt - (double)w->tilt[k]) / dt) : 0;
+        w->tilt[k] = (domq_real)tilt;
+        w->feet[k] = world_slid(world, k) * w->unit.length;
     }
     /* Steps are so short that the state after a step serves for all times within the step. */
     while (w->more && w->left > 0 && (double)*w->times <= time)
@@ -217,7 +203,7 @@ static enum dom_status row_watch(const struct domq_row *row, const struct any_co
                       .more = true};
     struct engine_fall fall;
     struct engine_row engine;
-    struct engine_box *box = NULL;
+    struct dom_domino *dominoes = NULL;
     struct double_row made;
     memset(feet, 0, row->count * sizeof *feet);
     if (!double_row_make(row, compute, &made))
@@ -225,13 +211,13 @@ static enum dom_status row_watch(const struct domq_row *row, const struct any_co
     w.unit = unit_of(made.domino, made.row.g);
     w.tilt = calloc(2 * row->count, sizeof *w.tilt);
     w.omega = w.tilt ? w.tilt + row->count : NULL;
-    enum dom_status status = w.tilt ? row_convert(&made.row, &engine, &box) : DOM_NO_MEMORY;
+    enum dom_status status = w.tilt ? row_convert(&made.row, &engine, &dominoes) : DOM_NO_MEMORY;
     if (status == DOM_OK)
         status = engine_run(&engine, &grain, compute->interrupt, NULL, watch_step, &w, &fall);
     /* The state no longer changes after the motion has ended. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
-    free(box);
+    free(dominoes);
     free(made.domino);
     free(w.tilt);
     return status;

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs a row once, step by step, and repeats a run with shorter steps until the step length no longer
  * matters. */
-#include "world.h"
-#include <math.h>
+#include "engine/engine.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -34,14 +33,12 @@ enum { CALM = 2 }; /* number of steps that are kept short after a hit */
 
 struct run {
     struct world world;
-    const struct engine_grain *grain;
-    double unit;         /* sqrt(height / g) of the head */
-    double dt, whole;    /* the length of the current step, and of the longest step */
-    int calm;            /* number of further steps that must be short because of the last hit */
-    double work;         /* number of steps so far */
-    double rest, most;   /* how long the head has rested, and its largest tilt */
-    double fastest;      /* the largest angular velocity of the head since it was hit */
-    double *tilt, *foot; /* arrays passed to the visitor, or NULL */
+    double unit;       /* sqrt(height / g) of the head */
+    double dt, whole;  /* the length of the current step, and of the longest step */
+    int calm;          /* number of further steps that must be short because of the last hit */
+    double work;       /* number of steps so far */
+    double rest, most; /* how long the head has rested, and its largest tilt */
+    double fastest;    /* the largest angular velocity of the head since it was hit */
 };
 
 /* Returns the time after which the front face of the head would reach the next box's upper back edge (`edge`)
@@ -51,8 +48,8 @@ static double time_to_edge(const struct world *w, cpVect edge)
     const size_t k = w->head;
     const cpVect normal = cpvforangle(-world_tilt(w, k)), from = cpvsub(edge, world_foot(w, k));
     const double along = cpvdot(from, cpvperp(normal)), distance = cpvdot(from, normal);
-    const double speed = cpvdot(w->cp->cpBodyGetVelocityAtWorldPoint(w->body[k].body, edge), normal);
-    bool meets = along < w->row->box[k].height && distance > 0 && speed > 0;
+    const double speed = cpvdot(world_velocity(w, k, edge), normal);
+    bool meets = along < w->row->domino[k].height && distance > 0 && speed > 0;
     return meets ? distance / speed : (double)INFINITY;
 }
 
@@ -62,12 +59,12 @@ static double time_to_hit(const struct world *w)
     const size_t k = w->head, next = k + 1;
     if (next == w->row->count)
         return (double)INFINITY;
-    const double face = w->body[next].corner.x - w->row->box[next].thickness;
-    const double height = w->row->box[next].height;
+    const double face = w->body[next].corner.x - w->row->domino[next].thickness;
+    const double height = w->row->domino[next].height;
     double soonest = time_to_edge(w, cpv(face, height));
     for (int i = 0; i < 2; i++) {
         cpVect at = world_front(w, k, i == 0);
-        double speed = w->cp->cpBodyGetVelocityAtWorldPoint(w->body[k].body, at).x;
+        double speed = world_velocity(w, k, at).x;
         if (speed > 0 && at.y < height) /* a tip above the top of the next box does not hit its back face */
             soonest = fmin(soonest, (face - at.x) / speed);
     }
@@ -79,17 +76,23 @@ static void note_state(struct world *w)
 {
     if (!w->hit)
         return;
-    const double spin = world_spin(w, w->head), unit = sqrt(w->row->box[w->head].height / w->row->g);
+    const double spin = world_spin(w, w->head), unit = sqrt(w->row->domino[w->head].height / w->row->g);
     w->hit[w->head].omega = fabs(spin) * unit < rests ? 0 : spin;
-    w->hit[w->head].kinetic = world_kinetic(w);
+    w->hit[w->head].kinetic = 0;
+    for (size_t k = 0; k < w->count; k++) {
+        const double turns = world_spin(w, k);
+        w->hit[w->head].kinetic +=
+            (w->row->domino[k].mass * cpvlengthsq(w->body[k].body->v) + w->body[k].moment * turns * turns) /
+            2;
+    }
 }
 
 static void step(struct run *r)
 {
     struct world *w = &r->world;
     const size_t head = w->head;
-    r->unit = sqrt(w->row->box[head].height / w->row->g);
-    r->whole = fmin(r->unit, 1 / fabs(world_spin(w, head))) / r->grain->steps;
+    r->unit = sqrt(w->row->domino[head].height / w->row->g);
+    r->whole = fmin(r->unit, 1 / fabs(world_spin(w, head))) / w->fall->grain.steps;
     /* Chipmunk expects the fraction of a drift that remains after one second. */
     for (size_t k = 0; k < w->count && !w->floor; k++)
         w->body[k].hinge->errorBias = w->body[k].limit->errorBias = exp(-hinge_rate / r->unit);
@@ -123,11 +126,11 @@ static bool ends(struct run *r, bool verdict_only)
 {
     struct world *w = &r->world;
     const size_t head = w->head;
-    const bool hinged = !w->floor && w->row->bounce == 0;
-    const double tilt = world_tilt(w, head), spin = world_spin(w, head), height = w->row->box[head].height;
+    const bool hinged = !w->floor && w->bounce == 0;
+    const double tilt = world_tilt(w, head), spin = world_spin(w, head), height = w->row->domino[head].height;
     const cpVect tip = world_tip(w, head);
     if (tip.y < lies * height) {
-        double speed = -w->cp->cpBodyGetVelocityAtWorldPoint(w->body[head].body, tip).y;
+        double speed = -world_velocity(w, head, tip).y;
         w->fall->seconds = w->now + (speed > 0 && tip.y > 0 ? tip.y / speed : 0);
         w->fall->lies = true;
         w->fall->all = head + 1 == w->row->count;
@@ -152,22 +155,10 @@ static bool ends(struct run *r, bool verdict_only)
     return r->rest > (hinged ? hinged_rest : any_rest) * r->unit;
 }
 
-static bool visited(struct run *r, engine_visit *visit, void *context)
-{
-    struct world *w = &r->world;
-    for (size_t k = 0; k < w->count; k++) {
-        r->tilt[k] = world_tilt(w, k);
-        r->foot[k] = world_foot(w, k).x - w->body[k].corner.x;
-    }
-    const struct engine_moment moment = {w->now, w->head, w->count, r->tilt, r->foot};
-    return visit(&moment, context);
-}
-
 /* Fills in how far each foot has slid. Without a push,
  * measures times from the first hit if the hits were recorded. */
-static void finish(struct run *r)
+static void finish(struct world *w)
 {
-    struct world *w = &r->world;
     const size_t hits = w->fall->hits;
     const bool tipped = isnan(w->row->push);
     const double zero = !tipped || !w->hit ? 0 : hits > 1 ? w->hit[1].time : w->fall->seconds;
@@ -178,7 +169,7 @@ static void finish(struct run *r)
     for (size_t k = 0; k < hits && w->hit; k++) {
         struct engine_hit *h = &w->hit[k];
         h->time = tipped && k == 0 ? (double)NAN : h->time - zero;
-        h->slid = world_foot(w, k).x - w->body[k].corner.x;
+        h->slid = world_slid(w, k);
     }
 }
 
@@ -186,35 +177,29 @@ enum dom_status engine_run(const struct engine_row *row, const struct engine_gra
                            const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
                            engine_visit *visit, void *context, struct engine_fall *fall)
 {
-    struct run r = {.world = {.row = row, .fall = fall, .hit = hit, .tolerance = grain->tolerance},
-                    .grain = grain,
-                    .dt = (double)INFINITY};
-    *fall = (struct engine_fall){.hits = 1, .slowest = 1};
+    struct run r = {
+        .world = {.row = &row->row, .bounce = row->bounce, .bevel = row->bevel, .fall = fall, .hit = hit},
+        .dt = (double)INFINITY};
+    const double most = most_work * grain->steps * ((double)row->row.count + 20);
+    *fall = (struct engine_fall){.hits = 1, .slowest = 1, .grain = *grain};
     if (hit)
         hit[0] = (struct engine_hit){.time = 0};
     enum dom_status status = world_make(&r.world);
-    if (status == DOM_OK && visit) {
-        r.tilt = malloc(2 * row->count * sizeof *r.tilt);
-        r.foot = r.tilt ? r.tilt + row->count : NULL;
-        status = r.tilt ? DOM_OK : DOM_NO_MEMORY;
-    }
     if (status == DOM_OK)
         note_state(&r.world);
     bool done = fall->leans;
-    const double most = most_work * grain->steps * ((double)row->count + 20);
     while (status == DOM_OK && !done) {
-        if (r.world.count < row->count && r.world.count < r.world.head + 2)
+        if (r.world.count < row->row.count && r.world.count < r.world.head + 2)
             world_add_box(&r.world);
         step(&r);
-        done = ends(&r, !hit && !visit) || (visit && !visited(&r, visit, context));
+        done = ends(&r, !hit && !visit) || (visit && !visit(&r.world, context));
         if (interrupt && *interrupt)
             status = DOM_INTERRUPTED;
         else if (r.work >= most)
             status = DOM_NOT_CONVERGED;
     }
     if (status == DOM_OK)
-        finish(&r);
-    free(r.tilt);
+        finish(&r.world);
     world_free(&r.world);
     return status;
 }
@@ -245,7 +230,7 @@ static double change_of(const struct engine_hit *before, const struct engine_hit
  * - In 1,400 rows, the foremost box had stopped less than a quarter of the way to its balance point
  *   (`climbed` < 0.25). Only one of these rows fell with finer steps.
  */
-static bool is_certain(const struct engine_row *row, const struct engine_fall *fall)
+static bool is_certain(const struct dom_row *row, const struct engine_fall *fall)
 {
     if (fall->all)
         return fall->slowest > 0.5;
@@ -256,28 +241,25 @@ static bool is_certain(const struct engine_row *row, const struct engine_fall *f
 
 enum dom_status engine_settle(const struct engine_row *row, bool times,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
-                              struct engine_settled *settled)
+                              struct engine_fall *fall)
 {
+    const size_t size = row->row.count * sizeof *hit;
     struct engine_grain grain = times ? engine_coarsest : verdict_first;
-    struct engine_hit *before = times ? malloc(row->count * sizeof *before) : NULL;
+    struct engine_hit *before = times ? malloc(size) : NULL;
     if (times && !before)
         return DOM_NO_MEMORY;
-    enum dom_status status = engine_run(row, &grain, interrupt, hit, NULL, NULL, &settled->fall);
-    bool done = !times && is_certain(row, &settled->fall);
-    settled->grain = grain;
-    settled->same = done;
+    enum dom_status status = engine_run(row, &grain, interrupt, hit, NULL, NULL, fall);
+    bool done = fall->same = !times && is_certain(&row->row, fall);
     while (status == DOM_OK && !done) {
-        const struct engine_fall last = settled->fall;
+        const struct engine_fall last = *fall;
         if (times)
-            memcpy(before, hit, row->count * sizeof *before);
+            memcpy(before, hit, size);
         grain.steps *= 2;
         grain.tolerance /= 2;
-        status = engine_run(row, &grain, interrupt, hit, NULL, NULL, &settled->fall);
-        settled->grain = grain;
-        settled->same = settled->fall.all == last.all && settled->fall.hits == last.hits;
-        settled->change =
-            !settled->same || !times ? (double)NAN : change_of(before, hit, &last, &settled->fall);
-        done = (settled->same && !(settled->change > ENGINE_AGREES)) || grain.steps >= ENGINE_FINEST;
+        status = engine_run(row, &grain, interrupt, hit, NULL, NULL, fall);
+        fall->same = fall->all == last.all && fall->hits == last.hits;
+        fall->change = !fall->same || !times ? (double)NAN : change_of(before, hit, &last, fall);
+        done = (fall->same && !(fall->change > ENGINE_AGREES)) || grain.steps >= ENGINE_FINEST;
     }
     free(before);
     return status;

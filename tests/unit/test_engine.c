@@ -16,19 +16,21 @@ enum { MOST = 14 };
 
 /* A row of hollow dominoes in the engine: the first is 1 tall, and g is 1. */
 struct boxes {
-    struct engine_box box[MOST];
-    struct engine_row row;
+    struct dom_domino box[MOST];
+    struct engine_row engine;
     struct engine_hit hit[MOST];
     struct engine_fall fall;
 };
 
 static void boxes_make(struct boxes *b, double s, double r, size_t count, double push)
 {
-    b->row = (struct engine_row)ENGINE_ROW(b->box, count);
-    b->row.push = push;
+    b->engine.row =
+        (struct dom_row){.domino = b->box, .count = count, .g = 1, .push = push, .feet = (double)INFINITY};
+    b->engine.bounce = b->engine.bevel = 0;
     for (size_t k = 0; k < count; k++) {
         double h = pow(r, (double)k);
-        b->box[k] = (struct engine_box){.height = h, .thickness = THICK * h, .gap = s * h, .mass = h * h};
+        b->box[k] =
+            (struct dom_domino){.height = h, .thickness = THICK * h, .gap = k ? s * h : 0, .mass = h * h};
     }
 }
 
@@ -36,7 +38,7 @@ static const struct engine_grain grain = {200, 1e-3};
 
 static bool boxes_fall(struct boxes *b)
 {
-    assert_int_equal(engine_run(&b->row, &grain, NULL, b->hit, NULL, NULL, &b->fall), DOM_OK);
+    assert_int_equal(engine_run(&b->engine, &grain, NULL, b->hit, NULL, NULL, &b->fall), DOM_OK);
     return b->fall.all;
 }
 
@@ -110,20 +112,12 @@ static bool same_hit(const struct dom_fall *fall, void *context)
 static void same_hits(double s, double r, double mu, double slope)
 {
     struct boxes b;
-    struct dom_domino domino[MOST];
     struct dom_verdict verdict;
     boxes_make(&b, s, r, 10, 3);
-    b.row.mu = mu;
-    b.row.slope = slope;
-    for (size_t k = 0; k < b.row.count; k++)
-        domino[k] = (struct dom_domino){.height = b.box[k].height,
-                                        .thickness = b.box[k].thickness,
-                                        .gap = k ? b.box[k].gap : 0,
-                                        .mass = b.box[k].mass};
-    const struct dom_row row = {
-        .domino = domino, .count = b.row.count, .g = 1, .push = b.row.push, .mu = mu, .alpha = slope};
+    b.engine.row.mu = mu;
+    b.engine.row.alpha = slope;
     assert_true(boxes_fall(&b));
-    assert_status(dom_row_run(&row, NULL, true, same_hit, &b, &verdict), DOM_OK);
+    assert_status(dom_row_run(&b.engine.row, NULL, true, same_hit, &b, &verdict), DOM_OK);
     assert_int_equal(verdict.end, DOM_ROW_FALLS);
     assert_int_equal(b.fall.hits, verdict.domino);
     assert_near("seconds", b.fall.seconds, verdict.seconds, 0.01);
@@ -171,11 +165,11 @@ TEST(growths_are_known)
         const bool falls = i % 2 == 0;
         const double r = known[i / 2].r * (1 + (falls ? -1 : 1) * known[i / 2].off);
         boxes_make(&b, known[i / 2].s, r, 12, known[i / 2].push);
-        b.row.mu = known[i / 2].mu;
-        b.row.feet = known[i / 2].feet;
-        b.row.bounce = known[i / 2].bounce;
-        b.row.slope = known[i / 2].slope;
-        b.row.radius = known[i / 2].radius;
+        b.engine.row.mu = known[i / 2].mu;
+        b.engine.row.feet = known[i / 2].feet;
+        b.engine.bounce = known[i / 2].bounce;
+        b.engine.row.alpha = known[i / 2].slope;
+        b.engine.row.rho = known[i / 2].radius;
         if (boxes_fall(&b) != falls)
             fail_msg("row %zu of the table: %s at r %g", i / 2, falls ? "stops" : "falls", r);
     }
@@ -187,10 +181,10 @@ TEST(a_run_gives_the_same_bytes)
 {
     struct boxes first, again;
     boxes_make(&first, 0.3, 1.5, 8, 4);
-    first.row.feet = 0.3;
-    first.row.bounce = 0.3;
+    first.engine.row.feet = 0.3;
+    first.engine.bounce = 0.3;
     again = first;
-    again.row.box = again.box;
+    again.engine.row.domino = again.box;
     boxes_fall(&first);
     void *between_them = malloc(12345); /* shifts the addresses of the bodies */
     boxes_fall(&again);
@@ -203,13 +197,13 @@ TEST(a_floor_without_friction_lets_feet_slide)
 {
     struct boxes b;
     boxes_make(&b, 0.4, 1, 1, 0.6); /* a push above sqrt(2) would lift the domino at once */
-    b.row.feet = 0;
+    b.engine.row.feet = 0;
     assert_true(boxes_fall(&b));
     /* No force acts along the floor, so the centre keeps its speed. In the end the centre is half a height in
      * front of the foot. */
-    double centre = b.row.push / 2 * b.fall.seconds - THICK / 2;
+    double centre = b.engine.row.push / 2 * b.fall.seconds - THICK / 2;
     assert_near("slid", b.hit[0].slid, centre - 0.5, 0.01);
-    b.row.feet = 10;
+    b.engine.row.feet = 10;
     assert_true(boxes_fall(&b));
     assert_true(fabs(b.hit[0].slid) < 0.05);
 }
@@ -217,12 +211,12 @@ TEST(a_floor_without_friction_lets_feet_slide)
 TEST(settled_steps_no_longer_matter)
 {
     struct boxes b;
-    struct engine_settled settled;
+    struct engine_fall fall;
     boxes_make(&b, 0.3, 1.3, 6, (double)NAN);
-    b.row.feet = 0.5;
-    assert_int_equal(engine_settle(&b.row, true, NULL, b.hit, &settled), DOM_OK);
-    assert_true(settled.same && settled.fall.all && settled.change < ENGINE_AGREES);
-    assert_true(settled.grain.steps >= 2 * engine_coarsest.steps);
+    b.engine.row.feet = 0.5;
+    assert_int_equal(engine_settle(&b.engine, true, NULL, b.hit, &fall), DOM_OK);
+    assert_true(fall.same && fall.all && fall.change < ENGINE_AGREES);
+    assert_true(fall.grain.steps >= 2 * engine_coarsest.steps);
     /* If the first box tips over its edge, times are measured from the first hit. */
     assert_true(isnan(b.hit[0].time));
     assert_true(b.hit[1].time == 0 && b.hit[2].time > 0);
@@ -234,25 +228,25 @@ TEST(verdicts_of_coarse_steps)
 {
     static const struct engine_grain fine = {800, 1e-4};
     uint64_t seed = 5;
-    int fall = 0, coarse[2] = {0, 0};
+    int falls = 0, coarse[2] = {0, 0};
     for (int i = 0; i < 24; i++) {
         struct boxes b;
-        struct engine_settled settled;
+        struct engine_fall fall;
         boxes_make(&b, 0.1 + 0.5 * random_unit(&seed), 1 + 1.2 * random_unit(&seed), 5,
                    4 * random_unit(&seed));
-        b.row.feet = i % 4 == 0 ? (double)INFINITY : 0.2 + 0.6 * random_unit(&seed);
-        b.row.mu = i % 3 == 0 ? 0 : 0.3 * random_unit(&seed);
-        b.row.radius = i % 5 == 0 ? 0.02 : 0;
-        b.row.slope = i % 7 == 0 ? 0.02 : 0;
-        assert_int_equal(engine_settle(&b.row, false, NULL, NULL, &settled), DOM_OK);
-        assert_int_equal(engine_run(&b.row, &fine, NULL, b.hit, NULL, NULL, &b.fall), DOM_OK);
-        assert_int_equal(settled.fall.all, b.fall.all);
-        fall += b.fall.all;
-        coarse[b.fall.all] += settled.grain.steps < engine_coarsest.steps;
+        b.engine.row.feet = i % 4 == 0 ? (double)INFINITY : 0.2 + 0.6 * random_unit(&seed);
+        b.engine.row.mu = i % 3 == 0 ? 0 : 0.3 * random_unit(&seed);
+        b.engine.row.rho = i % 5 == 0 ? 0.02 : 0;
+        b.engine.row.alpha = i % 7 == 0 ? 0.02 : 0;
+        assert_int_equal(engine_settle(&b.engine, false, NULL, NULL, &fall), DOM_OK);
+        assert_int_equal(engine_run(&b.engine, &fine, NULL, b.hit, NULL, NULL, &b.fall), DOM_OK);
+        assert_int_equal(fall.all, b.fall.all);
+        falls += b.fall.all;
+        coarse[b.fall.all] += fall.grain.steps < engine_coarsest.steps;
     }
-    print_message("# %d of 24 rows fall; coarse steps decide %d of them, and %d of the others\n", fall,
+    print_message("# %d of 24 rows fall; coarse steps decide %d of them, and %d of the others\n", falls,
                   coarse[1], coarse[0]);
-    assert_true(fall > 6 && fall < 18 && coarse[0] > 2 && coarse[1] > 4);
+    assert_true(falls > 6 && falls < 18 && coarse[0] > 2 && coarse[1] > 4);
 }
 
 TEST(rows_end)
@@ -272,7 +266,7 @@ TEST(rows_end)
     assert_true(b.fall.leans);
     const volatile sig_atomic_t raised = 1;
     boxes_make(&b, 0.4, 1, 4, 3);
-    assert_int_equal(engine_run(&b.row, &grain, &raised, NULL, NULL, NULL, &b.fall), DOM_INTERRUPTED);
+    assert_int_equal(engine_run(&b.engine, &grain, &raised, NULL, NULL, NULL, &b.fall), DOM_INTERRUPTED);
 }
 
 /* ---- The engine of a caller ---- */

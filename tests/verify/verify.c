@@ -75,16 +75,19 @@ static struct engine_hit hits[MOST]; /* hits of the last run; each scene runs in
 /* Runs the boxes with found->steps. Divides the tolerance of the impulses by `times`. */
 static struct engine_fall run(const struct scene *scene, int times, struct found *found)
 {
-    struct engine_box box[MOST];
-    struct engine_row row = ENGINE_ROW(box, scene->count);
+    struct dom_domino box[MOST];
+    const struct engine_row row = {.row = {.domino = box,
+                                           .count = scene->count,
+                                           .g = 1,
+                                           .push = scene->push,
+                                           .mu = scene->mu,
+                                           .feet = (double)INFINITY},
+                                   .bevel = scene->bevel};
     const struct engine_grain grain = {found->steps, IMPULSES / times};
     struct engine_fall fall;
-    row.push = scene->push;
-    row.mu = scene->mu;
-    row.bevel = scene->bevel;
     for (size_t k = 0; k < scene->count; k++) {
         const double h = pow(scene->r, (double)k);
-        box[k] = (struct engine_box){
+        box[k] = (struct dom_domino){
             .height = h, .thickness = STATURE * h, .gap = scene->s * h, .mass = pow(h, scene->q - 1)};
     }
     if (engine_run(&row, &grain, NULL, hits, NULL, NULL, &fall) != DOM_OK) {
