@@ -43,11 +43,9 @@ $(P)/unit/test_interrupt: LDFLAGS += -Wl,--wrap=dom_interrupted
 $(P)/unit/test_stops: LDFLAGS += -Wl,--wrap=dom_interrupted,--wrap=domq_lean_limits
 # Unit tests of the shell: numbers.
 $(P)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
-# The reader of csv files.
-$(P)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/tables/csv.c src/tables/csv_table.c src/shell/language/*.c))
 # Completion and other functions that need the tables of commands. The library starts no threads, so the thread pool of
 # the shell runs its tasks in the tests 'corners' and 'workers'.
-SHELL_UNIT := $(addprefix $(P)/unit/test_,complete corners errors lines stage stops workers)
+SHELL_UNIT := $(addprefix $(P)/unit/test_,complete corners csv errors lines stage stops workers)
 $(SHELL_UNIT): $(filter-out %/src/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C))) $(P)/features.o
 $(SHELL_UNIT): GSL := $(P)/libdomino.a $(GSL) -lreadline
 # Rows in the rigid-body engine.

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tables/csv.h"
+#include "interpreter/feature.h"
 #include "io/escape.h"
+#include "io/io.h"
 #include "language/text.h"
 #include "language/units.h"
 #include <ctype.h>
@@ -191,35 +193,39 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
     return good && !empty;
 }
 
-/* ---- Decimal marks ---- */
+/* ---- Files ---- */
 
-bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
+struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
+                            const char *name, const struct csv_kind *kind, struct problem *problem)
 {
-    int depth = 0;
-    for (char *c = text; *c; c++) {
-        const size_t after = strspn(c + 1, "0123456789");
-        size_t before = 0;
-        while (c - before > text && isdigit((unsigned char)(c - before)[-1]))
-            before++;
-        depth += (*c == '(') - (*c == ')');
-        /* Inside parentheses, a comma separates the arguments of a function. */
-        const bool is_comma = *c == ',' && depth == 0 && after > 0;
-        if (!is_comma && *c != '.')
-            continue;
-        const char end = c[1 + after];
-        if (before > 0 && (end == '.' || (end == ',' && depth == 0)))
-            return csv_wrong(
-                file, at,
-                "this number has more than one decimal mark; write it without thousands separators");
-        file->has_comma = file->has_comma || (is_comma && file->separator != ',');
-        const bool is_doubtful = before >= 1 && before <= 3 && *(c - before) != '0' && after == 3;
-        if (is_doubtful && (is_comma ? file->separator == ',' : file->has_comma))
-            return csv_wrong(file, at,
-                             "the %s in this number may be a thousands separator; write one more digit "
-                             "after it, or leave it out",
-                             is_comma ? "comma" : "point");
-        *c = '.';
-        c += after;
-    }
-    return true;
+    const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
+    char *path = path_beside(run_context, name);
+    FILE *in = path ? io_open_read(path, interrupt) : NULL;
+    struct csv_table *csv = in ? csv_open(in, path, kind) : NULL;
+    if (csv)
+        csv->interrupt = interrupt;
+    else
+        problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
+    if (in)
+        fclose(in);
+    if (!csv)
+        free(path);
+    else if (*csv->file.problem.text && !csv_end(csv, problem))
+        csv = NULL;
+    return csv;
 }
+
+bool csv_end(struct csv_table *csv, struct problem *problem)
+{
+    bool good = csv && *csv->file.problem.text == '\0';
+    if (csv && !good) {
+        const char *path = strlen(csv->path) < 256 ? csv->path : names_shown(csv->path);
+        problem_error(problem, "%s:%ld:%d: %s", path, csv->file.problem.at.line, csv->file.problem.at.column,
+                      csv->file.problem.text);
+    }
+    csv_close(csv);
+    return good;
+}
+
+/* Other features take rows and measurements from tables. */
+const struct feature tables_feature = {.name = "tables"};

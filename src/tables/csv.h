@@ -7,16 +7,17 @@
  * - Lines end with LF, CRLF or CR.
  * - A byte order mark, empty lines, and blanks around a cell are skipped.
  * - A line that begins with '#' is a comment.
- * - The decimal mark is a point, or a comma in a file whose separator is ';' or a tab, or in a quoted cell. A
- *   mark that could be a thousands separator is an error.
+ * - The decimal mark is a point, or a comma in a file whose separator is ';' or a tab. A file has only one of
+ *   them, and no marks between thousands.
  *
  * The cells make a table:
  * - The first line names the columns, in any order, in English, German, Dutch or French. Case and accents
  *   make no difference.
- * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm", "height_mm",
- *   "height/mm" or "height in mm".
- * - A measurement may have several columns, such as "speed 1 (m/s)" and "speed 2 (m/s)", or "trial 1 (m/s)"
- *   and "trial 2 (m/s)". Its value is then their mean. A column "average speed" is not used beside them.
+ * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm", "height_mm" or
+ *   "height in mm".
+ * - A measurement may have several numbered columns, such as "speed 1 (m/s)" and "speed 2 (m/s)", or "trial 1
+ *   (m/s)" and "trial 2 (m/s)". Its value is then their mean. A column "average speed" is not used beside
+ * them.
  * - A cell is an expression. A cell that contains only a dash counts as empty. If a cell has a unit, the unit
  *   of the column does not apply to the cell.
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
@@ -60,7 +61,7 @@ struct csv_file {
     const char *cut_short; /* the reason why `text` is only the beginning of the file, or NULL if it is the
                               whole file */
     char separator;        /* the separator of cells, or 0 until it is known */
-    bool has_comma;        /* a number above has a decimal comma */
+    char mark;             /* the decimal mark of the numbers above, or 0; only if ',' is no separator */
 };
 
 /* Sets the message and position of the file's problem. Returns false. */
@@ -77,10 +78,6 @@ bool csv_read(struct csv_file *file, struct csv_record *record);
 
 /* Returns the name that messages use for the separator: "','", "';'" or "tab". */
 const char *csv_separator_name(const struct csv_file *file);
-
-/* Replaces the decimal commas in the text of a cell by points, so that the numbers can be read. `at` is the
- * position of the cell. */
-bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
 /* ---- Kinds of tables ---- */
 
@@ -137,7 +134,7 @@ struct csv_kind {
 
 /* ---- Tables ---- */
 
-/* A table that is being read. The arrays `column`, `unit` and `value` have an element for each column in
+/* A table that is being read. The arrays `column` and `value` have an element for each column in
  * kind->column. */
 struct csv_table {
     const struct csv_kind *kind; /* chosen when the first line has been read */
@@ -148,17 +145,16 @@ struct csv_table {
     size_t rows;            /* the number of rows that have been read */
     /* The position of each column in the file, counted from 1, or 0 if the file does not have the column. */
     int column[CSV_COLUMNS_MOST];
-    /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives none. */
-    domq_real unit[CSV_COLUMNS_MOST];
     domq_real value[CSV_COLUMNS_MOST]; /* the values of the current row, in SI units, or NaN */
-    int trials;                        /* how many columns the repeated measurement has */
-    bool is_trial[CSV_CELLS_MOST];     /* true for each of them */
+    int trials;                        /* how many numbered columns the repeated measurement has */
     int repeated;                      /* how many of their cells are not empty in the current row */
     /* The sum of the squares of their deviations from their mean, each divided by the mean, over all rows so
      * far, and how many of these cells there are beyond the first of each row. */
     domq_real squares;
     int freedom;
-    bool other[CSV_CELLS_MOST];             /* true for each unknown column of the file */
+    int of[CSV_CELLS_MOST]; /* for each column of the file its column of the kind, or -1 if it is unknown */
+    /* The unit of each column of the file, as a multiple of the SI unit, or 0 if the file gives none. */
+    domq_real unit[CSV_CELLS_MOST];
     const volatile sig_atomic_t *interrupt; /* once this flag is raised, no more rows are read; may be NULL */
     /* the names of the unknown columns of the file, except columns of notes */
     char unused[200];

@@ -13,20 +13,18 @@
 
 enum { UNIT = 32 };
 
-/* Extracts the unit from a string such as "mm", "(mm)" or "[mm]". Returns false if the string is not a
- * unit. */
+/* Copies the unit from a string such as "mm", "(mm)" or "[%]". Returns false if the string is not a unit. */
 static bool unit_copy(const char *text, char unit[UNIT])
 {
     const char *begin = text + strspn(text, " \t(["), *end = begin + strcspn(begin, " \t)]");
     struct quantity q = {.value = 1};
-    bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
+    if (!name_copy(begin, (size_t)(end - begin), unit, UNIT) || end[strspn(end, " \t)]")] != '\0')
+        return false;
     char *cube = strstr(unit, "\u00b3");
-    if (cube) { /* "³" and "^3" both take two bytes in UTF-8 */
-        cube[0] = '^';
-        cube[1] = '3';
-    }
-    const char *stop = one && *unit ? unit_scan(unit, &q) : NULL;
-    return stop && *stop == '\0';
+    if (cube) /* "³" and "^3" both take two bytes in UTF-8 */
+        memcpy(cube, "^3", 2);
+    const char *stop = *unit ? unit_scan(unit, &q) : NULL;
+    return strcmp(unit, "%") == 0 || (stop && *stop == '\0');
 }
 
 /* What files call their columns: first the name of the column, then its other names in English, German, Dutch
@@ -44,23 +42,22 @@ static const char *const column_words[] = {
     "width,breite,breedte,largeur",
     "radius,rounding,rayon,straal",
     "lean,plumb,tilt,neigung,helling,inclinaison",
-    "relative,relativ,relatief,relatif",
     "domino,#,nr,nr.,no,no.,number,domino #,domino nr,domino no,domino no.,nummer,stein,steen,numero",
     ("time,t,times,hit,zeit,tijd,temps,total time,total,gesamtzeit,totale tijd,temps total,"
-     "duration,dauer,duur,duree"),
-    "speed,velocity,v,geschwindigkeit,durchschnittsgeschwindigkeit,snelheid,vitesse",
+     "duration,dauer,duur,duree,average time,mean time,mittlere zeit,gemiddelde tijd,temps moyen"),
+    ("speed,velocity,v,geschwindigkeit,snelheid,vitesse,average speed,mean speed,average velocity,"
+     "mean velocity,durchschnittsgeschwindigkeit,mittlere geschwindigkeit,gemiddelde snelheid,"
+     "vitesse moyenne"),
     "frame,frames,frame number,step,bild,beeld,image",
     "rate,frame rate,framerate,fps",
     "run,trial,video,versuch,proef,essai",
-    "error %,relative error,relativer fehler",
+    ("error %,relative error,relativer fehler,errors %,sigma %,uncertainty %,time error %,speed error %,"
+     "fehler %,fout %,erreur %"),
     "error,errors,sigma,uncertainty,time error,speed error,fehler,fout,erreur",
 };
-enum { COLUMN_WORDS = sizeof column_words / sizeof *column_words };
 
-/* Words of headings that number a trial, or that say that a value is the mean of several trials. */
-static const char trial_words[] = "trial,run,test,try,no,nr,versuch,messung,proef,meting,essai,mesure",
-                  average_words[] = "average,avg,mean,mittlere,durchschnittliche,mittel,gemiddelde,moyenne,"
-                                    "moyen,durchschnittsgeschwindigkeit";
+/* What a heading may call a trial of the repeated column, before its number. */
+static const char trial_words[] = "trial,run,test,try,versuch,messung,proef,meting,essai,mesure";
 
 /* Copies a name in lower case, without accents, and with one blank between words. */
 static void name_fold(const char *text, size_t length, char name[NAMES_SHOWN])
@@ -69,105 +66,75 @@ static void name_fold(const char *text, size_t length, char name[NAMES_SHOWN])
     static const char plain[] = "aaaaaaaceeeeiiiidnooooo*ouuuuytsaaaaaaaceeeeiiiidnooooo/ouuuuyty";
     size_t n = 0;
     for (const char *c = text; c < text + length && n + 1 < NAMES_SHOWN; c++) {
-        const unsigned char next = (unsigned char)c[1];
-        const bool is_accent = (*c == '\xcc' && next >= 0x80) || (*c == '\xcd' && next < 0xb0);
-        const bool is_letter = *c == '\xc3' && next >= 0x80 && next < 0xc0;
-        const bool is_blank = isspace((unsigned char)*c) || *c == '_';
-        if (!is_accent && !(is_blank && (n == 0 || name[n - 1] == ' ')))
-            name[n++] = (char)(is_letter ? plain[next - 0x80] : is_blank ? ' ' : tolower((unsigned char)*c));
-        c += is_accent || is_letter;
+        const bool is_letter = *c == '\xc3' && ((unsigned char)c[1] & 0xc0) == 0x80;
+        const char folded = (char)(is_letter ? plain[(unsigned char)*++c - 0x80]
+                                   : isspace((unsigned char)*c) || *c == '_' ? ' '
+                                                                             : tolower((unsigned char)*c));
+        if (folded != ' ' || (n > 0 && name[n - 1] != ' '))
+            name[n++] = folded;
     }
-    while (n > 0 && strchr(" /", name[n - 1]))
-        n--;
+    n -= n > 0 && name[n - 1] == ' ';
     name[n] = '\0';
-}
-
-/* Returns true for a unit such as "%", "(percent)" or "[per cent]". */
-static bool is_percent(const char *text)
-{
-    char unit[NAMES_SHOWN];
-    const char *inside = text + strspn(text, " ([");
-    name_fold(inside, strcspn(inside, ")]"), unit);
-    return names_index("%,percent,per cent,pct,prozent", ',', unit) >= 0;
-}
-
-/* Splits the heading of a column into a name, which is folded, and a unit, which is returned. The unit
- * follows a bracket or a comma, as in "height (mm)", or it is the last word, as in "height in mm", or it
- * follows a
- * '/', as in "height/mm". */
-static const char *heading_split(const char *text, char name[NAMES_SHOWN])
-{
-    char unit[UNIT];
-    size_t length = strcspn(text, "([,"), word = strlen(text);
-    while (word > 0 && !isspace((unsigned char)text[word - 1]) && text[word - 1] != '_')
-        word--;
-    const char *slash = strchr(text, '/');
-    if (text[length] == '\0' && word > 0 && (unit_copy(text + word, unit) || is_percent(text + word)))
-        length = word;
-    else if (text[length] == '\0' && slash && unit_copy(slash + 1, unit))
-        length = (size_t)(slash - text);
-    name_fold(text, length, name);
-    size_t n = strlen(name);
-    if (n > 3 && strcmp(name + n - 3, " in") == 0)
-        name[n - 3] = '\0';
-    text += length + strspn(text + length, " \t\n,/");
-    if (is_percent(text) && names_index(column_words[COLUMN_WORDS - 1], ',', name) >= 0)
-        snprintf(name, NAMES_SHOWN, "error %%");
-    return text;
-}
-
-/* Returns true if a file may call the column by this folded name. */
-static bool column_has(const struct csv_column *column, const char *name)
-{
-    bool found = strcmp(column->name, name) == 0;
-    for (int i = 0; i < COLUMN_WORDS && !found; i++)
-        found = names_index(column_words[i], ',', column->name) == 0 &&
-                names_index(column_words[i], ',', name) > 0;
-    return found;
 }
 
 /* The heading of a column. */
 struct heading {
-    char name[NAMES_SHOWN]; /* folded */
-    const char *unit;       /* "" if there is none */
-    int column;             /* the column of the kind, or kind->columns if there is no such column */
-    bool is_several;        /* true if this column may occur several times */
-    bool is_average;        /* true if the heading says so, as in "mean speed" */
+    char name[NAMES_SHOWN + 2]; /* folded; " %" is appended if the unit is "%" */
+    const char *unit;           /* "" if there is none */
+    int column;                 /* the column of the kind, or -1 if there is no such column */
+    bool is_trial;              /* the heading has a number, as in "speed 2", "v2" or "trial 2" */
 };
 
-/* Reads the heading of a column. The headings of trials are such as "speed 2", "v2", "speed trial 2" or, if
- * the unit is one of those of the column, "trial 2 (m/s)". */
+/* Returns the column of a kind that a file may call by this folded name, or -1. */
+static int column_named(const struct csv_kind *kind, const char *name)
+{
+    for (int k = 0; k < kind->columns; k++) {
+        const char *known = kind->column[k].name;
+        bool found = strcmp(known, name) == 0;
+        for (size_t i = 0; i < sizeof column_words / sizeof *column_words && !found; i++)
+            found =
+                names_index(column_words[i], ',', known) == 0 && names_index(column_words[i], ',', name) > 0;
+        if (found)
+            return k;
+    }
+    return -1;
+}
+
+/* Reads the heading of a column. Its unit follows a bracket or a comma, as in "height (mm)", or it is the
+ * last word, as in "height mm", "height_mm" or "height in mm". */
 static struct heading heading_of(const struct csv_kind *kind, const char *text)
 {
-    char rest[NAMES_SHOWN] = "", unit[UNIT];
-    struct heading h = {.column = 0};
-    bool found = false, is_trial = false;
-    h.unit = heading_split(text, h.name);
-    for (const char *word = h.name; *word; word += strspn(word, " ")) {
-        char copy[NAMES_SHOWN];
-        const size_t all = strcspn(word, " ");
-        size_t length = all;
-        while (length > 0 && strchr("#0123456789", word[length - 1]))
+    struct heading h = {.unit = ""};
+    char unit[UNIT];
+    size_t length = strcspn(text, "([,");
+    if (text[length] == '\0') {
+        while (length > 0 && !isspace((unsigned char)text[length - 1]) && text[length - 1] != '_')
             length--;
-        snprintf(copy, sizeof copy, "%.*s", (int)length, word);
-        const bool trial = names_index(trial_words, ',', copy) >= 0,
-                   average = names_index(average_words, ',', copy) >= 0;
-        is_trial = is_trial || trial || length < all;
-        h.is_average = h.is_average || average;
-        if (*copy && !trial && !average)
-            text_add(rest, sizeof rest, "%s%s", *rest ? " " : "", copy);
-        word += all;
+        length = length > 0 && unit_copy(text + length, unit) ? length : strlen(text);
     }
-    for (; h.column < kind->columns && !found; h.column += !found) {
-        const struct csv_column *c = &kind->column[h.column];
-        h.is_several = c->traits & CSV_REPEATED;
-        found = column_has(c, h.name);
-        if (!found && h.is_several && (is_trial || h.is_average))
-            found = *rest ? column_has(c, rest)
-                          : unit_copy(h.unit, unit) &&
-                                quantity_alike(expression_unit(unit), expression_unit(c->unit));
-    }
-    h.is_several = found && h.is_several;
+    name_fold(text, length, h.name);
+    size_t n = strlen(h.name);
+    if (n > 3 && strcmp(h.name + n - 3, " in") == 0)
+        h.name[n -= 3] = '\0';
+    h.unit = text + length + strspn(text + length, " \t\n,");
+    if (unit_copy(h.unit, unit) && strcmp(unit, "%") == 0)
+        strcpy(h.name + n, " %");
+    h.column = column_named(kind, h.name);
+    while (n > 0 && strchr("#0123456789 ", h.name[n - 1]))
+        n--;
+    if (h.column >= 0 || h.name[n] == '\0')
+        return h;
+    char base[NAMES_SHOWN];
+    snprintf(base, sizeof base, "%.*s", (int)n, h.name);
+    const bool is_any = names_index(trial_words, ',', base) >= 0;
+    for (int k = 0; k < kind->columns && !h.is_trial; k++)
+        if (kind->column[k].traits & CSV_REPEATED &&
+            (column_named(kind, base) == k ||
+             (is_any && unit_copy(h.unit, unit) &&
+              quantity_alike(expression_unit(unit), expression_unit(kind->column[k].unit))))) {
+            h.is_trial = true;
+            h.column = k;
+        }
     return h;
 }
 
@@ -185,25 +152,19 @@ static bool is_empty(const char *text)
 
 /* ---- The first line ---- */
 
-static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv_place at)
+/* Reads the unit of column i of the file. */
+static bool unit_read(struct csv_table *csv, int i, const char *text)
 {
     char unit[UNIT];
-    const struct csv_column *c = &csv->kind->column[k];
-    if (strchr(c->name, '%') && is_percent(text)) {
-        csv->unit[k] = (domq_real)1 / 100;
-        return true;
-    }
-    const bool known = unit_copy(text, unit) && *c->unit;
-    const struct quantity q = expression_unit(unit);
-    const char *shown = names_shown(text);
-    if (!known || !quantity_alike(q, expression_unit(c->unit)))
-        return csv_wrong(&csv->file, at, "'%s' is not a unit of %s; its units are: %s", shown, c->name,
-                         c->units);
-    if (csv->unit[k] > 0 && csv->unit[k] != q.value)
-        return csv_wrong(&csv->file, at,
-                         "'%s' differs from the unit of %s before; use one unit in all its columns", shown,
-                         c->name);
-    csv->unit[k] = q.value;
+    const struct csv_column *c = &csv->kind->column[csv->of[i]];
+    const bool is_unit = unit_copy(text, unit), is_percent = strcmp(unit, "%") == 0;
+    const struct quantity q =
+        is_percent ? (struct quantity){.value = (domq_real)1 / 100} : expression_unit(unit);
+    if (!is_unit ||
+        (is_percent ? !strchr(c->name, '%') : !*c->unit || !quantity_alike(q, expression_unit(c->unit))))
+        return csv_wrong(&csv->file, csv->head.cell[i].at, "'%s' is not a unit of %s; its units are: %s",
+                         names_shown(text), c->name, c->units);
+    csv->unit[i] = q.value;
     return true;
 }
 
@@ -214,24 +175,22 @@ static const char *column_names(const void *context, int k)
 }
 
 /* Finds the columns of a kind in the first line. Returns the name of a required column that is missing, or
- * NULL. */
+ * NULL. Beside numbered trials, a column without a number has their mean, which is not used. */
 static const char *columns_find(struct csv_table *csv, const struct csv_kind *kind)
 {
     const char *missing = NULL;
     unsigned found = 0;
     memset(csv->column, 0, sizeof csv->column);
     csv->trials = 0;
-    for (int i = 0; i < csv->head.cells; i++) {
-        const struct heading h = heading_of(kind, csv->head.cell[i].text);
-        csv->trials += h.is_several && !h.is_average;
-    }
+    for (int i = 0; i < csv->head.cells; i++)
+        csv->trials += heading_of(kind, csv->head.cell[i].text).is_trial;
     for (int i = csv->head.cells - 1; i >= 0; i--) {
         const struct heading h = heading_of(kind, csv->head.cell[i].text);
-        csv->other[i] = h.column == kind->columns || (h.is_several && h.is_average && csv->trials > 0);
-        csv->is_trial[i] = !csv->other[i] && h.is_several && !h.is_average;
-        if (!csv->other[i]) {
+        const unsigned traits = h.column < 0 ? 0 : kind->column[h.column].traits;
+        csv->of[i] = traits & CSV_REPEATED && csv->trials > 0 && !h.is_trial ? -1 : h.column;
+        if (csv->of[i] >= 0) {
             csv->column[h.column] = i + 1;
-            found |= kind->column[h.column].traits & CSV_GROUPS;
+            found |= traits & CSV_GROUPS;
         }
     }
     for (int k = kind->columns - 1; k >= 0; k--) {
@@ -242,46 +201,24 @@ static const char *columns_find(struct csv_table *csv, const struct csv_kind *ki
     return missing;
 }
 
-/* Reports that a required column is missing. */
-static bool column_missing(struct csv_table *csv, const char *missing)
-{
-    char found[320] = "";
-    bool is_utf8 = true;
-    for (int i = 0; i < csv->head.cells; i++) {
-        is_utf8 = is_utf8 && escape_is_utf8(csv->head.cell[i].text);
-        text_add(found, sizeof found, "%s'%.24s'", i ? ", " : "", names_shown(csv->head.cell[i].text));
-    }
-    if (!is_utf8)
-        return csv_wrong(&csv->file, csv->head.at,
-                         "the column '%s' is missing, and the names are not in UTF-8; save the file as 'CSV "
-                         "UTF-8'; found: %s",
-                         missing, found);
-    return csv_wrong(&csv->file, csv->head.at,
-                     "the column '%s' is missing; the first line must name %s (delete a title above it, or "
-                     "begin the title with '#'); found: %s",
-                     missing, csv->kind->names, found);
-}
-
-/* Checks heading i, whose column has been found, and reads its unit. */
+/* Checks heading i, and reads its unit. */
 static bool heading_read(struct csv_table *csv, int i)
 {
+    static const char notes[] = ",note,notes,comment,comments,remark,notiz,bemerkung,opmerking,remarque";
     const struct csv_kind *kind = csv->kind;
     const char *text = csv->head.cell[i].text, *close;
     const struct csv_place at = csv->head.cell[i].at;
     const struct heading h = heading_of(kind, text);
-    const char *name = h.name;
-    const int k = h.column;
+    const int k = csv->of[i];
     if (isdigit((unsigned char)*text) || *text == '.')
         return csv_wrong(&csv->file, at,
                          "the first line has a number, but must name the columns: write '%s' above it",
                          kind->example);
-    if (csv->other[i]) {
-        if (k < kind->columns ||
-            names_index(",note,notes,comment,comments,remark,notiz,bemerkung,opmerking,remarque", ',',
-                        name) >= 0)
+    if (k < 0) {
+        if (h.column >= 0 || names_index(notes, ',', h.name) >= 0)
             return true;
-        if ((close = names_closest(column_names, kind, name)) != NULL)
-            return csv_wrong(&csv->file, at, "unknown column '%s'; did you mean '%s'?", name, close);
+        if ((close = names_closest(column_names, kind, h.name)) != NULL)
+            return csv_wrong(&csv->file, at, "unknown column '%s'; did you mean '%s'?", h.name, close);
         text_add(csv->unused, sizeof csv->unused, "%s'%.40s'", *csv->unused ? ", " : "", names_shown(text));
         return true;
     }
@@ -289,23 +226,20 @@ static bool heading_read(struct csv_table *csv, int i)
         if (kind->column[other].traits & kind->column[k].traits & CSV_GROUPS && csv->column[other] > 0)
             return csv_wrong(&csv->file, at, "both %s and %s are given; leave one of these columns out",
                              kind->column[other].name, kind->column[k].name);
-    if (csv->trials == 1 && csv->is_trial[i] && strpbrk(name, "#0123456789"))
-        return csv_wrong(&csv->file, at,
-                         "'%s' is the only trial; add the column of another one, or call this one '%s'", name,
-                         kind->column[k].name);
-    if (csv->column[k] != i + 1 && !csv->is_trial[i])
+    if (csv->column[k] != i + 1 && !h.is_trial)
         return csv_wrong(&csv->file, at,
                          "column name '%s' stands for the %s, but so does column %d; rename one of the two",
-                         name, kind->column[k].name, csv->column[k]);
-    return *h.unit == '\0' || unit_read(csv, k, h.unit, at);
+                         h.name, kind->column[k].name, csv->column[k]);
+    return *h.unit == '\0' || unit_read(csv, i, h.unit);
 }
 
 static bool head_read(struct csv_table *csv)
 {
     const struct csv_kind *const first = csv->kind;
     const char *missing = NULL;
+    char found[320] = "";
     int others = 0;
-    bool good = true;
+    bool good = true, is_utf8 = true;
     if (!csv_read(&csv->file, &csv->head))
         return !*csv->file.problem.text; /* csv_next reports an empty file */
     for (; csv->kind && (missing = columns_find(csv, csv->kind)) != NULL; csv->kind = csv->kind->otherwise) {
@@ -314,17 +248,12 @@ static bool head_read(struct csv_table *csv)
         csv->kind = first;
         missing = columns_find(csv, first);
     }
-    if (csv->head.cells == 1 && strncmp(csv->head.cell[0].text, "set ", strlen("set ")) == 0)
-        return csv_wrong(&csv->file, csv->head.at, "this is not a table but a session; 'source %s' runs it",
-                         names_shown(csv->path));
-    if (csv->head.cells == 1 && missing)
-        return csv_wrong(&csv->file, csv->head.at,
-                         "there is only one column; the first line must name %s, separated by ',', ';' or "
-                         "tabs; delete a title above it, or begin the title with '#'",
-                         csv->kind->names);
     for (int i = 0; i < csv->head.cells && good; i++) {
+        const char *text = csv->head.cell[i].text;
         good = heading_read(csv, i);
-        others += csv->other[i];
+        others += csv->of[i] < 0;
+        is_utf8 = is_utf8 && escape_is_utf8(text);
+        text_add(found, sizeof found, "%s'%.24s'", i ? ", " : "", names_shown(text));
     }
     /* if this file were saved with more columns, it could not be read again */
     if (good && others > CSV_OTHERS_MOST)
@@ -332,9 +261,15 @@ static bool head_read(struct csv_table *csv)
             &csv->file, csv->head.at,
             "the file has %d columns that are not used, but the limit is %d; delete some of them", others,
             CSV_OTHERS_MOST);
-    if (good && missing)
-        return column_missing(csv, missing);
-    return good;
+    if (!good || !missing)
+        return good;
+    return csv_wrong(&csv->file, csv->head.at,
+                     "the column '%s' is missing; the first line must name %s, separated by ',', ';' or tabs "
+                     "(%s); found: %s",
+                     missing, csv->kind->names,
+                     is_utf8 ? "delete a title above it, or begin the title with '#'"
+                             : "this file is not in UTF-8; save it as 'CSV UTF-8'",
+                     found);
 }
 
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind)
@@ -357,6 +292,28 @@ void csv_close(struct csv_table *csv)
 }
 
 /* ---- Numbers ---- */
+
+/* Replaces the decimal commas in the text of a cell by points. In a file whose separator is ',' there are
+ * none. All numbers of a file must have the same decimal mark, so that a mark between thousands is an error.
+ */
+static bool marks_read(struct csv_file *file, struct csv_place at, char *text)
+{
+    int depth = 0;
+    for (char *c = text; *c && file->separator != ','; c++) {
+        depth += (*c == '(') - (*c == ')');
+        /* Inside parentheses, a comma separates the arguments of a function. */
+        if (!isdigit((unsigned char)c[1]) || !(*c == '.' || (*c == ',' && depth == 0)))
+            continue;
+        if (file->mark && file->mark != *c)
+            return csv_wrong(file, at,
+                             "this number has a decimal %s, but a number above has a %s; write all numbers "
+                             "with the same mark, and without marks between thousands",
+                             *c == ',' ? "comma" : "point", *c == ',' ? "point" : "comma");
+        file->mark = *c;
+        *c = '.';
+    }
+    return true;
+}
 
 /* Evaluates a string that must be a single expression without names. Returns false if there is an error, or
  * if more text follows the expression. In the second case, error->message is empty. */
@@ -396,8 +353,8 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     const bool percent = strchr(text->line, '%');
     if (*c->unit && percent)
         return csv_wrong(&csv->file, cell, "%s: this is a percentage; %s", c->name, c->advice);
-    const domq_real unit =
-        csv->unit[k] > 0 && !percent ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
+    const domq_real in_head = csv->unit[csv->column[k] - 1],
+                    unit = in_head > 0 && !percent ? in_head : *c->unit == '\0' || (c->traits & CSV_BARE);
     /* The number cannot be read as if it were in m, because a file with heights of 48 is probably in mm. */
     char here[64] = "";
     shown = names_shown(text->line);
@@ -455,7 +412,7 @@ static bool cell_read(struct csv_table *csv, int k)
         return csv_wrong(&csv->file, csv_cell(csv, k).at, "%s is missing; %s", c->name, c->advice);
     if (!text_make(&text, typed, strlen(typed)))
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
-    bool good = csv_marks_read(&csv->file, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
+    bool good = marks_read(&csv->file, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
                 (unused || csv_check(csv, k, csv->value[k]));
     text_free(&text);
     return good;
@@ -472,7 +429,7 @@ static bool value_read(struct csv_table *csv, int k)
         return cell_read(csv, k);
     csv->repeated = 0;
     for (int i = 0; i < csv->row.cells && good; i++)
-        if (csv->is_trial[i] && !is_empty(csv->row.cell[i].text)) {
+        if (csv->of[i] == k && !is_empty(csv->row.cell[i].text)) {
             csv->column[k] = i + 1; /* the cell that is read now */
             good = cell_read(csv, k);
             const domq_real away = csv->value[k] - mean;
@@ -522,7 +479,7 @@ void csv_write_others(const struct csv_table *csv, bool names, FILE *out)
 {
     const struct csv_record *record = names ? &csv->head : &csv->row;
     for (int i = 0; i < csv->head.cells; i++)
-        if (csv->other[i]) {
+        if (csv->of[i] < 0) {
             putc(',', out);
             csv_write(out, i < record->cells ? record->cell[i].text : "", ",;\t\"\n#");
         }
