@@ -17,8 +17,8 @@
 
 enum { EXIT_USAGE = 2 };
 
-static const char usage[] = "usage: domino [-in] [--bail | --keep-going] [--safe] [--interruptible]\n"
-                            "              [-e COMMANDS | -f FILE | FILE] ...\n";
+static const char usage[] =
+    "usage: domino [-in] [--bail | --keep-going] [--safe] [-e COMMANDS | -f FILE | FILE] ...\n";
 
 static const char help[] =
     "\n"
@@ -35,7 +35,6 @@ static const char help[] =
     "      --bail              stop at the first error, also in input from a pipe\n"
     "      --keep-going        go on after errors, even in -e, -f and FILE\n"
     "      --safe              commands may not read or write files\n"
-    "      --interruptible     SIGINT ends the running command, not the program\n"
     "  -h, --help              print this help\n"
     "  -V, --version           print the version, and what this program was built with\n"
     "\n"
@@ -43,26 +42,22 @@ static const char help[] =
     "The command 'help' lists the commands: domino -e help\n";
 
 static const struct option options[] = {
-    {"execute", required_argument, NULL, 'e'},
-    {"file", required_argument, NULL, 'f'},
-    {"no-init", no_argument, NULL, 'n'},
-    {"bail", no_argument, NULL, 'b'},
-    {"keep-going", no_argument, NULL, 'k'},
-    {"safe", no_argument, NULL, 's'},
-    {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},
-    {"interruptible", no_argument, NULL, 'c'},
-    {"interactive", no_argument, NULL, 'i'},
-    {NULL, 0, NULL, 0},
+    {"execute", required_argument, NULL, 'e'}, {"file", required_argument, NULL, 'f'},
+    {"no-init", no_argument, NULL, 'n'},       {"bail", no_argument, NULL, 'b'},
+    {"keep-going", no_argument, NULL, 'k'},    {"safe", no_argument, NULL, 's'},
+    {"help", no_argument, NULL, 'h'},          {"version", no_argument, NULL, 'V'},
+    {"interactive", no_argument, NULL, 'i'},   {NULL, 0, NULL, 0},
 };
 
-/* The leading '-' makes getopt return each FILE as option 1, so that files and options arrive in the order in
- * which they were typed. */
-static const char short_options[] = "-e:f:inhV";
-
+/* What the command line asks for. */
 struct plan {
+    /* the commands of -e, the files of -f, and FILEs, in the order in which they were typed */
+    struct typed {
+        bool is_file;
+        const char *text;
+    } * typed;
+    int sources;
     bool init, prompt;
-    bool sources;    /* -e, -f or FILE have commands or a row */
     bool reads;      /* commands are read from standard input: without sources, after a row, and with -i */
     bool keep_going; /* continue after an error in -e, -f and FILE */
 };
@@ -73,8 +68,8 @@ struct plan {
  * the signal in `ended` ends the whole script. */
 static volatile sig_atomic_t interrupted, ended;
 
-/* False with --interruptible, where SIGINT ends only the running command, and if a prompt opens, where it
- * also ends a file that runs before the prompt. */
+/* False if a prompt opens, where SIGINT ends only the running command, or a file that runs before the
+ * prompt. */
 static bool sigint_ends;
 
 static void on_signal(int number)
@@ -108,41 +103,41 @@ static bool is_row(const char *name)
     return extension && strcasecmp(extension, ".csv") == 0;
 }
 
-/* Reads all options before the first command of -e, -f or FILE runs. Returns false if an option is wrong. */
-static bool options_check(int argc, char **argv, struct session *session, struct plan *plan)
+/* Reads all options before the first source runs. Returns false if an option is wrong. */
+static bool options_read(int argc, char **argv, struct session *session, struct plan *plan)
 {
-    int option;
     bool stays = false;
-    while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
+    /* The leading '-' makes getopt return each FILE as option 1, so that files and options arrive in the
+     * order in which they were typed. */
+    for (int option; (option = getopt_long(argc, argv, "-e:f:inhV", options, NULL)) != -1;) {
+        if (option == '?') {
+            fputs(usage, stderr);
+            return false;
+        }
+        if (option == 'e' || option == 'f' || option == 1) {
+            plan->typed[plan->sources++] = (struct typed){option != 'e', optarg};
+            plan->reads = plan->reads && option == 1 && is_row(optarg);
+        }
         /* If both --bail and --keep-going are given, the last one takes effect. */
         if (option == 'b' || option == 'k') {
             session->bail = option == 'b';
             plan->keep_going = option == 'k';
         }
-        const bool is_source = option == 'e' || option == 'f' || option == 1;
-        plan->reads = plan->reads && (!is_source || (option == 1 && is_row(optarg)));
-        plan->sources = plan->sources || is_source;
         plan->init = plan->init && option != 'n';
         session->run_context.safe = session->run_context.safe || option == 's';
         stays = stays || option == 'i';
-        if (option == 'c')
-            session->interrupt_flag = &interrupted;
         if (option == 'V')
             command_run_text(session, "version");
         if (option == 'h')
             fprintf(session->output->out, "%s%s", usage, help);
-        if (option == 'h' || option == 'V') {
-            session->quit = true;
+        session->quit = option == 'V' || option == 'h';
+        if (session->quit)
             return true;
-        }
-        if (option == '?') {
-            fputs(usage, io_stderr());
-            return false;
-        }
     }
-    plan->sources = plan->sources || optind < argc;
-    for (int k = optind; k < argc; k++)
-        plan->reads = plan->reads && is_row(argv[k]);
+    for (; optind < argc; optind++) { /* the arguments after "--" are also files */
+        plan->typed[plan->sources++] = (struct typed){true, argv[optind]};
+        plan->reads = plan->reads && is_row(argv[optind]);
+    }
     plan->reads = plan->reads || stays;
     return true;
 }
@@ -151,14 +146,12 @@ static bool options_check(int argc, char **argv, struct session *session, struct
 
 static bool is_over(const struct session *session)
 {
-    return session->quit || ended || (session->bail && session->errors > 0) ||
-           (interrupted && !session->interrupt_flag);
+    return session->quit || interrupted || (session->bail && session->errors > 0);
 }
 
 static void run_file(struct session *session, const char *name)
 {
     bool standard = strcmp(name, "-") == 0;
-    const volatile sig_atomic_t *raised = session->interrupt_flag ? &ended : &interrupted;
     session->source.name = NULL;
     if (is_row(name)) { /* as with 'set row FILE' */
         const struct parameter *row = parameter_find("row");
@@ -169,7 +162,7 @@ static void run_file(struct session *session, const char *name)
             session_problem(session, &problem);
         return;
     }
-    FILE *in = standard ? io_stdin(raised) : io_open_read(name, raised);
+    FILE *in = standard ? io_stdin(&interrupted) : io_open_read(name, &interrupted);
     if (!in) {
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));
         return;
@@ -179,21 +172,21 @@ static void run_file(struct session *session, const char *name)
         fclose(in);
 }
 
-/* Runs -e, -f and FILE in the order in which they appear on the command line. */
-static void run_sources(int argc, char **argv, struct session *session)
+static void run_sources(struct session *session, const struct plan *plan)
 {
-    optind = 0;
-    for (int option;
-         !is_over(session) && (option = getopt_long(argc, argv, short_options, options, NULL)) != -1;) {
-        if (option == 'e') {
+    const bool bails = session->bail;
+    session->bail = !plan->keep_going; /* after an error, later commands might be about the wrong scene */
+    for (const struct typed *s = plan->typed; s < plan->typed + plan->sources && !is_over(session); s++)
+        if (s->is_file)
+            run_file(session, s->text);
+        else {
             session->source.name = "-e";
             session->source.line = 1;
-            command_run_text(session, optarg);
-        } else if (option == 'f' || option == 1)
-            run_file(session, optarg);
-    }
-    for (; !is_over(session) && optind < argc; optind++)
-        run_file(session, argv[optind]); /* the arguments after "--" are also files */
+            command_run_text(session, s->text);
+        }
+    session->quit = session->quit || (!plan->prompt && is_over(session));
+    session->bail = bails;
+    session->state.scene.listed.saved = true; /* changes that these files make need not be saved */
 }
 
 /* Runs the start-up file. This happens only at the prompt, so that scripts do not depend on the file. */
@@ -221,14 +214,14 @@ static bool output_close(FILE *out, bool ignores_pipe)
         raise(SIGPIPE);
     }
     if (!ended)
-        fprintf(io_stderr(), "domino: cannot write the output: %s\n", strerror(errno));
+        fprintf(stderr, "domino: cannot write the output: %s\n", strerror(errno));
     return false;
 }
 
 int main(int argc, char **argv)
 {
     struct session session;
-    struct plan plan = {.init = true, .reads = true};
+    struct plan plan = {.typed = calloc((size_t)argc + 1, sizeof *plan.typed), .init = true, .reads = true};
     io_begin();
     /* By default, SIGPIPE and SIGXFSZ would end the program when a pipe has no reader or a file gets too
      * large. They are ignored, so that write(2) fails instead. */
@@ -237,22 +230,15 @@ int main(int argc, char **argv)
     features_register(every_feature);
     session_init(&session, io_stdout(&ended));
     session.state.scene.compute.interrupt = &interrupted;
-    if (!options_check(argc, argv, &session, &plan))
+    if (!plan.typed || !options_read(argc, argv, &session, &plan))
         return EXIT_USAGE;
     plan.prompt = plan.reads && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
-    sigint_ends = !plan.prompt && !session.interrupt_flag;
+    sigint_ends = !plan.prompt;
     signals_begin();
     if (plan.prompt && plan.init)
         run_init(&session);
-    if (plan.sources) {
-        /* After an error, later commands might compute answers for the wrong scene. */
-        const bool bails = session.bail;
-        session.bail = !plan.keep_going;
-        run_sources(argc, argv, &session);
-        plan.reads = plan.reads && (plan.prompt || !is_over(&session));
-        session.bail = bails;
-        session.state.scene.listed.saved = true; /* changes that these files make need not be saved */
-    }
+    if (plan.sources > 0)
+        run_sources(&session, &plan);
     if (plan.prompt)
         interrupted = ended;
     if (plan.prompt && !is_over(&session)) {
@@ -262,8 +248,8 @@ int main(int argc, char **argv)
     } else if (plan.reads && !is_over(&session))
         run_file(&session, "-");
     session_close(&session);
+    free(plan.typed);
     bool is_good = output_close(session.standard.out, ignores_pipe) && session.errors == 0;
-    io_stderr_end();
     if (ended) {
         signal(ended, SIG_DFL);
         raise(ended);

@@ -99,43 +99,6 @@ long='print 41 + 1; effect row 13; effect placement 8 mm; placement 9000000'
     exec 5<&-
 }
 
-@test "with --interruptible SIGINT ends the command, and the program goes on; without it the program ends" {
-    cat >interrupt.py <<'END'
-import json, signal, subprocess, sys, threading
-domino = subprocess.Popen(["domino", "-n"] + sys.argv[1:], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                          stderr=subprocess.DEVNULL, text=True, bufsize=1)
-def ask(line):
-    domino.stdin.write(line + "\n")
-    return json.loads(domino.stdout.readline())
-domino.stdin.write("set output json\n")
-ask("effect row 13")
-answered = threading.Event()
-def interrupt(): # repeats the signal, because the study may not have begun
-    while not answered.wait(0.2):
-        domino.send_signal(signal.SIGINT)
-thread = threading.Thread(target=interrupt)
-if len(sys.argv) > 1:
-    domino.send_signal(signal.SIGINT) # while no command runs
-ask("effect placement 8 mm")
-domino.stdin.write("placement 9000000\n")
-thread.start()
-for line in domino.stdout:
-    answer = json.loads(line)
-    print(answer.get("reason", answer.get("error")))
-    if "error" in answer:
-        break
-answered.set()
-thread.join()
-if len(sys.argv) > 1:
-    print(ask("print 41 + 1")["value"])
-domino.stdin.close()
-print(domino.wait(60))
-END
-    said=$(timeout 60 python3 interrupt.py --interruptible)
-    [[ $said =~ ^interrupted(\ after\ [0-9]+\ of\ 9000000\ rows$'\n'interrupted)?$'\n'42$'\n'1$ ]] || same 'it goes on' 42 "$said"
-    same 'as a script' '-2' "$(timeout 60 python3 interrupt.py | tail -n 1)"
-}
-
 @test "log writes a script of the commands, with answers as comments" {
     printf 'set s 0.3\nfuel\n' >script
     printf '%s\n' 'log l.dom' 'set q hollow; pair 0.2' 'foo' 'source script' 'log off' 'fuel' |

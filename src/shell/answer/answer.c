@@ -275,7 +275,7 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
     if (a->kept)
         memcpy(a->kept, row, (size_t)count * sizeof *row);
     if (a->errors.recorder)
-        reference_add(a->errors.recorder, a->errors.row, row, (size_t)count);
+        reference_add(a->errors.recorder, row, (size_t)count);
     if (a->errors.reference)
         reference_compare(a->errors.reference, a->errors.row, &a->style, row, (size_t)count);
     a->errors.row++;

@@ -263,12 +263,10 @@ struct measured measured_share(domq_real value, int digits)
 
 /* ---- Errors ---- */
 
-void reference_add(struct reference *r, size_t at, const struct cell *cells, size_t columns)
+void reference_add(struct reference *r, const struct cell *cells, size_t columns)
 {
-    if (r->rows == 0) {
-        r->first = at;
+    if (r->rows == 0)
         r->columns = columns;
-    }
     if (r->rows == r->room && !r->is_void) {
         const size_t room = r->room ? 2 * r->room : 4;
         void *all = realloc(r->cell, room * r->columns * sizeof *r->cell);
@@ -319,8 +317,8 @@ static domq_real rounding(const struct answer_style *style)
 void reference_compare(const struct reference *r, size_t at, const struct answer_style *style,
                        struct cell *cells, size_t columns)
 {
-    const bool has_row = !r->is_void && at >= r->first && at - r->first < r->rows && columns == r->columns;
-    const struct cell *exact = has_row ? r->cell + r->columns * (at - r->first) : NULL;
+    const bool has_row = !r->is_void && at < r->rows && columns == r->columns;
+    const struct cell *exact = has_row ? r->cell + r->columns * at : NULL;
     if (exact && !rows_agree(cells, exact, columns))
         exact = NULL;
     for (size_t i = 0; i < columns; i++) {

@@ -134,15 +134,14 @@ struct measured measured_share(domq_real value, int digits);
 struct reference {
     struct cell *cell; /* the cells of all rows */
     size_t columns;    /* the number of cells in a row */
-    size_t first;      /* the index of the first row: in a sweep, it may be above 0 */
     size_t rows, room;
     /* True if nothing can be compared with these rows: the computation failed, or a part of it has only one
      * precision. */
     bool is_void;
 };
 
-/* Adds the row with the index `at`. Rows come in order. */
-void reference_add(struct reference *reference, size_t at, const struct cell *cells, size_t columns);
+/* Adds a row. */
+void reference_add(struct reference *reference, const struct cell *cells, size_t columns);
 
 /* Sets the errors of the numbers in the row with the index `at`. If a word, a count or a yes-or-no cell of
  * this row differs from the reference, no error of the row is known: the two computations have come to

@@ -305,8 +305,7 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
         return false;
     const char *wrong = output_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
-        /* a script in a device or a FIFO has no folder */
-        char *folder = file->draft >= 0 ? realpath(file->target.folder, NULL) : NULL;
+        char *folder = output_folder(file);
         fprintf(file->out, "# A session of domino " DOM_VERSION
                            "; run it with 'source', 'domino -f' or, to stay, 'domino -i'.\n");
         for (int k = 0; (p = parameter_in_order(query->state, k)) != NULL; k++)

@@ -72,16 +72,8 @@ static void run_line(struct session *session, const char *line, size_t length)
     text_free(&text);
 }
 
-/* Forgets an earlier SIGINT. At the prompt and with --interruptible, SIGINT ends only one command. */
-static void resume(struct session *session)
-{
-    if (session->interrupt_flag && session->source.depth == 0 && *session->interrupt_flag == SIGINT)
-        *session->interrupt_flag = 0;
-}
-
-/* Runs the lines of a stream. If `resumes` is true, SIGINT ends only one of them (see resume). Returns the
- * error that ends the stream, or 0. */
-static int run_lines(struct session *session, FILE *in, bool resumes)
+/* Runs the lines of a stream. Returns the error that ends the stream, or 0. */
+static int run_lines(struct session *session, FILE *in)
 {
     char *line = NULL;
     size_t size = 0;
@@ -92,14 +84,10 @@ static int run_lines(struct session *session, FILE *in, bool resumes)
         const long errors = session->errors;
         bool is_text = strlen(line) == (size_t)length;
         session->source.line++;
-        if (resumes)
-            resume(session);
         if (is_text)
             run_line(session, line, strlen(line));
         else
             session_error(session, "the line contains a NUL byte; commands are text");
-        if (resumes)
-            resume(session);
         goes_on = !session_stops(session, errors) && (is_text || length <= TEXT_MOST);
         errno = 0;
     }
@@ -113,14 +101,12 @@ static int run_lines(struct session *session, FILE *in, bool resumes)
 void command_run_text(struct session *session, const char *text)
 {
     FILE *in = strchr(text, '\n') ? fmemopen((char *)text, strlen(text), "r") : NULL;
-    resume(session);
     if (in) {
         session->source.line--; /* it is already the number of the first line */
-        run_lines(session, in, false);
+        run_lines(session, in);
         fclose(in);
     } else
         run_line(session, text, strlen(text));
-    resume(session);
 }
 
 /* ---- Streams ---- */
@@ -131,7 +117,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
     const char *command = session->command;
     session->source = (struct source){.name = name, .stream = in, .depth = outer.depth};
     session->command = NULL;
-    const int reason = run_lines(session, in, true);
+    const int reason = run_lines(session, in);
     session->source = outer;
     session->command = command;
     /* An interrupt is reported for the command 'source', not for a line of the file. */

@@ -84,7 +84,7 @@ static void notes_say(const struct session *session, const struct command *c, co
         (answer->details.rest ? answer_detail : answer_say)(answer, "%s", note);
     else if (answer->note && answer_for_people(answer) && answer->path &&
              extension_of(answer->path)->kind == EXTENSION_SHEET)
-        fprintf(io_stderr(), "%s\n", note);
+        fprintf(stderr, "%s\n", note);
     else if (answer->note && answer_for_people(answer))
         answer_say(answer, "%s", note);
     if (answer->errors.has_unknown)
@@ -155,8 +155,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (done && session->state.settings.timing && c->columns) {
         /* Programs may read csv, json and files, so the time must not appear there. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
-        fprintf(is_for_people ? answer.out : io_stderr(), "time: %.6g ms\n",
-                1e3 * (terminal_clock() - begun));
+        fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
     return done;
 }
@@ -212,7 +211,7 @@ static void wrote_say(const struct session *session, const char *path)
     double size = (double)file.st_size;
     for (; size >= 1000 && unit < 3; unit++)
         size /= 1000;
-    fprintf(io_stderr(), "wrote %s: %s%s%.*f %s\n", names_shown(path), made, *made ? ", " : "",
+    fprintf(stderr, "wrote %s: %s%s%.*f %s\n", names_shown(path), made, *made ? ", " : "",
             unit > 0 && size < 10, size, units[unit]);
 }
 

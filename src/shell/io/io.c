@@ -212,7 +212,7 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
     return in;
 }
 
-/* ---- Standard output and standard error ---- */
+/* ---- Standard output ---- */
 
 enum { HELD_MOST = 1 << 16 };
 #define ROW_SECONDS 0.2
@@ -240,26 +240,6 @@ FILE *io_stdout(const volatile sig_atomic_t *interrupt)
         terminal_standard(standard);
     }
     return standard ? standard : stdout;
-}
-
-static FILE *messages;
-
-FILE *io_stderr(void)
-{
-    static struct channel channel = {.file = STDERR_FILENO};
-    if (!messages) {
-        messages = fopencookie(&channel, "w", (cookie_io_functions_t){.write = channel_write});
-        if (messages)
-            setvbuf(messages, NULL, _IONBF, 0);
-    }
-    return messages ? messages : stderr;
-}
-
-void io_stderr_end(void)
-{
-    if (messages)
-        fclose(messages);
-    messages = NULL;
 }
 
 void io_stdout_flush(void)

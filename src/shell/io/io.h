@@ -66,11 +66,6 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt);
  * That happens before a read that blocks, and in io_row. */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
-/* Returns the stream for errors and notes, usually standard error. It writes each text at once. */
-FILE *io_stderr(void);
-/* Frees this stream, after the last message. */
-void io_stderr_end(void);
-
 void io_stdout_flush(void);
 
 /* If this is not NULL, a log gets a copy of standard output. */

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Writes answers into the files after '>' and '>>'. Each answer is written completely or not at all: the text
- * first goes to a draft, a temporary file without a name in the folder of the target.
- * - After '>', the draft is copied to a temporary file, which gets the name of the target in a single step,
- *   by rename(2). Other hard links to the old file keep the old text. Only SIGKILL during the copy can leave
- * a file ".domino.XXXXXX".
- * - After '>>', the target is locked, and the draft is copied to its end.
+ * Writes answers into the files after '>' and '>>'. Each answer is written completely or not at all: its text
+ * stays in memory until the command has ended.
+ * - After '>', the text goes to a temporary file, which gets the name of the target in a single step, by
+ *   rename(2). Other hard links to the old file keep the old text. Only SIGKILL at this moment can leave a
+ *   file ".domino.XXXXXX".
+ * - After '>>', the target is locked, and the text is added at its end.
  * The log gets a copy of all that goes to standard output.
  */
+#define _GNU_SOURCE /* asprintf */
 #include "io/output.h"
 #include "domino_quad.h"
 #include "io/escape.h"
@@ -19,86 +20,52 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-/* ---- The files that the session is writing ---- */
+static struct log {
+    char *target; /* as in struct output */
+    FILE *file;
+    bool in_line;     /* the last line in the file is incomplete so far */
+    bool in_sequence; /* the last character belongs to a control sequence: ESC, '[', numbers and a letter */
+    const char *waiting; /* commands that have not been written yet, or NULL */
+    int waiting_length;
+} * current; /* NULL if there is no log */
 
-static struct target *targets;
+/* ---- Files ---- */
 
-/* Sets the members of a target. Returns false and sets errno on failure. */
-static bool target_resolve(struct target *t, const char *path)
+/* Stores the path of a file without symbolic links in *target, which the caller frees, and the status of the
+ * file in *status. If there is no such file yet, *status is zero. Returns NULL, or the reason why the file
+ * cannot be written. */
+static const char *target_find(const char *path, char **target, struct stat *status)
 {
     struct stat link;
-    t->exists = stat(path, &t->status) == 0;
-    if (!t->exists && errno != ENOENT)
-        return false;
-    t->path = realpath(path, NULL);
-    /* The path of a pipe is a link to a name that does not exist. No other such link is followed. */
-    if (!t->path && errno == ENOENT && (t->exists || lstat(path, &link) != 0))
-        t->path = strdup(path);
-    if (!t->path)
-        return false;
-    const char *slash = strrchr(t->path, '/');
-    t->name = slash ? slash + 1 : t->path;
-    t->folder = slash ? strndup(t->path, (size_t)(t->name - t->path)) : strdup("./");
-    return t->folder && stat(t->folder, &t->below) == 0;
-}
-
-static bool is_same_file(const struct stat *a, const struct stat *b)
-{
-    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
-}
-
-static bool is_standard(const struct target *t)
-{
-    struct stat out;
-    return t->exists && fstat(STDOUT_FILENO, &out) == 0 && is_same_file(&out, &t->status);
-}
-
-/* Returns true if the session is already writing the file, perhaps under another name. */
-static bool is_written(const struct target *t, const struct target *except)
-{
-    struct stat now;
-    for (const struct target *other = targets; other; other = other->next)
-        if (other != except &&
-            ((strcmp(other->name, t->name) == 0 && is_same_file(&other->below, &t->below)) ||
-             (t->exists && stat(other->path, &now) == 0 && is_same_file(&now, &t->status))))
-            return true;
-    return false;
-}
-
-static void target_end(struct target *t)
-{
-    struct target **at = &targets;
-    while (*at != t)
-        at = &(*at)->next;
-    *at = t->next;
-    free(t->path);
-    free(t->folder);
-}
-
-/*
- * Registers a file that will be written. Returns NULL, or a message on failure. Apart from system errors,
- * registering fails in these cases:
- * - The path contains characters that have to be escaped.
- * - The file is standard output, and `may_be_standard` is false.
- * - The session is already writing the file for another target. This is allowed, however, if the other
- *   target is `except` (which may be NULL), or if the file is a device or a FIFO.
- */
-static const char *target_begin(struct target *t, const char *path, bool may_be_standard,
-                                const struct target *except)
-{
+    *target = NULL;
+    *status = (struct stat){.st_mode = 0};
     /* a person who reads a script must be able to see which file the script writes */
     if (escape_needed(path))
         return "the name contains control characters, or is not UTF-8; choose another name";
-    *t = (struct target){.next = targets};
-    const char *wrong = target_resolve(t, path) ? NULL : strerror(errno);
-    const bool is_shared = t->exists && !S_ISREG(t->status.st_mode); /* a device may have several writers */
-    if (!wrong && ((!may_be_standard && is_standard(t)) || (!is_shared && is_written(t, except))))
-        wrong = "this session is already writing to it; choose another file";
-    targets = t;
-    if (wrong)
-        target_end(t);
-    return wrong;
+    if (stat(path, status) == 0) {
+        *target = realpath(path, NULL);
+        if (!*target) /* the path of a pipe is a link to a name that does not exist */
+            *target = strdup(path);
+    } else if (errno == ENOENT && lstat(path, &link) != 0) { /* no other such link is followed */
+        const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+        char *folder = slash ? strndup(path, (size_t)(name - path)) : strdup("."),
+             *real = folder ? realpath(folder, NULL) : NULL;
+        if (real && asprintf(target, "%s/%s", real, name) < 0)
+            *target = NULL;
+        free(folder);
+        free(real);
+    }
+    return *target ? NULL : strerror(errno);
 }
+
+static bool is_standard(const struct stat *status)
+{
+    struct stat out;
+    return status->st_mode && fstat(STDOUT_FILENO, &out) == 0 && out.st_dev == status->st_dev &&
+           out.st_ino == status->st_ino;
+}
+
+static const char in_use[] = "this session is already writing to it; choose another file";
 
 /* ---- The output ---- */
 
@@ -108,57 +75,75 @@ void output_flush(struct output *o)
     io_stdout_flush();
 }
 
+char *output_folder(const struct output *o)
+{
+    const char *slash = o->is_regular ? strrchr(o->target, '/') : NULL;
+    return slash ? strndup(o->target, (size_t)(slash - o->target) + (slash == o->target)) : NULL;
+}
+
+/* Opens the stream of an output whose target is known. Returns NULL, or the reason why there is none. */
+static const char *output_open(struct output *o)
+{
+    const bool exists = o->status.st_mode, to_standard = is_standard(&o->status);
+    o->is_regular = !to_standard && (!exists || S_ISREG(o->status.st_mode));
+    bool is_used = o->is_regular && current && strcmp(current->target, o->target) == 0;
+    for (const struct output *outer = o->below; outer && o->is_regular; outer = outer->below)
+        is_used = is_used || (outer->target && strcmp(outer->target, o->target) == 0);
+    if (is_used)
+        return in_use;
+    char *folder = output_folder(o);
+    const bool is_allowed = (!exists || access(o->target, W_OK) == 0) &&
+                            (!folder || (exists && o->append) || access(folder, W_OK) == 0);
+    free(folder);
+    if (!is_allowed)
+        return strerror(errno);
+    if (o->is_regular)
+        o->out = io_memory(&o->text, &o->size);
+    else { /* a device, a FIFO and standard output get the text as it is written */
+        io_stdout_flush();
+        const int file = to_standard ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
+                                     : io_open(o->target, O_WRONLY, 0, o->interrupt);
+        o->out = file >= 0 ? io_stream(file, "w", o->interrupt) : NULL;
+    }
+    return o->out ? NULL : strerror(errno);
+}
+
+static void output_free(struct output *o)
+{
+    free(o->target);
+    free(o->text);
+    free(o);
+}
+
 const char *output_push(struct output **top, const char *path, bool append,
                         const volatile sig_atomic_t *interrupt)
 {
     struct output *o = malloc(sizeof *o);
     if (!o)
         return strerror(ENOMEM);
-    *o = (struct output){.below = *top, .path = path, .append = append, .interrupt = interrupt, .draft = -1};
-    struct target *t = &o->target;
-    const char *wrong = target_begin(t, path, true, NULL);
-    if (wrong) {
-        free(o);
-        return wrong;
-    }
-    int file = -1;
-    if (t->exists && access(t->path, W_OK) != 0)
-        file = -1;
-    else if (is_standard(t) || (t->exists && !S_ISREG(t->status.st_mode))) {
-        /* A device, a FIFO and standard output get the text itself. */
-        io_stdout_flush();
-        file = is_standard(t) ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
-                              : io_open(t->path, O_WRONLY, 0, interrupt);
-    } else {
-        file = io_temporary(t->folder, NULL);
-        if (file < 0 && append && t->exists) /* the draft of an append may be in another folder */
-            file = io_temporary(NULL, NULL);
-        o->draft = file;
-    }
-    o->out = file >= 0 ? io_stream(file, "w", interrupt) : NULL;
-    if (o->out) {
+    *o = (struct output){.below = *top, .path = path, .append = append, .interrupt = interrupt};
+    const char *wrong = target_find(path, &o->target, &o->status);
+    wrong = wrong ? wrong : output_open(o);
+    if (wrong)
+        output_free(o);
+    else
         *top = o;
-        return NULL;
-    }
-    wrong = strerror(errno);
-    target_end(t);
-    free(o);
     return wrong;
 }
 
 /* A csv answer that is appended to a file need not repeat the column names. If the first line of the text is
  * the same as the last header line in the target, returns the length of this line, which is then skipped.
  * Otherwise returns 0. */
-static off_t repeated_header(const struct output *o)
+static size_t repeated_header(const struct output *o)
 {
-    char first[OUTPUT_HEADER + 1] = "", line[sizeof first], last[sizeof line] = "";
-    if (!o->is_header || pread(o->draft, first, sizeof first - 1, 0) <= 0)
+    char first[OUTPUT_HEADER], line[sizeof first], last[sizeof line] = "";
+    const size_t length = strcspn(o->text, "\n");
+    if (!o->is_header || length >= sizeof first)
         return 0;
-    const size_t length = strcspn(first, "\n") + 1;
-    first[length - 1] = '\0';
+    snprintf(first, sizeof first, "%.*s", (int)length, o->text);
     if (!o->is_header(first))
         return 0;
-    FILE *in = io_open_read(o->target.path, o->interrupt);
+    FILE *in = io_open_read(o->target, o->interrupt);
     for (bool begins = true, ends; in && fgets(line, sizeof line, in); begins = ends) {
         ends = strchr(line, '\n') != NULL;
         line[strcspn(line, "\n")] = '\0';
@@ -167,43 +152,33 @@ static off_t repeated_header(const struct output *o)
     }
     if (in)
         fclose(in);
-    return strcmp(first, last) == 0 ? (off_t)length : 0;
-}
-
-/* Copies the draft, beginning at the offset `from`, to the end of an open file. */
-static bool draft_copy(const struct output *o, off_t from, int to)
-{
-    char block[4096];
-    ssize_t n;
-    for (; (n = pread(o->draft, block, sizeof block, from)) > 0; from += n)
-        if (!io_write(to, block, (size_t)n, NULL))
-            return false;
-    return n == 0;
+    return strcmp(first, last) == 0 ? length + 1 : 0;
 }
 
 /* Gives a new file the mode and the group of the old file and, for root, its owner. */
-static bool mode_copy(const struct target *t, int file)
+static bool mode_copy(const struct stat *old, int file)
 {
-    mode_t mask = umask(0), mode = t->exists ? t->status.st_mode & 0777 : 0666 & ~mask;
+    mode_t mask = umask(0), mode = old->st_mode ? old->st_mode & 0777 : 0666 & ~mask;
     umask(mask);
     /* The owner is set before the mode, because setting it can clear bits of the mode. A mode for another
      * group must not open the file to this group. */
-    if (t->exists && fchown(file, t->status.st_uid, t->status.st_gid) != 0 &&
-        fchown(file, (uid_t)-1, t->status.st_gid) != 0)
+    if (old->st_mode && fchown(file, old->st_uid, old->st_gid) != 0 &&
+        fchown(file, (uid_t)-1, old->st_gid) != 0)
         mode &= 0707;
     return fchmod(file, mode) == 0;
 }
 
-static bool draft_rename(const struct output *o)
+static bool text_rename(const struct output *o)
 {
-    char *name = NULL;
-    const int file = io_temporary(o->target.folder, &name);
-    bool is_good = file >= 0 && draft_copy(o, 0, file) && mode_copy(&o->target, file);
-    is_good = (file < 0 || close(file) == 0) && is_good && rename(name, o->target.path) == 0;
+    char *name = NULL, *folder = output_folder(o);
+    const int file = folder ? io_temporary(folder, &name) : -1;
+    bool is_good = file >= 0 && io_write(file, o->text, o->size, NULL) && mode_copy(&o->status, file);
+    is_good = (file < 0 || close(file) == 0) && is_good && rename(name, o->target) == 0;
     const int reason = errno;
     if (name && !is_good)
         unlink(name);
     free(name);
+    free(folder);
     errno = reason;
     return is_good;
 }
@@ -213,7 +188,7 @@ static bool draft_rename(const struct output *o)
 static int append_open(const struct output *o)
 {
     const struct timespec moment = {.tv_nsec = 10000000};
-    int file = io_open(o->target.path, O_WRONLY | O_CREAT | O_APPEND, 0666, o->interrupt), tries = 1000;
+    int file = io_open(o->target, O_WRONLY | O_CREAT | O_APPEND, 0666, o->interrupt), tries = 1000;
     while (file >= 0 && flock(file, LOCK_EX | LOCK_NB) != 0 && (errno == EWOULDBLOCK || errno == EINTR))
         if (--tries == 0 || !io_wait(-1, false, &moment, o->interrupt)) {
             close(file);
@@ -223,12 +198,13 @@ static int append_open(const struct output *o)
 }
 
 /* If only part of the text can be appended, that part is removed. */
-static bool draft_append(const struct output *o, int file)
+static bool text_append(const struct output *o, int file)
 {
     struct stat old;
+    const size_t from = repeated_header(o);
     const bool is_good = fstat(file, &old) == 0 &&
-                         (!io_ends_in_line(o->target.path) || io_write(file, "\n", 1, NULL)) &&
-                         draft_copy(o, repeated_header(o), file);
+                         (!io_ends_in_line(o->target) || io_write(file, "\n", 1, NULL)) &&
+                         io_write(file, o->text + from, o->size - from, NULL);
     const int reason = errno;
     if (!is_good)
         (void)!ftruncate(file, old.st_size);
@@ -243,34 +219,26 @@ const char *output_pop(struct output **top, bool keep)
     *top = o->below;
     errno = 0;
     bool is_good = fflush(o->out) == 0 && !ferror(o->out);
-    if (is_good && keep && o->draft >= 0) {
+    if (is_good && keep && o->is_regular) {
+        if (!o->text) /* nothing was written */
+            o->text = strdup("");
         /* Signals are delivered only while the target of '>>' is opened. */
-        const int file = o->append ? append_open(o) : -1;
+        const int file = o->append && o->text ? append_open(o) : -1;
         const sigset_t before = io_block();
-        is_good = !o->append ? draft_rename(o) : file >= 0 && draft_append(o, file);
+        is_good = o->text && (!o->append ? text_rename(o) : file >= 0 && text_append(o, file));
         io_unblock(&before);
     }
-    const int reason = errno;
+    const int reason = errno ? errno : ENOMEM;  /* the text did not fit into memory */
     const bool is_closed = fclose(o->out) == 0; /* if not, the stream knows the reason of its first failure */
     const char *wrong = !is_closed              ? strerror(errno)
                         : is_good               ? NULL
                         : reason == EWOULDBLOCK ? "another program has locked it"
                                                 : strerror(reason);
-    target_end(&o->target);
-    free(o);
+    output_free(o);
     return wrong;
 }
 
 /* ---- The log ---- */
-
-static struct log {
-    struct target target;
-    FILE *file;
-    bool in_line;     /* the last line in the file is incomplete so far */
-    bool in_sequence; /* the last character belongs to a control sequence: ESC, '[', numbers and a letter */
-    const char *waiting; /* commands that have not been written yet, or NULL */
-    int waiting_length;
-} * current; /* NULL if there is no log */
 
 static void commands_write(bool failed)
 {
@@ -299,11 +267,14 @@ static void log_copy(const char *bytes, size_t count)
 
 const char *log_begin(const char *path, const volatile sig_atomic_t *interrupt)
 {
+    struct stat status;
     struct log *l = malloc(sizeof *l);
     if (!l)
         return strerror(ENOMEM);
     *l = (struct log){.waiting = NULL};
-    const char *wrong = target_begin(&l->target, path, false, current ? &current->target : NULL);
+    const char *wrong = target_find(path, &l->target, &status);
+    if (!wrong && is_standard(&status))
+        wrong = in_use;
     if (!wrong) {
         io_stdout_flush(); /* the answers before this command do not belong in the log */
         if (current)
@@ -312,10 +283,9 @@ const char *log_begin(const char *path, const volatile sig_atomic_t *interrupt)
         const int file = io_open(path, O_WRONLY | O_CREAT | O_APPEND, 0666, interrupt);
         l->file = file < 0 ? NULL : io_stream(file, "a", interrupt);
         wrong = l->file ? NULL : strerror(errno);
-        if (wrong)
-            target_end(&l->target);
     }
     if (wrong) {
+        free(l->target);
         free(l);
         return wrong;
     }
@@ -344,7 +314,7 @@ const char *log_end(void)
     io_stdout_flush();
     commands_write(false);
     const char *wrong = fclose(current->file) == 0 ? NULL : strerror(errno);
-    target_end(&current->target);
+    free(current->target);
     free(current);
     current = NULL;
     io_copy = NULL;

@@ -16,18 +16,6 @@ struct format;
 
 enum { OUTPUT_HEADER = 1024 };
 
-/* A file that the session is writing. The session must not write it twice: no answer can be redirected to the
- * log, for example. */
-struct target {
-    char *path;        /* without symbolic links, except for a pipe such as /dev/stdout */
-    char *folder;      /* ends with '/' */
-    const char *name;  /* the last part of `path` */
-    struct stat below; /* the status of the folder */
-    bool exists;
-    struct stat status; /* set if the file exists */
-    struct target *next;
-};
-
 struct output {
     struct output *below; /* NULL at the bottom */
     FILE *out;            /* receives the answers */
@@ -41,8 +29,11 @@ struct output {
     bool answered;              /* an answer was written, so the next one needs a blank line above it */
 
     /* Only for files: */
-    struct target target;
-    int draft; /* the temporary file that `out` writes; -1 if this is the target itself, such as a FIFO */
+    char *target;       /* its path without symbolic links, except for a pipe such as /dev/stdout */
+    struct stat status; /* zero if the file does not exist */
+    bool is_regular;    /* `out` writes into `text`; otherwise it writes the target, such as a FIFO */
+    char *text;
+    size_t size;
     const volatile sig_atomic_t *interrupt;
 };
 
@@ -54,6 +45,9 @@ const char *output_push(struct output **top, const char *path, bool append,
 /* Removes a file from the stack. If `keep` is true, all text is written into the file; otherwise the file
  * stays as it was. Returns NULL, or an error message. */
 const char *output_pop(struct output **top, bool keep);
+
+/* Returns the folder of the file, which the caller frees, or NULL for a device, a FIFO or standard output. */
+char *output_folder(const struct output *output);
 
 /* Writes the buffered text of this output and of standard output. */
 void output_flush(struct output *output);

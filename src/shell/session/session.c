@@ -66,7 +66,7 @@ static void session_caret(const struct session *session, int column)
 {
     const int width = terminal_width(stderr), at = session->source.prompt_width + column;
     if (session->source.prompt_width && column && session->is_last && width > 0)
-        fprintf(io_stderr(), "%*s\n", (at - 1) % width + 1, "^");
+        fprintf(stderr, "%*s\n", (at - 1) % width + 1, "^");
 }
 
 static void session_write(struct session *session, const struct problem *problem, bool is_error)
@@ -100,7 +100,7 @@ static void session_write(struct session *session, const struct problem *problem
         format->failed(session->standard.out, &failure);
         output_flush(&session->standard);
     }
-    FILE *out = io_stderr();
+    FILE *out = stderr;
     bool colour = terminal_colour(stderr) && !session->source.name;
     fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
     write_wrapped(out, text, 0, terminal_width(stderr));

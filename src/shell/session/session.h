@@ -31,8 +31,6 @@ struct session {
 
     bool is_last;        /* the session is at the prompt, and nothing has been written below the typed line */
     const char *command; /* the name of the command that is running, for notes */
-    /* with --interruptible: the flag that SIGINT sets, to end only the running command; otherwise NULL */
-    volatile sig_atomic_t *interrupt_flag;
     /* True if the first error ends the session: with --bail, and for -e, -f and FILE without --keep-going. At
      * the prompt, the error then ends only the line in which it occurs. */
     bool bail;
