@@ -71,14 +71,14 @@ $(foreach f,$(call lacks,$(FEATURES)),$(error there is no feature '$f'; the feat
 BUILT    := $(call once,train $(call with_needs,$(FEATURES)))
 BUILT    += $(foreach f,$(JOINT),$(if $(filter-out $(BUILT),$(NEEDS_$f)),,$f))
 # The headers in include/ declare the functions of these, even where a folder is gone.
-PART     := $(filter-out $(BUILT),$(sort $(EVERY) rows chance planning proof))
+PART     := $(filter-out $(BUILT),$(sort $(EVERY) rows chance explain planning proof))
 FOLDERS  := $(subst _,/,$(BUILT))
 
-# src/train/model/precision compiles the model of trains and rows once for each precision. The one in double is compiled
-# within compare/gsl.c, which includes precision/double.c. All other sources of the library are in double.
+# src/train/model/precision compiles the model of trains and rows once for each precision. All other sources of the
+# library are in double.
 TRAIN   := src/train/model
-MODEL   := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c precision/float.c precision/quad.c) \
-           $(wildcard $(TRAIN)/compare/*.c $(TRAIN)/search/*.c $(patsubst %,src/%/model/*.c,$(filter-out train,$(BUILT))))
+MODEL   := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c $(addprefix precision/,float.c double.c quad.c)) \
+           $(wildcard $(TRAIN)/search/*.c $(patsubst %,src/%/model/*.c,$(filter-out train,$(BUILT))))
 ENGINE_C := $(filter-out %/row_engine.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
 # The sources of a feature are in its folder, and in folders within it that are neither a model nor a feature.
 SHELL_C := src/main.c $(wildcard src/shell/*/*.c) $(filter-out $(ENGINE_C) \
@@ -235,7 +235,7 @@ $(B)/python/domino/_api.py: src/python/header.py $(wildcard include/*.h) $(PYTHO
 	@mkdir -p $(@D)
 	$(Q)cp $(PYTHON_PY) $(@D)
 	$(call SAY,PY,$@)
-	$(Q)$(PYTHON3) src/python/header.py $(SONAME) '$(CC)' include/domino_study.h include/domino_proof.h > $@.new && mv $@.new $@
+	$(Q)$(PYTHON3) src/python/header.py $(SONAME) '$(CC)' include/domino_study.h include/domino_proof.h include/domino_methods.h > $@.new && mv $@.new $@
 
 run: all
 	@$(P)/domino

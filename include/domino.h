@@ -102,8 +102,8 @@ dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
  *   their inertia, and so to tau. DOM_NO_AIR unless q is 4, because other trains are not self-similar in air.
  *   drag is the drag coefficient, 0.001 ... 100, where 0 stands for 1.2.
  *
- * If mu, alpha, rho or air is not 0, the status is DOM_NO_METHOD for any method but DOM_METHOD_OURS, and for
- * DOM_FUEL_PAPER if the answer depends on the fuel.
+ * If mu, alpha, rho or air is not 0, the status is DOM_NO_METHOD for DOM_FUEL_PAPER if the answer depends on
+ * the fuel.
  */
 struct dom_train {
     dom_real s, r, d, q, width; /* see DOM_TRAIN_PARAMETERS */
@@ -130,9 +130,8 @@ struct dom_scale dom_scale_default(void);
 
 /* How to compute. Start from dom_compute_default(), or pass NULL to use the defaults. */
 struct dom_compute {
-    dom_real tol;           /* relative tolerance of the results */
-    enum dom_method method; /* the status is DOM_NO_METHOD if the method cannot answer a question */
-    struct dom_work *work;  /* counters to which the work is added; may be NULL */
+    dom_real tol;          /* relative tolerance of the results */
+    struct dom_work *work; /* counters to which the work is added; may be NULL */
     /* A long computation returns DOM_INTERRUPTED soon after *interrupt becomes non-zero. May be NULL. */
     const volatile sig_atomic_t *interrupt;
     size_t later[DOM_LATER]; /* must be 0, see "Versions" */
@@ -260,8 +259,7 @@ struct dom_barrier {
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
     /* The tilt at which a train that stops comes to rest: the smallest tilt at which the climb H(theta) -
-     * H(0) has used up the kinetic energy of the launch. NaN unless the status is DOM_STOPS, and with the
-     * methods for comparison. */
+     * H(0) has used up the kinetic energy of the launch. NaN unless the status is DOM_STOPS. */
     dom_real stop;
 };
 

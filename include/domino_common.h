@@ -29,7 +29,6 @@ extern "C" {
     X(BAD_DRAG, "the drag coefficient is outside its range")                                                 \
     X(BAD_FUEL, "the fuel is not a value of enum dom_fuel")                                                  \
     X(BAD_TOL, "the tolerance tol is outside its range, or below the smallest that the precision can reach") \
-    X(BAD_METHOD, "the method is not a value of enum dom_method")                                            \
     X(BAD_TILT, "the tilt is outside [0, theta_c]")                                                          \
     X(BAD_TIME, "the time is negative, or later than the next hit")                                          \
     X(BAD_G, "the acceleration of gravity g is outside its range")                                           \
@@ -86,11 +85,6 @@ const char *dom_status_text(enum dom_status status);
 
 /* The formula for the fuel P in (24; c6): see struct dom_fuels. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
-
-/* The algorithm. Two are for comparison, answer few questions, and exist in double precision only:
- * DOM_METHOD_GSL uses GSL's solvers for maxima, roots and integrals, and DOM_METHOD_PAPER follows the recipe
- * of the paper, which raises theta and r in steps. */
-enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /* The effects, beyond the paper, that change how dominoes move: X(effect, member, status). The value of the
  * effect is in the member `member` of struct dom_train and of struct dom_row, where 0 means off. If the value

@@ -120,7 +120,7 @@ struct dom_verdict {
 };
 
 /* Runs a row. Calls visit, which may be NULL, for each domino that is hit, in order. If `times` is false, the
- * run is faster, and all times are NaN. compute->method is not used. */
+ * run is faster, and all times are NaN. */
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);

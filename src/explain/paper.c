@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'paper' and 'recipe', which compare the paper's numbers with those of the program. Each row of
  * their tables is an expression that is evaluated twice. */
+#include "domino_methods.h"
 #include "explain/derivation.h"
 #include "language/quad.h"
 #include "train/falling.h"
 #include <stdlib.h>
+#include <string.h>
 
 static const char weights[] = "(25; c7) leaves out the weights r^(-q i)";
 
@@ -184,33 +186,30 @@ const struct column recipe_columns[] = {
 
 /* The tolerance of the recipe, which determines the steps in which theta and r are raised, and the largest
  * relative difference between two values that count as equal. */
-#define RECIPE_TOL  ((domq_real)1e-6)
+#define RECIPE_TOL  1e-6
 #define RECIPE_SAME ((domq_real)1e-4)
 
-/* The train arrives at theta_m with tau^2 omega^2 = (K - B) / J(theta_m). */
-static const char omega_m[] = "tau^2 omega(theta_m)^2 (21; c3)";
-
-/* Steps 2 to 5. */
+/* Steps 2 to 5. The train arrives at theta_m with tau^2 omega^2 = (K - B) / J(theta_m). */
 static const struct {
     int step;
-    const char *quantity, *program;
-    const char *paper; /* the expression for the paper's number if it is another one; otherwise NULL */
-    const char *why;   /* why the numbers differ, if they do; may be NULL */
+    const char *quantity;
+    const char *program; /* the expression for the program's number */
+    const char *why;     /* why the numbers differ, if they do; may be NULL */
 } recipe[] = {
-    {2, "J(0) (20; c2)", "launch.J0", NULL, NULL},
-    {2, "J(0) as printed in (50; d8)", "launch.J0", "1 + r^-(q + 1)",
-     "the printed relation lacks its last factor, J(theta_c)"},
-    {2, "P (25; c7)", "fuel", NULL, weights},
-    {2, "tau^2 omega(0)^2 (24; c6)", "launch.omega0sq", NULL, "this number is proportional to the fuel"},
-    {3, "theta_m (19; c1)", "barrier.theta_m", NULL, NULL},
-    {3, "H(theta_m) - H(0) (26; c8)", "barrier.barrier", NULL,
+    {2, "J(0) (20; c2)", "launch.J0", NULL},
+    {2, "J(0) as printed in (50; d8)", "launch.J0", "the printed relation lacks its last factor, J(theta_c)"},
+    {2, "P (25; c7)", "fuel", weights},
+    {2, "tau^2 omega(0)^2 (24; c6)", "launch.omega0sq", "this number is proportional to the fuel"},
+    {3, "theta_m (19; c1)", "barrier.theta_m", NULL},
+    {3, "H(theta_m) - H(0) (26; c8)", "barrier.barrier",
      "the paper takes the first maximum of H, and the program the largest one"},
-    {3, omega_m, "barrier.margin", NULL,
+    {3, "tau^2 omega(theta_m)^2 (21; c3)", "barrier.margin / energy(barrier.theta_m).J",
      "the two numbers differ because the fuels differ; a number below 0 means that the train stops"},
-    {4, "r_max at this s", "rmax", NULL, weights},
-    {5, "s at which r_max is largest", "best.s", NULL, weights},
-    {5, "the largest growth", "best.r_max", NULL, NULL},
+    {4, "r_max at this s", "rmax", weights},
+    {5, "s at which r_max is largest", "best.s", weights},
+    {5, "the largest growth", "best.r_max", NULL},
 };
+enum { RECIPE_ROWS = sizeof recipe / sizeof *recipe };
 
 static void recipe_row(struct answer *a, int step, const char *quantity, domq_real paper, domq_real program,
                        const char *why)
@@ -223,42 +222,41 @@ static void recipe_row(struct answer *a, int step, const char *quantity, domq_re
         answer_detail(a, "      %s.", why);
 }
 
-/* Returns the number of a step in the recipe, as the paper or as the program computes it. Only the program
- * can find J. */
-static domq_real recipe_value(struct table *t, size_t k, bool is_paper, const struct any_compute *ours,
-                              const struct any_compute *theirs)
+/* Follows the paper's steps. A number is NaN if they do not converge. The recipe does not say how to find J,
+ * or how to choose s. */
+static void recipe_follow(struct table *t, domq_real paper[RECIPE_ROWS])
 {
-    const enum dom_fuel fuel = is_paper ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
-    struct any_compute *compute = &t->state.scene.compute;
-    struct domq_energy at = {.J = 1};
-    *compute = is_paper && recipe[k].step != 5 ? *theirs : *ours;
-    domq_real value = value_at(t, fuel, is_paper && recipe[k].paper ? recipe[k].paper : recipe[k].program);
-    /* The paper's steps may not converge. */
-    if (is_paper && t->problem->kind == PROBLEM_NO_ANSWER && !dom_raised(ours->interrupt))
-        t->problem->kind = PROBLEM_NONE;
-    if (recipe[k].quantity == omega_m) {
-        const domq_real tilt = value_at(t, fuel, "barrier.theta_m");
-        if (isnan(tilt) || any_energy_find(t->train, ours, tilt, &at) != DOM_OK)
-            return DOMQ_NAN;
-    }
-    return value / at.J;
-}
-
-static void recipe_rows(struct table *t)
-{
-    const struct any_compute ours = t->state.scene.compute;
-    struct any_compute steps = ours;
-    steps.method = DOM_METHOD_PAPER;
-    steps.precision = IN_DOUBLE;
-    steps.tol = RECIPE_TOL;
-    for (size_t k = 0; k < sizeof recipe / sizeof *recipe && t->problem->kind == PROBLEM_NONE; k++) {
-        const domq_real paper = recipe_value(t, k, true, &ours, &steps),
-                        program = recipe_value(t, k, false, &ours, &steps);
-        const bool differs = quad(fabs)(paper - program) > RECIPE_SAME * quad(fabs)(program);
-        if (t->problem->kind == PROBLEM_NONE)
-            recipe_row(t->answer, recipe[k].step, recipe[k].quantity, paper, program,
-                       differs ? recipe[k].why : NULL);
-    }
+    const struct any_compute *ours = &t->state.scene.compute;
+    struct dom_compute compute = compute_in_double(ours);
+    compute.tol = RECIPE_TOL;
+    t->train->fuel = DOM_FUEL_PAPER;
+    const struct dom_train train = train_in_double(t->train);
+    struct dom_launch l;
+    struct dom_barrier b;
+    struct dom_limit limit;
+    struct domq_energy at = {.J = DOMQ_NAN};
+    if (dom_paper_launch(&train, &compute, &l) != DOM_OK)
+        l.J0 = l.fuel = l.omegasq = (double)NAN;
+    const enum dom_status climbed = dom_paper_barrier(&train, &compute, &b);
+    if (climbed != DOM_OK && climbed != DOM_STOPS)
+        b.theta_m = b.barrier = b.margin = (double)NAN;
+    else if (any_energy_find(t->train, ours, (domq_real)b.theta_m, &at) != DOM_OK)
+        at.J = DOMQ_NAN;
+    if (dom_paper_rmax(&train, &compute, &limit) != DOM_OK)
+        limit.r_max = (double)NAN;
+    const domq_real found[RECIPE_ROWS] = {(domq_real)l.J0,
+                                          value_at(t, DOM_FUEL_PAPER, "1 + r^-(q + 1)"),
+                                          (domq_real)l.fuel,
+                                          (domq_real)l.omegasq,
+                                          (domq_real)b.theta_m,
+                                          (domq_real)b.barrier,
+                                          (domq_real)b.margin / at.J,
+                                          (domq_real)limit.r_max,
+                                          value_at(t, DOM_FUEL_PAPER, "best.s"),
+                                          value_at(t, DOM_FUEL_PAPER, "best.r_max")};
+    memcpy(paper, found, sizeof found);
+    if (dom_raised(ours->interrupt))
+        (void)query_status(&t->query, t->problem, DOM_INTERRUPTED);
 }
 
 bool run_recipe(const struct query *query, struct answer *a, struct problem *problem)
@@ -288,7 +286,15 @@ bool run_recipe(const struct query *query, struct answer *a, struct problem *pro
                    ? "the paper ends the chain where x_i exceeds x_f. This never happens, because theta_f is "
                      "the largest tilt. The program ends the chain where the leader reaches theta_leave"
                    : NULL);
-    recipe_rows(t);
+    domq_real paper[RECIPE_ROWS];
+    recipe_follow(t, paper);
+    for (int k = 0; k < RECIPE_ROWS; k++) {
+        const domq_real program = value_at(t, DOM_FUEL_EXACT, recipe[k].program);
+        const bool differs = quad(fabs)(paper[k] - program) > RECIPE_SAME * quad(fabs)(program);
+        if (problem->kind == PROBLEM_NONE)
+            recipe_row(a, recipe[k].step, recipe[k].quantity, paper[k], program,
+                       differs ? recipe[k].why : NULL);
+    }
     free(t);
     return problem->kind == PROBLEM_NONE;
 }

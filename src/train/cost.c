@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'cost', which measures computing time. It uses a single thread: more threads would compete for
  * caches and memory, and lower the clock rate. */
-#include "interpreter/command.h"
+#include "interpreter/feature.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "train/train.h"
 
-/* ---- The quantities that can be measured ---- */
-
-enum { COST_FUEL, COST_LAUNCH, COST_BARRIER, COST_DURATION, COST_RMAX, COST_PAIR };
+enum cost_of { COST_FUEL, COST_LAUNCH, COST_BARRIER, COST_DURATION, COST_RMAX, COST_PAIR };
 
 static const struct {
     const char *name, *meaning;
@@ -29,55 +27,86 @@ static const char *cost_names(const void *context, int k)
     return measured_answers[k].name;
 }
 
-static enum dom_status compute_answer(int which, const struct domq_train *train,
-                                      const struct any_compute *compute, domq_real *value)
+/* ---- Measuring ---- */
+
+/* Who computes: a method in double or, if it is NULL, the library in a precision. */
+struct contender {
+    const struct method *method;
+    enum precision precision;
+};
+
+static enum dom_status method_find(const struct method *method, enum cost_of which,
+                                   const struct dom_train *train, const struct dom_compute *compute,
+                                   double *value)
 {
+    struct dom_launch launch = {.fuel = 0};
+    struct dom_barrier barrier = {.margin = 0};
+    struct dom_limit limit = {.r_max = 0};
+    enum dom_status status = DOM_NO_METHOD;
+    if (which == COST_BARRIER) {
+        status = method->barrier(train, compute, &barrier);
+        *value = barrier.margin;
+    } else if (which == COST_DURATION) {
+        status = method->duration(train, compute, value);
+    } else if (which == COST_RMAX) {
+        status = method->rmax(train, compute, &limit);
+        *value = limit.r_max;
+    } else if (which != COST_PAIR && method->launch) {
+        status = method->launch(train, compute, &launch);
+        *value = which == COST_FUEL ? launch.fuel : launch.omegasq;
+    }
+    return status == DOM_STOPS && which == COST_BARRIER ? DOM_OK : status;
+}
+
+static enum dom_status value_find(const struct contender *by, enum cost_of which,
+                                  const struct domq_train *train, const struct any_compute *given,
+                                  domq_real *value)
+{
+    struct any_compute compute = *given;
     struct domq_fuels fuels;
     struct domq_launch launch;
     struct domq_barrier barrier;
     struct domq_limit limit;
     enum dom_status status;
+    compute.precision = by->precision;
+    if (by->method) {
+        const struct dom_train t = train_in_double(train);
+        const struct dom_compute c = compute_in_double(&compute);
+        double found = 0;
+        status = method_find(by->method, which, &t, &c, &found);
+        *value = (domq_real)found;
+        return status;
+    }
     switch (which) {
     case COST_FUEL:
-        status = any_fuel_find(train, compute, &fuels);
+        status = any_fuel_find(train, &compute, &fuels);
         *value = train->fuel == DOM_FUEL_PAPER ? fuels.paper : fuels.exact;
         return status;
     case COST_LAUNCH:
-        status = any_launch_find(train, compute, &launch);
+        status = any_launch_find(train, &compute, &launch);
         *value = launch.omegasq;
         return status;
     case COST_BARRIER:
-        status = any_barrier_find(train, compute, &barrier);
+        status = any_barrier_find(train, &compute, &barrier);
         *value = barrier.margin;
         return status == DOM_STOPS ? DOM_OK : status;
     case COST_DURATION:
-        return any_cycle_duration(train, compute, value);
-    default:
-        status = (which == COST_RMAX ? any_limit_rmax : any_limit_pair)(train, compute, &limit);
-        *value = limit.r_max;
-        return status == DOM_OK && limit.ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
+        return any_cycle_duration(train, &compute, value);
+    case COST_RMAX:
+    case COST_PAIR:
+        break;
     }
+    status = (which == COST_RMAX ? any_limit_rmax : any_limit_pair)(train, &compute, &limit);
+    *value = limit.r_max;
+    return status == DOM_OK && limit.ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
 }
-
-/* ---- Measuring ---- */
-
-static const struct {
-    enum dom_method method;
-    enum precision precision;
-    double share; /* roughly the fraction of the time that this contender takes, for the progress display */
-} contenders[] = {
-    {DOM_METHOD_PAPER, IN_DOUBLE, 0.1}, {DOM_METHOD_GSL, IN_DOUBLE, 0.05}, {DOM_METHOD_OURS, IN_FLOAT, 0.02},
-    {DOM_METHOD_OURS, IN_DOUBLE, 0.03}, {DOM_METHOD_OURS, IN_QUAD, 0.8},
-};
-enum { CONTENDERS = sizeof contenders / sizeof *contenders };
 
 static const double tolerances[] = {1e-1,  1e-2,  1e-3,  1e-6,  1e-9,  1e-12, 1e-15,
                                     1e-18, 1e-21, 1e-24, 1e-27, 1e-30, 1e-33};
-enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
+enum { TOLERANCES = sizeof tolerances / sizeof *tolerances, CONTENDERS_MOST = 8 };
 
 struct cost_row {
-    enum dom_method method;
-    enum precision precision;
+    struct contender by;
     double tol;
     enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
     domq_real error;        /* the relative error of the result, or that of the reference if it is larger */
@@ -86,86 +115,75 @@ struct cost_row {
 };
 
 struct cost {
-    struct cost_row row[(int)CONTENDERS * (int)TOLERANCES];
+    const struct query *query;
+    enum cost_of which;
+    domq_real reference; /* the most accurate value */
+    struct cost_row row[(int)CONTENDERS_MOST * (int)TOLERANCES];
     int rows;
     double cheapest; /* time of the quickest measurement, in seconds */
+    double done;     /* the fraction of the measurements that has been made */
 };
 
-/* Returns how many seconds the answer takes, in the fastest of up to seven batches. A slow answer is timed
- * only once. Returns NaN if there is no answer. */
-static double seconds_of(int which, const struct domq_train *train, const struct any_compute *compute)
+/* Measures a value once, and then its time in batches: the fastest of up to seven. A slow value is timed only
+ * once. */
+static void row_measure(const struct cost *cost, struct cost_row *row)
 {
     const double shortest = 2e-4; /* in s; the clock is too coarse for a shorter batch */
     const double slow = 0.1;      /* in s; a batch that takes longer is the last */
     const int batches = 7;
-    double least = HUGE_VAL;
+    const struct domq_train *train = &cost->query->scene->train;
+    struct any_compute compute = cost->query->scene->compute;
+    domq_real value = 0;
+    compute.tol = (domq_real)row->tol;
+    compute.work = &row->work;
+    row->status = value_find(&row->by, cost->which, train, &compute, &value);
+    const domq_real size = cost->reference == 0 ? 1 : quad(fabs)(cost->reference),
+                    rounding = (domq_real)any_arithmetic(IN_QUAD).epsilon * size;
+    row->error = quad_larger(quad(fabs)(value - cost->reference), rounding) / size;
+    row->seconds = HUGE_VAL;
+    compute.work = NULL;
     long repeats = 1;
-    domq_real value;
-    for (int batch = 0; batch < batches;) {
-        double begun = terminal_clock();
-        for (long i = 0; i < repeats; i++)
-            if (compute_answer(which, train, compute, &value) != DOM_OK)
-                return (double)NAN;
-        double seconds = terminal_clock() - begun;
+    for (int batch = 0; batch < batches && row->status == DOM_OK;) {
+        const double begun = terminal_clock();
+        for (long i = 0; i < repeats && row->status == DOM_OK; i++)
+            row->status = value_find(&row->by, cost->which, train, &compute, &value);
+        const double seconds = terminal_clock() - begun;
         if (seconds < shortest) {
             repeats *= 2;
             continue;
         }
-        least = fmin(least, seconds / (double)repeats);
+        row->seconds = fmin(row->seconds, seconds / (double)repeats);
         batch += seconds > slow ? batches : 1;
     }
-    return least;
 }
 
-static void row_measure(int which, const struct query *query, domq_real reference, struct cost_row *row)
-{
-    const struct domq_train *train = &query->scene->train;
-    struct any_compute compute = query->scene->compute;
-    domq_real value = 0;
-    compute.method = row->method;
-    compute.precision = row->precision;
-    compute.tol = (domq_real)row->tol;
-    compute.work = &row->work;
-    row->status = compute_answer(which, train, &compute, &value);
-    if (row->status != DOM_OK)
-        return;
-    const domq_real size = reference == 0 ? 1 : quad(fabs)(reference),
-                    rounding = (domq_real)any_arithmetic(IN_QUAD).epsilon * size;
-    row->error = quad_larger(quad(fabs)(value - reference), rounding) / size;
-    compute.work = NULL;
-    row->seconds = seconds_of(which, train, &compute);
-}
-
-/* Measures one method in one precision, with smaller and smaller tolerances. */
-static enum dom_status contender_measure(int which, const struct query *query, domq_real reference,
-                                         int contender, double done, struct cost *cost)
+/* Measures one contender, with smaller and smaller tolerances. Returns false if the user interrupts it. */
+static bool contender_measure(struct cost *cost, struct contender by, double share)
 {
     const double longest = 2; /* in s; a measurement that would probably take longer is not made */
-    const struct domq_arithmetic arithmetic = any_arithmetic(contenders[contender].precision);
-    for (int t = 0; t < TOLERANCES && tolerances[t] >= (double)arithmetic.tol_floor; t++) {
+    const double finest = (double)any_arithmetic(by.precision).tol_floor;
+    for (int t = 0; t < TOLERANCES && tolerances[t] >= finest; t++) {
         struct cost_row *row = &cost->row[cost->rows];
-        *row = (struct cost_row){.method = contenders[contender].method,
-                                 .precision = contenders[contender].precision,
-                                 .tol = tolerances[t]};
+        *row = (struct cost_row){.by = by, .tol = tolerances[t]};
         /* The paper's method takes up to ten times as many steps for each further digit. */
-        if (t > 0 && row->method == DOM_METHOD_PAPER &&
-            row[-1].seconds * tolerances[t - 1] / tolerances[t] > longest)
+        if (t > 0 && by.method && row[-1].seconds * tolerances[t - 1] / tolerances[t] > longest)
             break;
-        row_measure(which, query, reference, row);
+        row_measure(cost, row);
         if (row->status == DOM_INTERRUPTED || row->status == DOM_NO_METHOD || row->status == DOM_NO_PRECISION)
-            return row->status;
+            return row->status != DOM_INTERRUPTED;
         if (row->status == DOM_OK)
             cost->cheapest = fmin(cost->cheapest, row->seconds);
         cost->rows++;
-        progress_show(done + contenders[contender].share * (t + 1) / TOLERANCES);
+        progress_show(cost->done + share * (t + 1) / TOLERANCES);
     }
-    return DOM_OK;
+    cost->done += share;
+    return true;
 }
 
 /* ---- The command ---- */
 
 static const struct column cost_columns[] = {
-    {"method", "", "the method: the paper's recipe, GSL's solvers, or our own", 6},
+    {"method", "", "our own method, or one for comparison: the paper's recipe or GSL's solvers", 6},
     {"precision", "", "the arithmetic", 9},
     {"tol", "", "the relative tolerance that was requested", 7},
     {"error", "", "the relative error that was achieved, compared with the most accurate quad answer", 9},
@@ -178,10 +196,8 @@ static const struct column cost_columns[] = {
 
 static void cost_line(struct answer *a, const struct cost *cost, const struct cost_row *row)
 {
-    static const char *const methods[] = {
-        [DOM_METHOD_OURS] = "ours", [DOM_METHOD_PAPER] = "paper", [DOM_METHOD_GSL] = "GSL"};
-    struct cell cells[] = {cell_word(methods[row->method]),
-                           cell_word(any_arithmetic(row->precision).name),
+    struct cell cells[] = {cell_word(row->by.method ? row->by.method->name : "ours"),
+                           cell_word(any_arithmetic(row->by.precision).name),
                            cell_brief(row->tol),
                            cell_brief((double)row->error),
                            cell_count((domq_real)row->work.longest),
@@ -193,40 +209,48 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
     answer_row(a, cells, NULL);
 }
 
-/* Returns the shortest time in s in which a method reached this relative error, or NaN if it never did. */
-static double seconds_for(const struct cost *cost, enum dom_method method, enum precision precision,
-                          double error)
+/* Returns the shortest time in s in which a contender reached this relative error, or NaN if it never did. */
+static double seconds_for(const struct cost *cost, struct contender by, double error)
 {
     double least = (double)NAN;
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++)
-        if (row->method == method && row->precision == precision && row->status == DOM_OK &&
+        if (row->by.method == by.method && row->by.precision == by.precision && row->status == DOM_OK &&
             row->error <= (domq_real)error)
             least = fmin(least, row->seconds); /* fmin ignores the initial NaN */
     return least;
 }
 
-/* Prints a line such as "paper   12 times as long", unless a time is missing. */
-static void times_say(struct answer *a, const char *what, double seconds, double others, const char *than)
+/* Compares the times of a contender with ours in double. Without one of the times, prints nothing. */
+static void times_say(struct answer *a, const struct cost *cost, const char *name, struct contender by,
+                      int digits)
 {
-    if (isfinite(seconds / others))
-        answer_say(a, "%-7s %s times as long as %s", what,
-                   measured((domq_real)(seconds / others), "", 3).text, than);
+    const double error = pow(10, -digits),
+                 times = seconds_for(cost, by, error) /
+                         seconds_for(cost, (struct contender){NULL, IN_DOUBLE}, error);
+    if (isfinite(times))
+        answer_say(a, "%-7s %s times as long as ours, for %d digits", name,
+                   measured((domq_real)times, "", 3).text, digits);
 }
+
+/* Calls a function for each method, in order. */
+#define EACH_METHOD(m)                                                                                       \
+    for (int f = 0; feature_at(f); f++)                                                                      \
+        for (const struct method *m = feature_at(f)->methods; m && m->name; m++)
 
 /* Compares the times for 3, 6 and 12 correct digits. The true error, not the tolerance, decides how many
  * digits are correct. */
-static void cost_say(struct answer *a, const struct cost *cost, int which)
+static void cost_say(struct answer *a, const struct cost *cost)
 {
-    double few = seconds_for(cost, DOM_METHOD_OURS, IN_DOUBLE, 1e-3);
-    double six = seconds_for(cost, DOM_METHOD_OURS, IN_DOUBLE, 1e-6);
-    double twelve = seconds_for(cost, DOM_METHOD_OURS, IN_DOUBLE, 1e-12);
-    double quad = seconds_for(cost, DOM_METHOD_OURS, IN_QUAD, 1e-12) / twelve;
-    answer_say(a, "%s, the time for one answer:", measured_answers[which].meaning);
-    answer_say(a, "ours    %.3g us for 3 digits, %.3g us for 6, %.3g us for 12", 1e6 * few, 1e6 * six,
-               1e6 * twelve);
-    times_say(a, "quad", quad * twelve, twelve, "ours, for 12 digits");
-    times_say(a, "GSL", seconds_for(cost, DOM_METHOD_GSL, IN_DOUBLE, 1e-6), six, "ours, for 6 digits");
-    times_say(a, "paper", seconds_for(cost, DOM_METHOD_PAPER, IN_DOUBLE, 1e-6), six, "ours, for 6 digits");
+    const struct contender ours = {NULL, IN_DOUBLE};
+    const double twelve = seconds_for(cost, ours, 1e-12);
+    answer_say(a, "%s, the time for one answer:", measured_answers[cost->which].meaning);
+    answer_say(a, "ours    %.3g us for 3 digits, %.3g us for 6, %.3g us for 12",
+               1e6 * seconds_for(cost, ours, 1e-3), 1e6 * seconds_for(cost, ours, 1e-6), 1e6 * twelve);
+    times_say(a, cost, "quad", (struct contender){NULL, IN_QUAD}, 12);
+    EACH_METHOD(m)
+    {
+        times_say(a, cost, m->name, (struct contender){m, IN_DOUBLE}, 6);
+    }
     if (isnan(twelve))
         answer_say(a, "Double precision cannot give 12 digits here, because the answer depends too strongly "
                       "on the parameters.");
@@ -234,28 +258,28 @@ static void cost_say(struct answer *a, const struct cost *cost, int which)
 
 static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct cost cost = {.cheapest = HUGE_VAL};
-    struct any_compute finest = query->scene->compute;
-    const int which = (int)query->given->number[0];
-    domq_real reference = 0;
-    double done = 0;
-    finest.method = DOM_METHOD_OURS;
-    finest.precision = any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE;
-    finest.tol = any_arithmetic(finest.precision).tol_floor;
-    enum dom_status status = compute_answer(which, &query->scene->train, &finest, &reference);
-    for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
-        if (contender_measure(which, query, reference, c, done, &cost) == DOM_INTERRUPTED)
-            status = DOM_INTERRUPTED;
-        done += contenders[c].share;
+    static const double share[] = {[IN_FLOAT] = 0.02, [IN_DOUBLE] = 0.03, [IN_QUAD] = 0.8};
+    struct cost cost = {
+        .query = query, .which = (enum cost_of)query->given->number[0], .cheapest = HUGE_VAL};
+    struct any_compute compute = query->scene->compute;
+    const struct contender finest = {NULL, any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE};
+    compute.tol = any_arithmetic(finest.precision).tol_floor;
+    enum dom_status status = value_find(&finest, cost.which, &query->scene->train, &compute, &cost.reference);
+    bool goes_on = status == DOM_OK;
+    EACH_METHOD(m)
+    {
+        goes_on = goes_on && contender_measure(&cost, (struct contender){m, IN_DOUBLE}, m->share);
     }
+    for (enum precision p = IN_FLOAT; p <= IN_QUAD && goes_on; p++)
+        goes_on = contender_measure(&cost, (struct contender){NULL, p}, share[p]);
     progress_show(1);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
         return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));
-    if (!query_status(query, problem, status))
+    if (!query_status(query, problem, status == DOM_OK && !goes_on ? DOM_INTERRUPTED : status))
         return false;
     for (int k = 0; k < cost.rows; k++)
         cost_line(a, &cost, &cost.row[k]);
-    cost_say(a, &cost, which);
+    cost_say(a, &cost);
     return true;
 }
 

@@ -27,6 +27,16 @@ struct cell verdict_cell(enum dom_status verdict);
 void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,
                        const struct domq_barrier *barrier);
 
+/* A method that a feature adds to those that 'cost' compares. It computes in double. `launch` may be NULL. */
+struct method {
+    const char *name;
+    double share; /* roughly the fraction of the time that the method takes, for the progress display */
+    enum dom_status (*launch)(const struct dom_train *, const struct dom_compute *, struct dom_launch *);
+    enum dom_status (*barrier)(const struct dom_train *, const struct dom_compute *, struct dom_barrier *);
+    enum dom_status (*duration)(const struct dom_train *, const struct dom_compute *, double *);
+    enum dom_status (*rmax)(const struct dom_train *, const struct dom_compute *, struct dom_limit *);
+};
+
 /* ---- A walk through the cycles of the train, event by event ---- */
 
 /* The units in which the model measures one cycle. The head of each cycle is r times as large as the head

@@ -37,7 +37,7 @@ const struct walk *walk_now(const struct query *query)
     const struct walk *walk = query->walk;
     const struct any_compute *compute = query_compute(query);
     return walk->count > 0 && walk_is_of(walk, query->scene) && walk->tol == compute->tol &&
-                   walk->compute.precision == compute->precision && walk->compute.method == compute->method
+                   walk->compute.precision == compute->precision
                ? walk
                : NULL;
 }

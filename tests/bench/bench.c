@@ -7,6 +7,7 @@
  */
 #include "bench.h"
 #include "../unit/ask.h"
+#include "domino_methods.h"
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,6 +66,20 @@ static bool ask_best(const struct setup *train)
     return status == DOM_OK || status == DOM_NO_GROWTH;
 }
 
+/* Define questions for the methods for comparison. */
+#define ASK_METHOD(method)                                                                                   \
+    static bool ask_##method(const struct setup *setup)                                                      \
+    {                                                                                                        \
+        const struct domq_train wide = setup_train(setup);                                                   \
+        const struct any_compute in = setup_compute(setup);                                                  \
+        const struct dom_train train = train_in_double(&wide);                                               \
+        const struct dom_compute compute = compute_in_double(&in);                                           \
+        struct dom_limit limit;                                                                              \
+        return dom_##method##_rmax(&train, &compute, &limit) == DOM_OK;                                      \
+    }
+ASK_METHOD(gsl)
+ASK_METHOD(paper)
+
 static bool ask_duration(const struct setup *train)
 {
     domq_real duration;
@@ -94,14 +109,13 @@ static double one_seconds(question *ask, struct setup train, enum precision prec
     return mean_seconds(ask, &train, 1);
 }
 
-/* Makes trains for s from 0.02 to 0.9, first hollow and then solid, for a method and a tolerance. */
-static void growths_make(struct setup *train, size_t n, enum dom_method method, double tol)
+/* Makes trains for s from 0.02 to 0.9, first hollow and then solid, for a tolerance. */
+static void growths_make(struct setup *train, size_t n, double tol)
 {
     for (size_t i = 0; i < n; i++) {
         train[i] = setup_default();
         train[i].q = i < n / 2 ? 3 : 4;
         train[i].s = 0.02 + 0.88 * (double)(i % (n / 2)) / (double)(n / 2 - 1);
-        train[i].method = method;
         train[i].tol = tol;
     }
 }
@@ -225,12 +239,10 @@ static void goals_print(const struct goal *goals, size_t n)
 
 static size_t library_measure(struct goal *goal)
 {
-    static struct setup many[MANY], gsl[MANY], rough[FEW], paper[FEW], cycles[CYCLES];
+    static struct setup many[MANY], rough[FEW], cycles[CYCLES];
     const double link = bare_link();
-    growths_make(many, MANY, DOM_METHOD_OURS, 1e-12);
-    growths_make(gsl, MANY, DOM_METHOD_GSL, 1e-12);
-    growths_make(rough, FEW, DOM_METHOD_OURS, 1e-6);
-    growths_make(paper, FEW, DOM_METHOD_PAPER, 1e-6);
+    growths_make(many, MANY, 1e-12);
+    growths_make(rough, FEW, 1e-6);
     cycles_make(cycles);
     struct setup usual = setup_default(), edges = usual, close = usual, thin = usual, thinnest;
     edges.rho = (domq_real)1 / 100;
@@ -245,9 +257,9 @@ static size_t library_measure(struct goal *goal)
         {"best of 400 random (d, q)", "ms", 4, 1e3 * random_seconds(ask_best, 400, 1e-4, 0.6, 5.7), false},
         {"30,000 trains, s 1e-4 to 1", "us", 68, 1e6 * random_seconds(ask_rmax, 30000, 2e-6, 2, 6), false},
         {"r_max at 1e-12, mean of 178: s = 0.02 ... 0.9, both q", "links", 420, rmax / link, false},
-        {"  times as fast as nested GSL solvers", "x", 15, mean_seconds(ask_rmax, gsl, MANY) / rmax, true},
+        {"  times as fast as nested GSL solvers", "x", 15, mean_seconds(ask_gsl, many, MANY) / rmax, true},
         {"  times as fast as the paper's recipe, at 1e-6, 18 of them", "x", 1000,
-         mean_seconds(ask_rmax, paper, FEW) / mean_seconds(ask_rmax, rough, FEW), true},
+         mean_seconds(ask_paper, rough, FEW) / mean_seconds(ask_rmax, rough, FEW), true},
         {"r_max at s = 0.02", "links", 2500, one_seconds(ask_rmax, close, IN_DOUBLE) / link, false},
         {"r_max of thin dominoes, d = 0.005, at s = 1e-6", "ms", NONE,
          1e3 * one_seconds(ask_rmax, thinnest, IN_DOUBLE), false},

@@ -25,7 +25,6 @@ struct setup {
     DOM_DYNAMICS(SETUP_EFFECT)
     enum precision precision;
     enum dom_fuel fuel;
-    enum dom_method method;
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };
@@ -38,7 +37,6 @@ static inline struct setup setup_default(void)
     return (struct setup){.fuel = train.fuel,
                           .tol = compute.tol,
                           .precision = compute.precision,
-                          .method = compute.method,
                           DOMQ_TRAIN_PARAMETERS(SETUP_COPY_NUMBER)};
 }
 
@@ -50,11 +48,8 @@ static inline struct domq_train setup_train(const struct setup *a)
 
 static inline struct any_compute setup_compute(const struct setup *a)
 {
-    return (struct any_compute){.tol = a->tol,
-                                .precision = a->precision,
-                                .method = a->method,
-                                .work = a->work,
-                                .interrupt = a->interrupt};
+    return (struct any_compute){
+        .tol = a->tol, .precision = a->precision, .work = a->work, .interrupt = a->interrupt};
 }
 
 /* The first two arguments of a call of the library: the train and how to compute. */

@@ -3,7 +3,7 @@
 #ifndef TEST_REQUEST_H
 #define TEST_REQUEST_H
 
-#include "compare/gsl.c"
+#include "precision/double.c"
 
 #include "ask.h"
 
@@ -19,7 +19,6 @@ static inline struct request request_of(const struct setup *a)
                             .tol = (double)a->tol,
                             .fuel = a->fuel,
                             .effect = {DOM_DYNAMICS(REQUEST_EFFECT)},
-                            .method = a->method,
                             .work = a->work,
                             .interrupt = a->interrupt};
 }

@@ -272,8 +272,6 @@ TEST(refusals)
     train.fuel = DOM_FUEL_PAPER;
     assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
     train.fuel = DOM_FUEL_EXACT;
-    train.method = DOM_METHOD_GSL;
-    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
     struct dom_train proved = dom_train_default();
     struct dom_proof proof;
     proved.air = 0.002;

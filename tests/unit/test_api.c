@@ -154,31 +154,11 @@ TEST(precisions_differ_by_their_tolerance)
     assert_true(r_max[IN_FLOAT] != r_max[IN_DOUBLE] && r_max[IN_DOUBLE] != r_max[IN_QUAD]);
 }
 
-/* Checks that a method for comparison answers in double whatever the precision is. */
-TEST(methods_are_in_double)
-{
-    const struct domq_train train = wide_train(trains[0]);
-    domq_real r_max[3];
-    for (enum precision p = IN_FLOAT; p <= IN_QUAD; p++) {
-        struct any_compute compute = wide_compute(p);
-        struct domq_limit limit = {0};
-        compute.tol = p == IN_QUAD ? 1e-20 : 1e-11;
-        compute.method = DOM_METHOD_GSL;
-        assert_status(any_limit_rmax(&train, &compute, &limit), DOM_OK);
-        r_max[p] = limit.r_max;
-    }
-    assert_true(r_max[IN_FLOAT] == r_max[IN_DOUBLE] && r_max[IN_DOUBLE] == (double)r_max[IN_QUAD]);
-    struct domq_compute quad = domq_compute_default();
-    struct domq_limit limit;
-    quad.method = DOM_METHOD_GSL;
-    assert_status(domq_limit_rmax(&train, &quad, &limit), DOM_NO_METHOD);
-}
-
 TEST(null_is_the_default)
 {
     const struct dom_compute compute = dom_compute_default();
     assert_true(compute.tol == 1e-12);
-    assert_true(compute.method == DOM_METHOD_OURS && !compute.work && !compute.interrupt);
+    assert_true(!compute.work && !compute.interrupt);
     assert_true(any_compute_default().tol == 1 / (domq_real)1e12 &&
                 any_compute_default().precision == IN_DOUBLE);
     dom_questions(trains[0], IN_DOUBLE, true);

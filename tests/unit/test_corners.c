@@ -1,65 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: parallel */
 /* Needs: chance */
-/* Rare situations: methods that cannot answer, an interrupted pool, and memory that runs out. */
+/* Rare situations: an interrupted pool, and memory that runs out. */
 #include "parallel/workers.h"
 #include "support.h"
 #include <errno.h>
 #include <pthread.h>
-
-/* Checks that the methods agree on the barrier and the duration. */
-TEST(methods_agree)
-{
-    struct setup t = setup_default();
-    struct domq_barrier ours, other;
-    domq_real duration, by_method;
-    t.tol = 1e-5;
-    assert_status(ask_barrier_find(&t, &ours), DOM_OK);
-    assert_status(ask_cycle_duration(&t, &duration), DOM_OK);
-    for (int method = DOM_METHOD_GSL; method <= DOM_METHOD_PAPER; method++) {
-        t.method = (enum dom_method)method;
-        assert_status(ask_barrier_find(&t, &other), DOM_OK);
-        assert_near("barrier", (double)other.barrier, (double)ours.barrier, 1e-3);
-        assert_near("kinetic", (double)other.kinetic, (double)ours.kinetic, 1e-3);
-        assert_status(ask_cycle_duration(&t, &by_method), DOM_OK);
-        assert_near("duration", (double)by_method, (double)duration, 1e-3);
-    }
-}
-
-/* Checks that the methods agree if even equal dominoes stop, and if the growth is limited by 1/s. */
-TEST(methods_at_the_ends)
-{
-    struct setup t = setup_default();
-    struct domq_limit limit;
-    t.method = DOM_METHOD_GSL;
-    t.d = 0.8;
-    t.s = 0.9;
-    struct setup ours = t;
-    ours.method = DOM_METHOD_OURS;
-    assert_status(ask_limit_rmax(&ours, &limit), DOM_OK);
-    assert_int_equal(limit.ends, DOM_END_NONE);
-    enum dom_status expected = limit.why;
-    assert_status(ask_limit_rmax(&t, &limit), DOM_OK);
-    assert_int_equal(limit.ends, DOM_END_NONE);
-    assert_status(limit.why, expected);
-    struct domq_barrier barrier;
-    t.r = 1;
-    assert_status(ask_barrier_find(&t, &barrier), DOM_NO_FUEL);
-    assert_true(isnan((double)barrier.kinetic) && barrier.barrier > 0);
-    t = setup_default();
-    t.s = 0.95;
-    t.tol = 1e-4;
-    for (int method = DOM_METHOD_OURS; method <= DOM_METHOD_PAPER; method++) {
-        t.method = (enum dom_method)method;
-        assert_status(ask_limit_rmax(&t, &limit), DOM_OK);
-        assert_int_equal(limit.ends, DOM_END_REACH);
-        assert_near("r_max", (double)limit.r_max, 1 / 0.95, 1e-15);
-    }
-    /* The sums of the paper are infinite at r = 1. */
-    t.r = 1;
-    t.s = 0.4;
-    assert_status(ask_barrier_find(&t, &barrier), DOM_TOO_LONG);
-}
 
 /* Checks that a number outside an enumeration has a text or NULL, and that no table is read beyond its
  * end. */

@@ -242,12 +242,6 @@ TEST(refusals)
     assert_status(ask_barrier_find(&train, &barrier), DOM_NO_METHOD);
     assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
     train.fuel = DOM_FUEL_EXACT;
-    for (int method = DOM_METHOD_GSL; method <= DOM_METHOD_PAPER; method++) {
-        train.method = (enum dom_method)method;
-        assert_status(ask_launch_find(&train, &launch), DOM_NO_METHOD);
-        assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
-    }
-    train.method = DOM_METHOD_OURS;
     /* The train locks in the hit. The sums for the motion after the hit, which would be infinite, must not
      * hide this. */
     train = friction_train(0.10240983347041695, 2.2984965160834889, 11.465967489938446);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Needs: rows chance planning proof */
+/* Needs: rows chance planning proof explain */
 /*
  * Interrupts, without a clock. The library's check of the flag is replaced by one that counts the checks and
  * raises the flag at the k-th. Every long function must check often, and must end soon after the flag is
  * raised, whatever k is.
  */
+#include "domino_methods.h"
 #include "domino_proof.h"
 #include "domino_study.h"
 #include "numerics/interrupt.h"
@@ -52,6 +53,10 @@ ASKS(rmax, struct dom_limit limit, dom_limit_rmax(&train, &compute, &limit))
 ASKS(best, struct dom_best found, dom_limit_best(&train, &compute, &found))
 ASKS(barrier, struct dom_barrier found, dom_barrier_find(&train, &compute, &found))
 ASKS(duration, double found, dom_cycle_duration(&train, &compute, &found))
+ASKS(gsl_rmax, struct dom_limit limit, dom_gsl_rmax(&train, &compute, &limit))
+ASKS(gsl_barrier, struct dom_barrier found, dom_gsl_barrier(&train, &compute, &found))
+ASKS(gsl_duration, double found, dom_gsl_duration(&train, &compute, &found))
+ASKS(paper_barrier, struct dom_barrier found, dom_paper_barrier(&train, &compute, &found))
 ASKS(least_force, struct dom_least_force found, dom_cycle_least_force(&train, &compute, &found))
 ASKS(run, struct dom_verdict verdict, dom_row_run(&row, &compute, true, NULL, NULL, &verdict))
 ASKS(windows, struct dom_window window[ROW],
@@ -159,17 +164,16 @@ TEST(a_search_with_dips)
     }
 }
 
-/* Checks that GSL's solvers do not end the program if they see the value of an interrupted function. */
-TEST(trains_with_the_solvers_of_gsl)
+/* Checks the methods for comparison, and that GSL's solvers do not end the program if they see the value of
+ * an interrupted function. */
+TEST(methods)
 {
     train_set(0.4, 1.2, 0, 0);
-    compute.method = DOM_METHOD_GSL;
-    ENDS_SOON(barrier);
-    ENDS_SOON(rmax);
-    ENDS_SOON(duration);
-    compute.method = DOM_METHOD_PAPER;
+    ENDS_SOON(gsl_barrier);
+    ENDS_SOON(gsl_rmax);
+    ENDS_SOON(gsl_duration);
     compute.tol = 1e-4;
-    ENDS_SOON(barrier);
+    ENDS_SOON(paper_barrier);
 }
 
 TEST(rows)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Each solver is tried on a list of problems, some of them difficult. */
-#include "compare/gsl.c"
+#include "precision/double.c"
 #include "support.h"
 #include <float.h>
 

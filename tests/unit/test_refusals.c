@@ -89,8 +89,7 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
     const struct dom_train *a = train;
     const struct domq_train wide = {.fuel = a->fuel,
                                     DOM_TRAIN_PARAMETERS(SETUP_COPY_NUMBER) DOM_DYNAMICS(SETUP_COPY_EFFECT)};
-    const struct any_compute wide_compute = {
-        .tol = compute->tol, .precision = IN_DOUBLE, .method = compute->method};
+    const struct any_compute wide_compute = {.tol = compute->tol, .precision = IN_DOUBLE};
     struct domq_angles angles;
     assert_status(any_angles_find(&wide, &wide_compute, &angles), expected);
 }
@@ -154,9 +153,6 @@ TEST(choices)
     struct dom_compute compute = dom_compute_default();
     train.fuel = (enum dom_fuel)(DOM_FUEL_PAPER + 1);
     refused(&train, &compute, "", DOM_BAD_FUEL);
-    train = dom_train_default();
-    compute.method = (enum dom_method)(DOM_METHOD_PAPER + 1);
-    refused(&train, &compute, "", DOM_BAD_METHOD);
 }
 
 /* Checks that a member of a later version is refused, whatever is asked. */

@@ -380,9 +380,6 @@ TEST(radii_that_do_not_fit)
     train.fuel = DOM_FUEL_PAPER;
     assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
     train.fuel = DOM_FUEL_EXACT;
-    train.method = DOM_METHOD_GSL;
-    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
-    train.method = DOM_METHOD_OURS;
     train.s = 1; /* the reach of a rounded domino is less than its height */
     train.r = 1;
     assert_status(ask_check(&train), DOM_OUT_OF_REACH);
@@ -422,10 +419,7 @@ TEST(slopes_that_do_not_hold)
     train.alpha = 2;
     assert_status(ask_check(&train), DOM_BAD_ALPHA);
     train.alpha = 0.01;
-    train.method = DOM_METHOD_GSL;
     struct domq_limit limit;
-    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
-    train.method = DOM_METHOD_OURS;
     train.fuel = DOM_FUEL_PAPER;
     assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
     assert_status(ask_limit_pair(&train, &limit), DOM_OK);

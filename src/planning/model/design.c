@@ -387,7 +387,6 @@ static struct planner planner_make(const struct dom_train *train, const struct d
                                    const struct dom_limits *limits, const struct dom_compute *compute)
 {
     struct planner p = {.train = *train, .compute = *compute, .wish = wish, .limits = limits};
-    p.compute.method = DOM_METHOD_OURS;
     p.status = !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
                    ? DOM_BAD_HEIGHT
                : !(wish->safety > 1 && isfinite(wish->safety)) ? DOM_BAD_SAFETY

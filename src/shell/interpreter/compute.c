@@ -30,7 +30,6 @@ static void reference_compute(const struct command *c, const struct query *query
                    : compute->tol >= 100 * quad.tol_floor                                 ? compute->tol / 100
                                                           : compute->tol * 100;
     compute->precision = IN_QUAD;
-    compute->method = DOM_METHOD_OURS;
     state.settings.style.errors = 0;
     state.settings.threads = 1; /* the rows come in order */
     /* A tilt that the session has rounded up to theta_c must not exceed theta_c in quad precision. */

@@ -7,6 +7,7 @@
 #include "interpreter/command.h"
 
 struct engine_driver;
+struct method;
 struct plot;
 
 struct feature {
@@ -14,6 +15,7 @@ struct feature {
     const struct command_group *groups;          /* its commands; the last title is NULL */
     const struct plot *const *plots;             /* tables of charts for 'plot'; the last one is NULL */
     const struct engine_driver *engine;          /* a rigid-body engine */
+    const struct method *methods;                /* for 'cost'; the last name is NULL */
     const struct parameter *(*parameter)(int k); /* its effects, from k = 0; NULL after the last one */
 };
 

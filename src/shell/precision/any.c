@@ -24,16 +24,7 @@ struct visitor {
 
 static struct domq_compute quad_compute(const struct any_compute *compute)
 {
-    return (struct domq_compute){.tol = compute->tol,
-                                 .method = compute->method,
-                                 .work = compute->work,
-                                 .interrupt = compute->interrupt};
-}
-
-/* Returns the precision in which a question is asked. */
-static enum precision precision_of(const struct any_compute *compute)
-{
-    return compute->method == DOM_METHOD_OURS ? compute->precision : IN_DOUBLE;
+    return (struct domq_compute){.tol = compute->tol, .work = compute->work, .interrupt = compute->interrupt};
 }
 
 #define ASKS_ANY

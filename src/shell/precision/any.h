@@ -12,11 +12,10 @@
 
 enum precision { IN_FLOAT, IN_DOUBLE, IN_QUAD };
 
-/* As struct dom_compute. With another method than DOM_METHOD_OURS, the precision is double. */
+/* As struct dom_compute. */
 struct any_compute {
     domq_real tol;
     enum precision precision;
-    enum dom_method method;
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };

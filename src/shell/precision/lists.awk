@@ -149,7 +149,7 @@ function ask(prototype,   find, count, i, p, v, at, signature, own, quad, before
     prototypes = prototypes "enum dom_status any_" find "(" signature ");\n"
     narrow = narrow "static enum dom_status OWN(" find ")(" signature ")\n{\n" (find == "count_find" ? "    (void)compute;\n" : "") \
         before "    enum dom_status status = " arguments ";\n" after "    return status;\n}\n"
-    any = any "enum dom_status any_" find "(" signature ")\n{\n    const enum precision in = " (name[1] == "row" ? "row->engine ? IN_DOUBLE : " : "") "precision_of(compute);\n" \
+    any = any "enum dom_status any_" find "(" signature ")\n{\n    const enum precision in = " (name[1] == "row" ? "row->engine ? IN_DOUBLE : " : "") "compute->precision;\n" \
         (quad ~ /compute_/ ? "    const struct domq_compute compute_ = quad_compute(compute);\n" : "") \
         "    return in == IN_FLOAT ? float_" find "(" own ") : in == IN_DOUBLE ? double_" find "(" own ") : domq_" find "(" quad ");\n}\n"
 }

@@ -4,27 +4,18 @@
 
 #include "effects/effects.h"
 #include "entry/answers.h"
-#include "entry/method.h"
 #include "entry/study.h"
 
 /* A question about a train. */
 struct question {
     struct request request;
-    const struct method *method; /* the method for comparison that answers it, or NULL */
     enum dom_status status;
 };
 
-/* Asks a question: calls a function of this library's own method, unless the question has an error, or asks
- * for another method. The value of the macro is the status. ASK_METHOD calls the function of another method,
- * if it has one. */
+/* Asks a question: calls the function that answers, unless the question has an error. The value of the macro
+ * is the status. */
 #define ASK(question, find, ...)                                                                             \
-    ((question).status != DOM_OK ? (question).status                                                         \
-     : (question).method         ? DOM_NO_METHOD                                                             \
-                                 : find(&(question).request, __VA_ARGS__))
-#define ASK_METHOD(question, find, ...)                                                                      \
-    ((question).status == DOM_OK && (question).method && (question).method->find                             \
-         ? (question).method->find(&(question).request, __VA_ARGS__)                                         \
-         : ASK(question, find, __VA_ARGS__))
+    ((question).status != DOM_OK ? (question).status : find(&(question).request, __VA_ARGS__))
 
 /* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */
 #define BAD_s     DOM_BAD_S
@@ -52,16 +43,12 @@ static enum dom_status request_check(const struct request *q)
         status = dynamics_check(q->effect);
     if (status == DOM_OK && q->fuel > DOM_FUEL_PAPER)
         status = DOM_BAD_FUEL;
-    if (status == DOM_OK && q->method > DOM_METHOD_PAPER)
-        status = DOM_BAD_METHOD;
     if (status == DOM_OK && dom_arithmetic()->bits == 0)
         status = DOM_NO_PRECISION;
     DOM_COMPUTE_PARAMETERS(CHECK)
     if (status == DOM_OK && q->tol < dom_arithmetic()->tol_floor)
         status = DOM_BAD_TOL;
-    return status == DOM_OK && dynamics_first(q->effect) < DOM_DYNAMICS_COUNT && q->method != DOM_METHOD_OURS
-               ? DOM_NO_METHOD
-               : status;
+    return status;
 }
 #undef CHECK
 
@@ -76,13 +63,11 @@ static struct question question_make(const struct dom_train *train, const struct
 #define COPY_COMPUTE(name, default_, lowest, highest, unit, meaning) .name = compute.name,
     struct question q = {
         .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
-                    .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .method = compute.method, .work = compute.work,
+                    .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .work = compute.work,
                     .interrupt = compute.interrupt}};
 #undef COPY
 #undef COPY_COMPUTE
     q.status = IS_NEWER(train) || IS_NEWER(&compute) ? DOM_NEWER : request_check(&q.request);
-    if (q.status == DOM_OK && compute.method != DOM_METHOD_OURS)
-        q.status = method_find(compute.method, &q.method);
     return q;
 }
 
@@ -115,7 +100,7 @@ static struct question question_of_limit(const struct dom_train *train, const st
 }
 
 /* Define public functions that answer a question about a train, or about a train at a tilt or a time. */
-#define ANSWER(find, structure, ASK)                                                                         \
+#define ANSWER(find, structure)                                                                              \
     enum dom_status dom_##find(const struct dom_train *train, const struct dom_compute *compute,             \
                                structure *found)                                                             \
     {                                                                                                        \
@@ -129,13 +114,13 @@ static struct question question_of_limit(const struct dom_train *train, const st
         struct question q = question_make(train, compute);                                                   \
         return ASK(q, find, at, found);                                                                      \
     }
-ANSWER(angles_find, struct dom_angles, ASK)
-ANSWER(fuel_find, struct dom_fuels, ASK_METHOD)
-ANSWER(launch_find, struct dom_launch, ASK_METHOD)
-ANSWER(barrier_find, struct dom_barrier, ASK_METHOD)
-ANSWER(cycle_duration, dom_real, ASK_METHOD)
-ANSWER(cycle_least_force, struct dom_least_force, ASK)
-ANSWER(cycle_floor, struct dom_floor, ASK)
+ANSWER(angles_find, struct dom_angles)
+ANSWER(fuel_find, struct dom_fuels)
+ANSWER(launch_find, struct dom_launch)
+ANSWER(barrier_find, struct dom_barrier)
+ANSWER(cycle_duration, dom_real)
+ANSWER(cycle_least_force, struct dom_least_force)
+ANSWER(cycle_floor, struct dom_floor)
 ANSWER_AT(contact_find, struct dom_contact)
 ANSWER_AT(energy_find, struct dom_energy)
 ANSWER_AT(cycle_state, struct dom_state)
@@ -184,7 +169,7 @@ enum dom_status OWN(_limit_alone)(const struct dom_train *train, const struct do
 {
     struct question q = question_of_limit(train, compute);
     q.request.near = near;
-    return pair ? ASK(q, limit_pair, limit) : ASK_METHOD(q, limit_rmax, limit);
+    return pair ? ASK(q, limit_pair, limit) : ASK(q, limit_rmax, limit);
 }
 
 /* Finds a limit. In quad, a search for r_max starts from that in double. A limit that is open in float or
@@ -373,6 +358,5 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 }
 
 #undef ASK
-#undef ASK_METHOD
 #undef ANSWER
 #undef ANSWER_AT

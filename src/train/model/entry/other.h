@@ -36,8 +36,7 @@ static inline struct OTHER(train) train_there(const struct OWN(train) * train)
 
 static inline struct OTHER(compute) compute_there(const struct OWN(compute) * compute, OTHER(real) tol)
 {
-    return (struct OTHER(compute)){
-        .tol = tol, .method = compute->method, .work = compute->work, .interrupt = compute->interrupt};
+    return (struct OTHER(compute)){.tol = tol, .work = compute->work, .interrupt = compute->interrupt};
 }
 
 /* Find r_max or, if `pair` is true, the limit of a pair, in one arithmetic alone (entry.c). `near` is r_max
