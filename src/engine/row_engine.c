@@ -5,7 +5,7 @@
 #include "engine/engine.h"
 #include "interpreter/feature.h"
 #include "precision/any.h"
-#include "session/engine.h"
+#include "session/row.h"
 #include <stdlib.h>
 #include <string.h>
 

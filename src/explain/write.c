@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes derivations, with the equations as they are typed or with Greek letters. */
-#include "answer/wrap.h"
+#include "io/terminal.h"
 #include "explain/derivation.h"
 #include "language/quad.h"
 #include <ctype.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'design', which finds a row with a given safety and a last domino of a given height. */
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "chance/chance.h"
 #include "language/quad.h"
 #include "planning/planning.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'sweep', which prints the answers of a command at all points of a grid. */
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "interpreter/question.h"
 #include "language/text.h"
 #include "parallel/workers.h"

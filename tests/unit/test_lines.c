@@ -5,8 +5,7 @@
 #include "support.h"
 
 #include "answer/answer.h"
-#include "answer/format.h"
-#include "answer/wrap.h"
+#include "io/terminal.h"
 #include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "io/escape.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes charts as gnuplot scripts. */
-#include "answer/wrap.h"
 #include "io/terminal.h"
 #include "pictures/picture/chart.h"
 #include <math.h>

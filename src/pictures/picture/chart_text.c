@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws charts and stages with characters. A character is assumed to be twice as high as it is wide. */
-#include "answer/wrap.h"
 #include "io/terminal.h"
 #include "language/text.h"
 #include "pictures/picture/chart.h"

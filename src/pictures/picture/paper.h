@@ -3,7 +3,7 @@
 #ifndef SHELL_PAPER_H
 #define SHELL_PAPER_H
 
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "pictures/picture/stage.h"
 
 /* A document in a simple markup. The caller writes it to `out`, in lines:

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/picture/picture.h"
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "domino_quad.h"
 #include "io/escape.h"
 #include "io/io.h"

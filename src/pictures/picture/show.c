@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws charts and stages to the destination of an answer. */
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "io/terminal.h"
 #include "pictures/picture/chart.h"
 #include "pictures/picture/stage.h"

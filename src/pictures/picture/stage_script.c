@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes a stage, to scale, as a gnuplot script. */
-#include "answer/wrap.h"
+#include "io/terminal.h"
 #include "pictures/picture/chart.h"
 #include "pictures/picture/stage.h"
 #include <math.h>

@@ -2,7 +2,6 @@
 /* The table format: tables that fit a terminal of 80 columns or more, in characters that it can show. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
-#include "answer/wrap.h"
 #include "io/escape.h"
 #include "io/terminal.h"
 #include <math.h>

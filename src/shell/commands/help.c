@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands help, apropos, complete and details. */
 #define _GNU_SOURCE /* strcasestr */
-#include "answer/wrap.h"
+#include "io/terminal.h"
 #include "commands/tables.h"
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"
-#include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "prompt/input.h"

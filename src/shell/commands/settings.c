@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands that set, reset and save the parameters of the session, undo changes, or end the session. */
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "commands/tables.h"
 #include "io/output.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/session.h"
-#include "session/undo.h"
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>

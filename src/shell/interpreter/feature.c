@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The registry of features and of all their commands. */
 #include "interpreter/feature.h"
-#include "session/engine.h"
+#include "session/row.h"
 #include <string.h>
 
 enum { GROUPS_MOST = 48, COMMANDS_MOST = 128 };

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/run.h"
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"
-#include "session/engine.h"
-#include "session/undo.h"
+#include "session/row.h"
+#include "session/session.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The capabilities of the terminal and the locale, and the progress of a long command. */
+/* The terminal and the locale, text that is broken into lines, and the progress of a long command. */
 #ifndef SHELL_TERMINAL_H
 #define SHELL_TERMINAL_H
 
@@ -31,6 +31,21 @@ int utf8_columns(const char *text);
 
 /* The same of its first `length` bytes. */
 int utf8_width(const char *text, size_t length);
+
+/* ---- Lines: text is broken at blanks. Some words stay together on a line, such as "r = 1.5" or "7.5 cm".
+ * Such a group of words, or a single word, is called a piece. ---- */
+
+/* Returns how many bytes of a string go into the first line, which has room for `columns` columns. The line
+ * ends between two pieces or at a '\n'. If the first piece is longer than a line, the line ends within this
+ * piece. */
+size_t line_break(const char *text, int columns);
+
+/* Writes text in lines between two columns of the terminal. Each line begins at the column `left` and ends
+ * before the column `right`. If `right` is 0, lines are not broken. A piece that is longer than a line, such
+ * as a path, is not broken either, so that the user can copy it. No '\n' is written at the end. */
+void write_wrapped(FILE *out, const char *text, int left, int right);
+
+/* ---- Time and progress ---- */
 
 /* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "session/engine.h"
 #include "session/parameters.h"
+#include "session/row.h"
 #include <float.h>
 
 /* The floating-point type of quad precision, for the description of the parameter 'precision'. */

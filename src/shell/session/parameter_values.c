@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "language/names.h"
 #include "language/text.h"
 #include "session/parameters.h"

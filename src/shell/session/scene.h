@@ -115,7 +115,7 @@ struct scene {
     domq_real mass;    /* the mass of the first domino in kg; 0 if it is not known */
     domq_real density; /* the density of the material in kg/m^3; 0 if it is not known */
     domq_real seed;    /* the seed of random rows */
-    /* METHOD_MODEL or METHOD_ENGINE (engine.h): whether the model or the engine runs rows */
+    /* METHOD_MODEL or METHOD_ENGINE (row.h): whether the model or the engine runs rows */
     unsigned method;
     struct typed_length length[SHARE_COUNT];
     struct effect_state effect[EFFECT_COUNT];
