@@ -25,20 +25,21 @@ bool expression_value(const struct query *query, const char *expression, domq_re
 {
     const struct last_answer none = {.command = NULL};
     struct arena arena = {.block = NULL};
-    struct expression_error error = {.at = NULL};
-    struct resolver resolver = {.state = query->state, .ans = &none};
-    struct parse parse = {
-        .text = expression, .error = &error, .arena = &arena, .names = name_resolve, .context = &resolver};
+    struct query alone = *query;
+    alone.ans = &none;
+    struct reader r = {
+        .query = &alone, .problem = problem, .at = expression, .arena = &arena, .names = name_resolve};
+    struct evaluation e = query_evaluation(query, problem);
     struct quantity result;
-    struct tree *tree = expression_parse(&parse);
-    bool done = tree && is_single(&error, tree);
+    const struct tree *tree = expression_parse(&r);
+    bool done = tree && is_single(problem, tree);
     *value = DOMQ_NAN;
     if (!done)
-        problem_error(problem, "%s: %s", expression, error.message);
-    else if (query_evaluate(query, tree, &result, &error, problem))
+        return item_wrong(problem, NULL, expression);
+    if (expression_evaluate(&e, tree, &result))
         *value = result.value;
-    else
-        done = error.message[0];
+    else if ((done = problem->at != NULL)) /* no value here, which is no error */
+        problem_begin(problem, problem->command);
     arena_free(&arena);
     return done;
 }
@@ -119,8 +120,8 @@ static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
 static domq_real equation_value(struct derivation *d, const struct step *s)
 {
     struct quantity result;
-    struct expression_error error;
-    struct evaluation e = {.error = &error, .symbol = name_value, .context = d, .angle = 1};
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    struct evaluation e = {.problem = &ignored, .symbol = name_value, .context = d, .angle = 1};
     return expression_evaluate(&e, s->tree, &result) ? result.value : DOMQ_NAN;
 }
 
@@ -237,11 +238,10 @@ static struct step *step_add(struct derivation *d, const char *name, int depth)
         return NULL;
     if (!s->derived->equation || s->derived->ends & d->has)
         return s;
-    struct expression_error error;
-    struct parse parse = {.text = s->derived->equation, .error = &error, .arena = &d->arena};
-    struct tree *tree = expression_parse(&parse);
+    struct reader r = {.at = s->derived->equation, .problem = d->problem, .arena = &d->arena};
+    struct tree *tree = expression_parse(&r);
     if (!tree) {
-        problem_error(d->problem, "%s: %s", s->derived->equation, error.message);
+        item_wrong(d->problem, NULL, s->derived->equation);
         return NULL;
     }
     s->tree = tree;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/reader.h"
 #include "io/escape.h"
-#include "language/expression.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "language/units.h"
@@ -316,17 +316,18 @@ static bool marks_read(struct csv_file *file, struct csv_place at, char *text)
 }
 
 /* Evaluates a string that must be a single expression without names. Returns false if there is an error, or
- * if more text follows the expression. In the second case, error->message is empty. */
-static bool constant_read(const char *text, struct quantity *q, struct expression_error *error)
+ * if more text follows the expression. In the second case, error->text is empty. */
+static bool constant_read(const char *text, struct quantity *q, struct problem *error)
 {
     struct arena arena = {.block = NULL};
-    struct evaluation e = {.error = error, .angle = 1};
-    struct parse p = {.text = text, .error = error, .arena = &arena};
-    const struct tree *t = expression_parse(&p);
+    struct evaluation e = {.problem = error, .angle = 1};
+    struct reader r = {.at = text, .problem = error, .arena = &arena};
+    problem_begin(error, NULL);
+    const struct tree *t = expression_parse(&r);
     bool good = t && expression_evaluate(&e, t, q);
     arena_free(&arena);
     if (good)
-        error->at = skip_blanks(p.end);
+        error->at = skip_blanks(r.at);
     return good && *error->at == '\0';
 }
 
@@ -335,15 +336,15 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
     struct quantity q = {.value = 0};
-    struct expression_error error;
+    struct problem error;
     bool good = constant_read(text->line, &q, &error);
     struct csv_place cell = csv_cell(csv, k).at, at = cell;
     if (error.at > text->line)
         at.column += text_column(text, error.at) - 1;
     const char *shown = names_shown(error.at);
-    if (!good && *error.message)
+    if (!good && *error.text)
         return csv_wrong(&csv->file, at, *error.at ? "%s at '%s': %s; %s" : "%s%s: %s; %s", c->name, shown,
-                         error.message, c->advice);
+                         error.text, c->advice);
     if (!good)
         return csv_wrong(&csv->file, at, "unexpected '%s' after the value of %s; %s", shown, c->name,
                          c->advice);

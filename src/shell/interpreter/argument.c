@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command.h"
+#include "interpreter/expression.h"
 #include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"

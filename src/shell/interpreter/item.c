@@ -6,21 +6,6 @@
 
 /* ---- Expressions ---- */
 
-/* Reports an error in the expression for the argument `name`. If a problem has been reported already, it
- * stays unchanged. Returns false. */
-static bool item_wrong(struct problem *problem, const struct text *text, const char *name,
-                       const struct expression_error *error)
-{
-    char word[NAMES_SHOWN];
-    if (problem->kind != PROBLEM_NONE)
-        return false;
-    if (text)
-        problem->place = text_column(text, error->at);
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(error->at, " \t;"), error->at);
-    return problem_report(problem, error->of_value ? PROBLEM_NO_ANSWER : PROBLEM_WRONG,
-                          *word ? "%s at '%s': %s" : "%s%s: %s", name, names_shown(word), error->message);
-}
-
 /* Checks what follows a value. Text directly after it is an error. So is a word that is probably meant as a
  * unit, if the value is the last of the command. */
 static bool end_check(struct reader *r, const char *name, const char *end)
@@ -49,80 +34,58 @@ static bool end_check(struct reader *r, const char *name, const char *end)
                  : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
 
-/* Parses "with NAME VALUE ..." in "(VALUE with NAME VALUE ...)". This function is the callback parse.with. */
-static struct tree *with_parse(struct parse *p, struct tree *value)
+/* Parses "with NAME VALUE ..." in "(VALUE with NAME VALUE ...)". This function is the callback reader.with.
+ */
+static struct tree *with_parse(struct reader *outer, struct tree *value)
 {
-    struct resolver *resolver = p->context;
-    struct reader r = *resolver->reader;
-    const char *at = p->end;
-    r.at = skip_blanks(at + strlen("with"));
-    r.text = resolver->scope ? NULL : r.text; /* the body of a function is not part of the line */
+    struct reader r = *outer;
+    r.at = skip_blanks(r.at + strlen("with"));
+    r.text = r.scope ? NULL : r.text; /* the body of a function is not part of the line */
     r.stops = ")";
-    r.depth = r.deepest = p->depth + NESTING_WITH;
-    r.resolver = resolver;
+    r.depth += NESTING_WITH;
     r.last = r.evaluates = false;
     const struct assignment *with = assignments_parse(&r);
     struct tree *t = with ? reader_memory(&r, sizeof *t) : NULL;
     if (!t)
         return NULL;
-    p->end = r.at;
-    p->deepest = r.deepest > p->deepest ? r.deepest : p->deepest;
-    *t = (struct tree){
-        .kind = TREE_SYMBOL, .symbol = SYMBOL_WITH, .at = at, .refers = with, .child = value, .count = 1};
+    *t = (struct tree){.kind = TREE_SYMBOL,
+                       .symbol = SYMBOL_WITH,
+                       .at = outer->at,
+                       .refers = with,
+                       .child = value,
+                       .count = 1};
+    outer->at = r.at;
+    outer->deepest = r.deepest;
+    outer->routines = r.routines;
     return t;
 }
 
 bool item_parse(struct reader *r, const struct argument *a, struct item *item)
 {
-    struct expression_error error;
-    struct resolver own = {.state = r->query->state, .ans = r->query->ans, .reader = r};
-    struct parse p = {.text = r->at,
-                      .error = &error,
-                      .arena = r->arena,
-                      .no_unit = r->no_unit,
-                      .variables = &r->query->state->variables,
-                      /* completion must read on after a name that is not known */
-                      .names = r->unresolved || r->offer ? NULL : name_resolve,
-                      .with = with_parse,
-                      .context = r->resolver ? r->resolver : &own,
-                      .depth = r->depth};
-    struct tree *tree = expression_parse(&p);
-    const char *end = p.end;
-    *item = (struct item){.argument = a, .value = tree, .at = r->at};
-    r->deepest = p.deepest > r->deepest ? p.deepest : r->deepest;
+    const char *begin = r->at;
+    /* completion must read on after a name that is not known */
+    r->names = r->unresolved || r->offer ? NULL : name_resolve;
+    r->with = with_parse;
+    struct tree *tree = expression_parse(r);
+    const char *end = r->at;
+    r->at = begin;
+    *item = (struct item){.argument = a, .value = tree, .at = begin};
     if (r->offer) { /* a value, the rest of an expression, or a unit after a number */
         struct reader behind = *r;
         behind.at = tree ? skip_blanks(end) : end;
         offer_value(r, a, false);
-        if (!tree && end > r->at)
+        if (!tree && end > begin)
             offer_value(&behind, a, true);
         if (tree && (isdigit((unsigned char)end[-1]) || end[-1] == '.'))
             offer_kind(&behind, OFFER_UNIT);
     }
-    if (!tree || (p.names && !is_single(&error, tree)))
-        return item_wrong(r->problem, r->text, a->name, &error);
+    if (!tree || (r->names && !is_single(r->problem, tree)))
+        return item_wrong(r->problem, r->text, a->name);
     if (!end_check(r, a->name, end))
         return false;
     r->at = end;
     domq_real number;
     return !r->evaluates || r->unresolved || item_bind(item, r->text, r->query, NULL, &number, r->problem);
-}
-
-bool item_bind(const struct item *item, const struct text *text, const struct query *query,
-               struct quantity *quantity, domq_real *number, struct problem *problem)
-{
-    struct quantity q = {.value = item->number};
-    struct expression_error error;
-    if (text && item->at)
-        problem->place = text_column(text, item->at);
-    if (item->value && !query_evaluate(query, item->value, &q, &error, problem))
-        return item_wrong(problem, text, item->argument->name, &error);
-    if (quantity)
-        *quantity = q;
-    *number = q.value;
-    if (!item->value)
-        return true;
-    return argument_check(query, item->argument, q, number, problem);
 }
 
 /* ---- Words for values ---- */

@@ -16,13 +16,6 @@ struct rows {
     bool failed;
 };
 
-struct lookup {
-    const struct query *query;
-    struct rows *rows;               /* for the aggregate that is being evaluated */
-    const struct quantity *argument; /* the arguments of the 'let' function that is being evaluated */
-    struct problem *problem;         /* receives the reason why a command has no answer */
-};
-
 /* Finds the value of the node t: the number in column t->index of the row `cells`, which is an answer of the
  * command t->refers. If this cell is empty or contains a word, reports an error. `reason` is the reason why
  * the row has empty cells, or "". */
@@ -33,13 +26,13 @@ static bool cell_quantity(struct evaluation *e, const struct tree *t, const stru
     const struct cell cell = cells[t->index];
     const char *key = c->columns[t->index].key;
     if (cell.kind == CELL_WORD)
-        return expression_wrong(e->error, t->at, "%s.%s is the word '%s', not a number", t->name, key,
+        return expression_wrong(e->problem, t->at, "%s.%s is the word '%s', not a number", t->name, key,
                                 cell.word);
     if (cell.kind == CELL_NONE && *reason)
-        return expression_no_value(e->error, t->at, "%s.%s has no value here: %s", t->name, key, reason);
+        return expression_no_value(e->problem, t->at, "%s.%s has no value here: %s", t->name, key, reason);
     if (cell.kind == CELL_NONE)
-        return expression_no_value(e->error, t->at, "%s.%s has no value here; enter '%s' to see why", t->name,
-                                   key, c->name);
+        return expression_no_value(e->problem, t->at, "%s.%s has no value here; enter '%s' to see why",
+                                   t->name, key, c->name);
     *result = t->value;
     result->value *= cell.number;
     return true;
@@ -72,8 +65,8 @@ static void row_take(struct answer *answer, const struct cell *cells, const char
     else if (rows->count == 1)
         rows->value = value;
     else if (!quantity_alike(value, rows->value)) {
-        expression_report(rows->e->error, t->at, false, "%s and %s are in different rows of the same column",
-                          expression_kind(rows->value), expression_kind(value));
+        (void)expression_wrong(rows->e->problem, t->at, "%s and %s are in different rows of the same column",
+                               expression_kind(rows->value), expression_kind(value));
         rows->failed = true;
     } else
         rows->value.value = t->index == AGGREGATE_SUM   ? rows->value.value + value.value
@@ -85,21 +78,20 @@ static void row_take(struct answer *answer, const struct cell *cells, const char
 static bool command_run(struct evaluation *e, const struct tree *t, const struct quantity *argument,
                         struct answer *answer, struct rows *rows)
 {
-    const struct lookup *lookup = e->context;
     const struct command *c = t->refers;
     struct arguments given = {.count = t->count};
-    struct query query = *lookup->query;
-    if (!command_allowed(query.run_context, c, lookup->problem))
+    struct query query = *e->query;
+    if (!command_allowed(query.run_context, c, e->problem))
         return false;
     for (int i = 0; i < t->count; i++)
-        if (!argument_check(&query, &c->argument[i], argument[i], &given.number[i], lookup->problem))
+        if (!argument_check(&query, &c->argument[i], argument[i], &given.number[i], e->problem))
             return false;
     query.given = &given;
     query.next = NULL;
     *answer = answer_kept(&query, c, answer->kept);
     answer->sink.take = rows ? row_take : NULL;
     answer->sink.context = rows;
-    return command_compute(c, &query, answer, lookup->problem);
+    return command_compute(c, &query, answer, e->problem);
 }
 
 /* Stores one number of the answer of a command, such as rmax(0.3). */
@@ -119,11 +111,11 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
 static bool column_quantity(struct evaluation *e, const struct tree *t, struct quantity *result)
 {
     struct quantity argument[EXPRESSION_ARGUMENTS];
-    const struct rows *rows = ((const struct lookup *)e->context)->rows;
+    const struct rows *rows = e->rows;
     const char *key = ((const struct command *)t->refers)->columns[t->index].key;
     int index = 0;
     if (!rows)
-        return expression_wrong(e->error, t->at,
+        return expression_wrong(e->problem, t->at,
                                 "'with' must stand outside the aggregate, as in '(sum(%s.%s) with s 0.3)'",
                                 t->name, key);
     bool is_same = t->refers == rows->column->refers;
@@ -133,19 +125,19 @@ static bool column_quantity(struct evaluation *e, const struct tree *t, struct q
         is_same =
             quantity_alike(argument[i], rows->argument[i]) && argument[i].value == rows->argument[i].value;
     if (!is_same)
-        return expression_wrong(e->error, t->at, "'%s' is another table; all columns must be of one table",
+        return expression_wrong(e->problem, t->at, "'%s' is another table; all columns must be of one table",
                                 t->name);
     while (rows->columns[index].key && strcmp(rows->columns[index].key, key) != 0)
         index++;
     if (!rows->columns[index].key)
-        return expression_no_value(e->error, t->at, "%s.%s is not in the table here; enter '%s' to see why",
+        return expression_no_value(e->problem, t->at, "%s.%s is not in the table here; enter '%s' to see why",
                                    t->name, key, t->name);
     const struct cell cell = rows->cells[index];
     if (cell.kind == CELL_WORD)
-        return expression_wrong(e->error, t->at, "%s.%s consists of words, which only 'count' takes", t->name,
-                                key);
+        return expression_wrong(e->problem, t->at, "%s.%s consists of words, which only 'count' takes",
+                                t->name, key);
     if (cell.kind == CELL_NONE)
-        return expression_no_value(e->error, t->at,
+        return expression_no_value(e->problem, t->at,
                                    "%s.%s has no value in row %zu; 'if' can choose another value there",
                                    t->name, key, rows->count);
     *result = expression_unit(rows->columns[index].unit);
@@ -156,17 +148,17 @@ static bool column_quantity(struct evaluation *e, const struct tree *t, struct q
 static __attribute__((noinline)) bool aggregate_quantity(struct evaluation *e, const struct tree *t,
                                                          struct quantity *result)
 {
-    struct lookup *lookup = e->context;
-    struct rows rows = {.e = e, .aggregate = t, .column = column_in(t->child)}, *outer = lookup->rows;
+    struct rows rows = {.e = e, .aggregate = t, .column = column_in(t->child)}, *outer = e->rows;
     struct cell cells[ANSWER_CELLS];
     struct answer answer = {.kept = cells};
-    lookup->rows = &rows;
+    e->rows = &rows;
     const bool good = arguments_evaluate(e, rows.column, rows.argument) &&
                       command_run(e, rows.column, rows.argument, &answer, &rows) && !rows.failed;
-    lookup->rows = outer;
+    e->rows = outer;
     *result = t->index == AGGREGATE_COUNT ? (struct quantity){.value = (domq_real)rows.count} : rows.value;
     if (good && rows.count == 0 && t->index != AGGREGATE_COUNT)
-        return expression_no_value(e->error, t->at, "the answer of '%s' has no rows here", rows.column->name);
+        return expression_no_value(e->problem, t->at, "the answer of '%s' has no rows here",
+                                   rows.column->name);
     return good;
 }
 
@@ -175,60 +167,91 @@ static __attribute__((noinline)) bool aggregate_quantity(struct evaluation *e, c
 static bool routine_quantity(struct evaluation *e, const struct tree *t, const struct quantity *argument,
                              struct quantity *result)
 {
-    struct lookup *lookup = e->context;
     const struct routine *routine = t->refers;
-    const struct quantity *outer = lookup->argument;
-    if (dom_raised(lookup->query->scene->compute.interrupt))
-        return problem_status(lookup->problem, lookup->query->scene, DOM_INTERRUPTED);
-    lookup->argument = argument;
+    const struct quantity *outer = e->argument;
+    if (dom_raised(e->query->scene->compute.interrupt))
+        return problem_status(e->problem, e->query->scene, DOM_INTERRUPTED);
+    e->argument = argument;
     bool good = expression_evaluate(e, routine->body, result);
-    lookup->argument = outer;
-    return good || routine_wrong(e->error, t->at, routine->function);
+    e->argument = outer;
+    return good || routine_wrong(e->problem, t->at, routine->function);
+}
+
+/* ---- Values and 'with' ---- */
+
+bool item_wrong(struct problem *problem, const struct text *text, const char *name)
+{
+    char word[NAMES_SHOWN], reason[PROBLEM_TEXT / 4];
+    const char *at = problem->at;
+    if (!at)
+        return false; /* a command in the expression has no answer */
+    if (text)
+        problem->column = text_column(text, at);
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(at, " \t;"), at);
+    snprintf(reason, sizeof reason, "%.255s", problem->text);
+    snprintf(problem->text, sizeof problem->text, *word ? "%s at '%s': %s" : "%s%s: %s", name,
+             names_shown(word), reason);
+    problem->at = NULL;
+    return false;
+}
+
+/* Computes and checks the value of an item, as item_bind does. */
+static bool item_quantity(struct evaluation *e, const struct item *item, const struct text *text,
+                          struct quantity *q, domq_real *number)
+{
+    *q = (struct quantity){.value = item->number};
+    if (text && item->at)
+        e->problem->place = text_column(text, item->at);
+    if (item->value && !expression_evaluate(e, item->value, q))
+        return text ? item_wrong(e->problem, text, item->argument->name) : false;
+    *number = q->value;
+    return !item->value || argument_check(e->query, item->argument, *q, number, e->problem);
+}
+
+bool with_apply(struct evaluation *e, const struct assignment *with, const struct text *text,
+                struct state *state, struct query *changed)
+{
+    struct assigned assigned[ASSIGNED_MAX];
+    int count = 0;
+    for (const struct assignment *a = with; a; a = a->next) {
+        struct quantity typed;
+        assigned[count] = (struct assigned){.parameter = a->parameter};
+        if (!item_quantity(e, &a->item, text, &typed, &assigned[count].value))
+            return false;
+        assigned[count++].length = share_length(a->parameter, &typed);
+    }
+    return query_with(e->query, assigned, count, state, changed, e->problem);
 }
 
 /* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state. */
 static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const struct tree *t,
                                                     struct quantity *result)
 {
-    struct lookup *lookup = e->context;
-    const struct query *outer = lookup->query;
+    const struct query *outer = e->query;
+    struct rows *rows = e->rows;
     struct state state;
     struct query changed;
-    struct assigned assigned[ASSIGNED_MAX];
-    int count = 0;
-    for (const struct assignment *a = t->refers; a; a = a->next, count++) {
-        struct quantity value;
-        assigned[count] = (struct assigned){.parameter = a->parameter, .value = a->item.number};
-        if (a->item.value &&
-            (!expression_evaluate(e, a->item.value, &value) ||
-             !argument_check(outer, a->item.argument, value, &assigned[count].value, lookup->problem)))
-            return false;
-        if (a->item.value)
-            assigned[count].length = share_length(a->parameter, &value);
-    }
-    if (!query_with(outer, assigned, count, &state, &changed, lookup->problem))
+    if (!with_apply(e, t->refers, NULL, &state, &changed))
         return false;
-    struct rows *rows = lookup->rows;
-    lookup->query = &changed;
-    lookup->rows = NULL;
-    bool good = expression_evaluate(e, t->child, result);
-    lookup->query = outer;
-    lookup->rows = rows;
+    e->query = &changed;
+    e->rows = NULL;
+    const bool good = expression_evaluate(e, t->child, result);
+    e->query = outer;
+    e->rows = rows;
     return good;
 }
 
 static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct quantity *result)
 {
-    const struct lookup *lookup = e->context;
-    const struct last_answer *ans = lookup->query->ans;
+    const struct last_answer *ans = e->query->ans;
     struct quantity argument[EXPRESSION_ARGUMENTS];
     switch ((enum symbol)t->symbol) {
     case SYMBOL_PARAMETER:
         *result = t->value;
-        result->value *= parameter_get(lookup->query->state, t->refers);
+        result->value *= parameter_get(e->query->state, t->refers);
         return true;
     case SYMBOL_ARGUMENT:
-        *result = lookup->argument[t->index];
+        *result = e->argument[t->index];
         return true;
     case SYMBOL_ANS:
         *result = ans->value;
@@ -249,16 +272,20 @@ static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct q
                                        : command_quantity(e, t, argument, result);
 }
 
-bool query_evaluate(const struct query *query, const struct tree *tree, struct quantity *result,
-                    struct expression_error *error, struct problem *problem)
+struct evaluation query_evaluation(const struct query *query, struct problem *problem)
 {
-    struct lookup lookup = {.query = query, .problem = problem};
-    struct evaluation e = {
-        .error = error,
+    return (struct evaluation){
+        .problem = problem,
+        .query = query,
         .symbol = symbol_quantity,
-        .context = &lookup,
         .angle = query->state->settings.style.angle == ANGLE_DEG ? QUAD_PI / 180 : 1,
     };
-    error->message[0] = '\0';
-    return expression_evaluate(&e, tree, result);
+}
+
+bool item_bind(const struct item *item, const struct text *text, const struct query *query,
+               struct quantity *quantity, domq_real *number, struct problem *problem)
+{
+    struct evaluation e = query_evaluation(query, problem);
+    struct quantity q;
+    return item_quantity(&e, item, text, quantity ? quantity : &q, number);
 }

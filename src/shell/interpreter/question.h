@@ -130,31 +130,31 @@ struct routine {
     struct routine *next;
 };
 
-/* The context of parse.names, in which an expression is parsed. */
-struct resolver {
-    const struct state *state;
-    const struct last_answer *ans;
-    const struct reader *reader;  /* reads the assignments after 'with'; NULL if there are none */
-    const struct variable *scope; /* the function whose body is being parsed, or NULL */
-    struct routine *routines;
-};
-
-/* Resolves a name. Is the callback parse.names; parse->context is a struct resolver. */
-bool name_resolve(struct parse *parse, struct tree *name);
+/* Resolves a name. Is the callback reader.names. */
+bool name_resolve(struct reader *reader, struct tree *name);
 
 /* Returns the first column of a table in a tree that no aggregate takes, or NULL. */
 const struct tree *column_in(const struct tree *tree);
 
-/* Returns false, with an error in *error, if the value of a tree depends on the row of a table. */
-bool is_single(struct expression_error *error, const struct tree *tree);
+/* Returns false, with an error in *problem, if the value of a tree depends on the row of a table. */
+bool is_single(struct problem *problem, const struct tree *tree);
 
 /* Adds the name of a 'let' function to the message of an error that has occurred in its body. `at` is the
  * place where the function is called. Returns false. */
-bool routine_wrong(struct expression_error *error, const char *at, const struct variable *function);
+bool routine_wrong(struct problem *problem, const char *at, const struct variable *function);
 
-/* Evaluates a tree in the state of a query. After an error, sets *error or *problem and returns false. */
-bool query_evaluate(const struct query *query, const struct tree *tree, struct quantity *result,
-                    struct expression_error *error, struct problem *problem);
+/* Returns what is needed to evaluate trees in the state of a query. An error has a position if it is one of
+ * the expression (problem.at), and none if a command in it has no answer. */
+struct evaluation query_evaluation(const struct query *query, struct problem *problem);
+
+/* Makes *changed a copy of e->query in which the parameters after 'with' have their new values. *state
+ * becomes the state of the copy. `text` is the line, or NULL. */
+bool with_apply(struct evaluation *e, const struct assignment *with, const struct text *text,
+                struct state *state, struct query *changed);
+
+/* Adds the name of a value to an error in its expression, and finds the column of the error if `text` is not
+ * NULL. Returns false. */
+bool item_wrong(struct problem *problem, const struct text *text, const char *name);
 
 /* ---- Questions (question_parse.c, question_ask.c) ---- */
 

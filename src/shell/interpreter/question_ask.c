@@ -1,23 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/question.h"
 
-/* Makes call->query a copy of `query` in which the parameters after 'with' have their new values. The state
- * of the copy is stored in call->state. */
-static bool with_bind(const struct question *q, const struct query *query, struct call *call,
-                      struct problem *problem)
-{
-    struct assigned assigned[ASSIGNED_MAX];
-    int count = 0;
-    for (const struct assignment *a = q->with; a; a = a->next) {
-        struct quantity typed;
-        assigned[count] = (struct assigned){.parameter = a->parameter};
-        if (!item_bind(&a->item, q->text, query, &typed, &assigned[count].value, problem))
-            return false;
-        assigned[count++].length = share_length(a->parameter, &typed);
-    }
-    return query_with(query, assigned, count, &call->state, &call->query, problem);
-}
-
 bool question_bind(const struct question *q, const struct query *query, struct call *call,
                    struct problem *problem)
 {
@@ -27,8 +10,9 @@ bool question_bind(const struct question *q, const struct query *query, struct c
                                      .details = q->details,
                                      .bound = q->parsed};
     call->query = *query;
+    struct evaluation e = query_evaluation(query, problem);
     if (!command_allowed(query->run_context, q->command, problem) ||
-        (q->with && !with_bind(q, query, call, problem)))
+        (q->with && !with_apply(&e, q->with, q->text, &call->state, &call->query)))
         return false;
     call->query.given = &call->given;
     for (int i = 0; i < q->count; i++) {

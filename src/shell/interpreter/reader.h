@@ -5,6 +5,7 @@
 #define SHELL_READER_H
 
 #include "interpreter/command.h"
+#include "interpreter/expression.h"
 #include "language/text.h"
 
 enum { OFFER_LISTS = 16 };
@@ -29,19 +30,31 @@ struct offer {
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
 };
 
-struct resolver;
+struct routine;
 
 struct reader {
-    const struct query *query; /* the query whose state determines which names are known */
+    /* The query whose state determines which names are known. NULL if no names are, as in a csv file. */
+    const struct query *query;
     struct problem *problem;
     const struct text *text; /* the line; NULL for the body of a function, where problems have no column */
     const char *at;          /* the next character */
     struct arena *arena;     /* the memory for parsed expressions and words */
     /* Additional characters that end a word or value, such as ','. May be NULL. */
     const char *stops;
-    const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
-    int depth, deepest;  /* the level of the next value, and the largest one in the last (struct parse) */
-    struct resolver *resolver; /* the expression around the assignments of a 'with', or NULL */
+    /* Letters that are names, not units, when they stand alone after a blank. For example, if the letters are
+     * "sg", then the s in "r 2 s 0.3" is the parameter s, not seconds. If this member is not NULL, the word
+     * "feet" after a blank is also a name, because there is an effect called feet. */
+    const char *no_unit;
+    int depth, deepest; /* the level of the next value, counted up to NESTING_MOST, and the largest so far */
+    int nested, nodes;  /* the numbers of open parentheses and of nodes in the expression */
+    /* Resolves a name whose arguments have been parsed. On failure, sets the problem and returns false. If
+     * the pointer is NULL, names stay as they are. */
+    bool (*names)(struct reader *reader, struct tree *name);
+    /* Parses a "with" after a value in parentheses, as in "(rmax with q hollow d 0.1)". The reader is at the
+     * "with". Returns a tree for the value and its "with", or NULL after an error. */
+    struct tree *(*with)(struct reader *reader, struct tree *value);
+    const struct variable *scope; /* the function whose body is being parsed, or NULL */
+    struct routine *routines;     /* the 'let' functions that the command has used so far */
     bool unresolved;     /* names in expressions are left unresolved, as in the definition of a function */
     bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
     bool last;           /* the last argument of the command is being read */

@@ -14,7 +14,7 @@ bool is_value_name(const struct state *state, const char *name)
 }
 
 /* Reports an error in a tree. The value of the macro is false. */
-#define fail(p, t, ...) expression_wrong((p)->error, (t)->at, __VA_ARGS__)
+#define fail(r, t, ...) expression_wrong((r)->problem, (t)->at, __VA_ARGS__)
 
 /* Turns a node into a symbol. */
 static bool symbol(struct tree *t, enum symbol kind, const void *refers, int index)
@@ -42,10 +42,10 @@ const struct tree *column_in(const struct tree *t)
     "'%s' has no value: its answer is a table; 'sum', 'min', 'max' and 'count' make a number of a column, "  \
     "as in 'sum(chain(0).weight)'"
 
-bool is_single(struct expression_error *error, const struct tree *tree)
+bool is_single(struct problem *problem, const struct tree *tree)
 {
     const struct tree *column = column_in(tree);
-    return !column || expression_wrong(error, column->at, IS_TABLE, column->name);
+    return !column || expression_wrong(problem, column->at, IS_TABLE, column->name);
 }
 
 static const char *const aggregates[] = {"sum", "min", "max", "count", NULL};
@@ -61,60 +61,56 @@ static int aggregate_of(const struct tree *t)
 
 /* ---- Functions ---- */
 
-bool routine_wrong(struct expression_error *error, const char *at, const struct variable *function)
+bool routine_wrong(struct problem *problem, const char *at, const struct variable *function)
 {
-    char inside[EXPRESSION_MESSAGE];
-    memcpy(inside, error->message, sizeof inside);
-    if (*inside && !error->names_function)
-        expression_report(error, at, error->of_value, "in '%s': %.180s", variable_head(function), inside);
-    error->at = at;
-    error->names_function = true;
+    char inside[PROBLEM_TEXT];
+    if (!problem->at)
+        return false;
+    memcpy(inside, problem->text, sizeof inside);
+    if (!problem->of_function)
+        snprintf(problem->text, sizeof problem->text, "in '%s': %.180s", variable_head(function), inside);
+    problem->of_function = true;
+    problem->at = at;
     return false;
 }
 
-static bool routine_parse(struct parse *p, const struct tree *t, struct routine *routine)
+static bool routine_parse(struct reader *r, const struct tree *t, struct routine *routine)
 {
-    struct resolver *r = p->context;
-    struct parse body = {.text = routine->function->body,
-                         .error = p->error,
-                         .arena = p->arena,
-                         .names = p->names,
-                         .with = p->with,
-                         .context = r,
-                         .depth = p->depth};
-    const struct variable *outer = r->scope;
-    r->scope = routine->function;
+    struct reader body = *r;
+    body.at = routine->function->body;
+    body.scope = routine->function;
+    body.no_unit = NULL;
+    body.deepest = r->depth;
     routine->is_open = true;
     routine->body = expression_parse(&body);
     routine->is_open = false;
-    routine->height = body.deepest - p->depth;
-    r->scope = outer;
-    return (routine->body && is_single(p->error, routine->body)) ||
-           routine_wrong(p->error, t->at, routine->function);
+    routine->height = body.deepest - r->depth;
+    r->routines = body.routines;
+    return (routine->body && is_single(r->problem, routine->body)) ||
+           routine_wrong(r->problem, t->at, routine->function);
 }
 
-static bool routine_resolve(struct parse *p, struct tree *t, const struct variable *f)
+static bool routine_resolve(struct reader *r, struct tree *t, const struct variable *f)
 {
-    struct resolver *r = p->context;
     struct routine *routine = r->routines;
     if (t->count != f->count)
-        return fail(p, t, "'%s' takes %d value%s", variable_head(f), f->count, f->count == 1 ? "" : "s");
+        return fail(r, t, "'%s' takes %d value%s", variable_head(f), f->count, f->count == 1 ? "" : "s");
     while (routine && routine->function != f)
         routine = routine->next;
     if (routine && routine->is_open)
-        return fail(p, t, "'%s' uses itself", variable_head(f));
+        return fail(r, t, "'%s' uses itself", variable_head(f));
     if (!routine) {
-        routine = arena_take(p->arena, sizeof *routine);
+        routine = arena_take(r->arena, sizeof *routine);
         if (!routine)
-            return fail(p, t, "out of memory");
+            return fail(r, t, "out of memory");
         *routine = (struct routine){.function = f, .next = r->routines};
         r->routines = routine;
-        if (!routine_parse(p, t, routine))
+        if (!routine_parse(r, t, routine))
             return false;
     }
-    const int deepest = p->depth + routine->height;
-    p->deepest = deepest > p->deepest ? deepest : p->deepest;
-    return deepest <= NESTING_MOST ? symbol(t, SYMBOL_ROUTINE, routine, 0) : fail(p, t, NESTED_TOO_DEEPLY);
+    const int deepest = r->depth + routine->height;
+    r->deepest = deepest > r->deepest ? deepest : r->deepest;
+    return deepest <= NESTING_MOST ? symbol(t, SYMBOL_ROUTINE, routine, 0) : fail(r, t, NESTED_TOO_DEEPLY);
 }
 
 /* ---- Commands and their keys ---- */
@@ -122,13 +118,13 @@ static bool routine_resolve(struct parse *p, struct tree *t, const struct variab
 /* Returns the index of the column that a name such as "ans.margin" or "rmax.r" stands for. A name without a
  * key, such as "rmax", stands for the principal column. Stores the unit of the column in the tree. Returns -1
  * after an error. */
-static int column_resolve(struct parse *p, struct tree *t, const struct command *c)
+static int column_resolve(struct reader *r, struct tree *t, const struct command *c)
 {
     char message[NAMES_MESSAGE], what[64];
     snprintf(what, sizeof what, "key of %s", c->name);
     const bool is_ans = strcmp(t->name, "ans") == 0;
     if (!is_ans && t->key && c->sweep.slow_column && strcmp(t->key, c->sweep.slow_column) == 0)
-        return fail(p, t,
+        return fail(r, t,
                     "%s.%s is not available in expressions, because it takes a long time to compute; enter "
                     "'%s', and then 'ans.%s'",
                     c->name, t->key, c->name, t->key) -
@@ -136,52 +132,52 @@ static int column_resolve(struct parse *p, struct tree *t, const struct command 
     names_list *const list = is_ans ? answer_keys : command_keys;
     int index = t->key ? names_find(list, c, what, t->key, message) : command_principal(c);
     if (index == NAMES_UNKNOWN)
-        return fail(p, t, "%s; its keys are %s", message, names_join(list, c, "", (char[NAMES_ALL]){""})) - 1;
+        return fail(r, t, "%s; its keys are %s", message, names_join(list, c, "", (char[NAMES_ALL]){""})) - 1;
     if (index < 0)
-        return fail(p, t, "%s", message) - 1;
+        return fail(r, t, "%s", message) - 1;
     t->value = expression_unit(c->columns[index].unit);
     return index;
 }
 
-static bool command_resolve(struct parse *p, struct tree *t, const struct command *c)
+static bool command_resolve(struct reader *r, struct tree *t, const struct command *c)
 {
     int fewest, most = command_values(c, &fewest);
     const bool has_rows = command_is_table(c);
     if (has_rows && !t->key)
-        return fail(p, t, IS_TABLE, c->name);
+        return fail(r, t, IS_TABLE, c->name);
     if (!c->principal && !has_rows)
-        return fail(p, t,
+        return fail(r, t,
                     t->count > 0 ? "'%s' has no value; enter the command without parentheses"
                                  : "'%s' has no value: the answer of this command consists of words or rows",
                     t->name);
     if (most < 0)
-        return fail(p, t, "'%s' cannot be used in an expression: it needs an argument that is not a number",
+        return fail(r, t, "'%s' cannot be used in an expression: it needs an argument that is not a number",
                     command_usage(c));
     const char *next = skip_blanks(t->at + name_length(t->at));
     if (!t->called && !t->key && fewest == 1 && isdigit((unsigned char)next[*next == '.']))
-        return fail(p, t, "in an expression, the argument of '%s' stands in parentheses: '%s(%.*s)'", c->name,
+        return fail(r, t, "in an expression, the argument of '%s' stands in parentheses: '%s(%.*s)'", c->name,
                     c->name, (int)strcspn(next, " \t;,)"), next);
     if (t->count == 0 && fewest == 1)
-        return fail(p, t, "'%s' needs a value in parentheses: '%s(%s)%s%s'", c->name, c->name,
+        return fail(r, t, "'%s' needs a value in parentheses: '%s(%s)%s%s'", c->name, c->name,
                     c->argument[0].name, t->key ? "." : "", t->key ? t->key : "");
     if (t->count < fewest || t->count > most)
-        return fail(p, t, "'%s' does not take %d value%s", command_usage(c), t->count,
+        return fail(r, t, "'%s' does not take %d value%s", command_usage(c), t->count,
                     t->count == 1 ? "" : "s");
     for (const struct tree *child = t->child; child && has_rows; child = child->next)
-        if (!is_single(p->error, child)) /* the arguments of a table are the same for all its rows */
+        if (!is_single(r->problem, child)) /* the arguments of a table are the same for all its rows */
             return false;
-    const int index = column_resolve(p, t, c);
+    const int index = column_resolve(r, t, c);
     return index >= 0 && symbol(t, has_rows ? SYMBOL_COLUMN : SYMBOL_COMMAND, c, index);
 }
 
 /* ---- Names ---- */
 
-static bool unknown(struct parse *p, const struct tree *t)
+static bool unknown(struct reader *r, const struct tree *t)
 {
-    const struct state *state = ((const struct resolver *)p->context)->state;
+    const struct state *state = r->query->state;
     char message[NAMES_MESSAGE];
     if (parameter_by_value(t->name, message))
-        return fail(p, t, "%s", message);
+        return fail(r, t, "%s", message);
     const char *close = names_closest(value_names, state, t->name);
     for (int k = 0; !close && t->name[1] && landmark_names(NULL, k); k++)
         if (strncmp(landmark_names(NULL, k), t->name, strlen(t->name)) == 0)
@@ -189,7 +185,7 @@ static bool unknown(struct parse *p, const struct tree *t)
     const struct parameter *suggested = parameter_by_synonym(t->name, !close);
     if (suggested && is_value_name(state, suggested->name))
         close = suggested->name;
-    return fail(p, t,
+    return fail(r, t,
                 close && strcmp(close, t->name) != 0 ? "'%s' has no value; did you mean '%s'?"
                                                      : "'%s' has no value",
                 t->name, close);
@@ -202,16 +198,15 @@ static bool number(struct tree *t, struct quantity value)
     return true;
 }
 
-bool name_resolve(struct parse *p, struct tree *t)
+bool name_resolve(struct reader *r, struct tree *t)
 {
-    const struct resolver *r = p->context;
     const bool is_bare = t->count == 0 && !t->key;
     for (int i = 0; is_bare && r->scope && i < r->scope->count; i++)
         if (strcmp(r->scope->argument[i], t->name) == 0)
             return symbol(t, SYMBOL_ARGUMENT, NULL, i);
-    const struct variable *v = t->key ? NULL : variable_find(&r->state->variables, t->name);
+    const struct variable *v = t->key ? NULL : variable_find(&r->query->state->variables, t->name);
     if (v && v->body)
-        return routine_resolve(p, t, v);
+        return routine_resolve(r, t, v);
     if (v && is_bare)
         return number(t, v->value);
     const int aggregate = aggregate_of(t);
@@ -219,12 +214,12 @@ bool name_resolve(struct parse *p, struct tree *t)
         if (aggregate != AGGREGATE_COUNT || t->child->symbol == SYMBOL_COLUMN)
             return symbol(t, SYMBOL_AGGREGATE, NULL, aggregate);
         return fail(
-            p, t,
+            r, t,
             "'count' counts the rows of a table and takes one of its columns; 'sum(CONDITION)' counts "
             "the rows for which a condition is true");
     }
     if (aggregate != AGGREGATE_COUNT && (aggregate >= 0 || strcmp(t->name, "sum") == 0))
-        return fail(p, t, "'%s' takes a column of a table, as in '%s(chain(0).weight)'%s", t->name, t->name,
+        return fail(r, t, "'%s' takes a column of a table, as in '%s(chain(0).weight)'%s", t->name, t->name,
                     strcmp(t->name, "sum") == 0 ? "" : ", or two values");
     const struct parameter *parameter = is_bare ? parameter_find(t->name) : NULL;
     if (parameter && parameter_is_number(parameter)) {
@@ -232,16 +227,16 @@ bool name_resolve(struct parse *p, struct tree *t)
         return symbol(t, SYMBOL_PARAMETER, parameter, 0);
     }
     if (t->count == 0 && strcmp(t->name, "ans") == 0) {
-        if (r->ans->printed && !t->key)
+        if (r->query->ans->printed && !t->key)
             return symbol(t, SYMBOL_ANS, NULL, 0);
-        if (!r->ans->command)
-            return fail(p, t, "there is no earlier answer");
-        const int index = column_resolve(p, t, r->ans->command);
-        return index >= 0 && symbol(t, SYMBOL_ANS, r->ans->command, index);
+        if (!r->query->ans->command)
+            return fail(r, t, "there is no earlier answer");
+        const int index = column_resolve(r, t, r->query->ans->command);
+        return index >= 0 && symbol(t, SYMBOL_ANS, r->query->ans->command, index);
     }
     const struct command *c = command_find(t->name);
     const struct landmark *l = c || !is_bare ? NULL : landmark_find(t->name);
     if (l)
         return number(t, (struct quantity){.value = quad_read(l->height, NULL), .length = 1});
-    return c ? command_resolve(p, t, c) : unknown(p, t);
+    return c ? command_resolve(r, t, c) : unknown(r, t);
 }

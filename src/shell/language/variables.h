@@ -3,9 +3,9 @@
 #ifndef SHELL_VARIABLES_H
 #define SHELL_VARIABLES_H
 
-#include "language/expression.h"
+#include "language/units.h"
 
-enum { VARIABLE_NAME = 32, VARIABLES_MOST = 256 };
+enum { EXPRESSION_ARGUMENTS = 4, VARIABLE_NAME = 32, VARIABLES_MOST = 256 };
 
 struct variable {
     char name[VARIABLE_NAME];

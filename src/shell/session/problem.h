@@ -5,6 +5,7 @@
 #define SHELL_PROBLEM_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 enum problem_kind {
     PROBLEM_NONE,
@@ -19,6 +20,8 @@ struct problem {
     int column; /* the column of the error in the line, counted from 1; 0 stands for the whole line */
     int place;  /* the column to report if an error occurs now; problem_report copies it to `column` */
     const char *command; /* the name of the command; may be NULL */
+    const char *at;      /* the position of an error in an expression, until its column is known, or NULL */
+    bool of_function;    /* the message already names the 'let' function that has this error */
     char text[PROBLEM_TEXT];
 };
 
@@ -27,6 +30,8 @@ static inline void problem_begin(struct problem *problem, const char *command)
     problem->kind = PROBLEM_NONE;
     problem->column = problem->place = 0;
     problem->command = command;
+    problem->at = NULL;
+    problem->of_function = false;
     /* Clearing the whole array would take longer than running a short command. */
     problem->text[0] = '\0';
 }

@@ -1,23 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Evaluates trees. The value of a comparison is 1 if it is true, and 0 if it is false. As a condition, every
  * number except 0 is true. */
-#include "language/expression.h"
+#include "interpreter/expression.h"
 #include "language/quad.h"
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-void expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(error->message, sizeof error->message, format, arguments);
-    va_end(arguments);
-    error->at = at;
-    error->of_value = of_value;
-    error->names_function = false;
-}
 
 /* Returns true if a result and the exponents of its unit are in range. Otherwise reports an error. */
 static bool is_valid(struct evaluation *e, const char *at, const struct quantity *q)
@@ -28,8 +15,8 @@ static bool is_valid(struct evaluation *e, const char *at, const struct quantity
     if (isfinite(q->value) && unit)
         return true;
     if (!unit)
-        return expression_wrong(e->error, at, "the unit has an exponent above %d", EXPONENT_MOST);
-    return expression_no_value(e->error, at, "the value is not a finite number");
+        return expression_wrong(e->problem, at, "the unit has an exponent above %d", EXPONENT_MOST);
+    return expression_no_value(e->problem, at, "the value is not a finite number");
 }
 
 /* ---- Functions ---- */
@@ -91,14 +78,14 @@ static bool evaluate_function(struct evaluation *e, const struct tree *t, struct
             return false;
     bool number = quantity_is_dimensionless(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
     if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2 || a[0].mass % 2))
-        return expression_wrong(e->error, t->at, "%s of a value with this unit is not defined", f->name);
+        return expression_wrong(e->problem, t->at, "%s of a value with this unit is not defined", f->name);
     if (f->kind == HALVES && a[0].value < 0)
-        return expression_no_value(e->error, t->at, "%s of a negative value is not defined", f->name);
+        return expression_no_value(e->problem, t->at, "%s of a negative value is not defined", f->name);
     if (f->one && f->kind < KEEPS && !number)
-        return expression_wrong(e->error, t->at, "%s of %s is not defined", f->name, expression_kind(a[0]));
+        return expression_wrong(e->problem, t->at, "%s of %s is not defined", f->name, expression_kind(a[0]));
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time || a[0].mass != a[1].mass))
-        return expression_wrong(e->error, t->at, "%s needs two values of the same kind, such as two lengths",
-                                f->name);
+        return expression_wrong(e->problem, t->at,
+                                "%s needs two values of the same kind, such as two lengths", f->name);
     *q = f->kind == KEEPS ? a[0]
          : f->kind == HALVES
              ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2, a[0].mass / 2}
@@ -135,12 +122,12 @@ static bool apply(struct evaluation *e, const struct tree *t, const struct tree 
     if (!expression_evaluate(e, value, &by))
         return false;
     if (op == OPERATOR_OVER && by.value == 0)
-        return expression_no_value(e->error, value->op_at, "division by zero");
+        return expression_no_value(e->problem, value->op_at, "division by zero");
     if (op == OPERATOR_POWER) {
         const bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
         const int n = whole ? (int)by.value : 0;
         if (!quantity_is_number(by) || (!whole && !quantity_is_number(*q)))
-            return expression_wrong(e->error, value->op_at,
+            return expression_wrong(e->problem, value->op_at,
                                     "an exponent must have no unit, and must be a whole number if the value "
                                     "before '^' has a unit");
         *q = (struct quantity){quad(pow)(q->value, by.value), n * q->length, n * q->time, n * q->angle,
@@ -148,7 +135,7 @@ static bool apply(struct evaluation *e, const struct tree *t, const struct tree 
     } else if (op == OPERATOR_TIMES || op == OPERATOR_OVER)
         quantity_multiply(q, by, op == OPERATOR_OVER ? -1 : 1);
     else if (!make_alike(e, q, &by))
-        return expression_wrong(e->error, value->op_at,
+        return expression_wrong(e->problem, value->op_at,
                                 adds ? "%s and %s cannot be added" : "%s and %s cannot be compared",
                                 expression_kind(*q), expression_kind(by));
     else if (adds)
@@ -172,7 +159,7 @@ static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool 
         return false;
     *is_true = q.value != 0;
     return quantity_is_number(q) ||
-           expression_wrong(e->error, t->at, "%s is not a condition; write, for example, 'r > 1.5'",
+           expression_wrong(e->problem, t->at, "%s is not a condition; write, for example, 'r > 1.5'",
                             expression_kind(q));
 }
 
@@ -226,5 +213,5 @@ bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quan
     case TREE_NAME:
         break;
     }
-    return expression_wrong(e->error, t->at, "'%s' has no value in a csv file", t->name);
+    return expression_wrong(e->problem, t->at, "'%s' has no value in a csv file", t->name);
 }

@@ -14,10 +14,8 @@
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H
 
-#include "language/arena.h"
-#include "language/units.h"
-
-enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
+#include "language/variables.h"
+#include "session/query.h"
 
 /*
  * How deeply values may be nested. Parsing and evaluating are recursive, and the parser counts the levels: a
@@ -27,9 +25,9 @@ enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 enum { NESTING_MOST = 200, NESTING_WITH = 4 };
 #define NESTED_TOO_DEEPLY "the expression is nested too deeply"
 
-/* The parser makes a TREE_NAME for each name that is not built in. The callback parse.names then resolves the
- * name and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its names
- * have been resolved. */
+/* The parser makes a TREE_NAME for each name that is not built in. The callback reader.names then resolves
+ * the name and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its
+ * names have been resolved. */
 enum tree_kind {
     TREE_NUMBER,
     TREE_NAME,
@@ -59,7 +57,7 @@ enum tree_operator {
 };
 
 struct function;
-struct variables;
+struct reader;
 
 struct tree {
     enum tree_kind kind;
@@ -79,54 +77,24 @@ struct tree {
     const void *refers;
 };
 
-/* Why an expression cannot be parsed, resolved or evaluated. */
-struct expression_error {
-    const char *at; /* the position of the error in the expression */
-    bool of_value;  /* the error depends on the values of parameters, and need not occur with other values */
-    bool names_function; /* the message already names the 'let' function that has the error */
-    /* "" if the error has already been reported as a struct problem */
-    char message[EXPRESSION_MESSAGE];
-};
+/* Report an error in an expression: one in the expression itself, or one that depends on the values of
+ * parameters, and need not occur with other values. Both are false, so that a function that fails can end
+ * with `return expression_wrong(...)`. */
+#define expression_wrong(problem, at_, ...) ((problem)->at = (at_), problem_error(problem, __VA_ARGS__))
+#define expression_no_value(problem, at_, ...)                                                               \
+    ((problem)->at = (at_), problem_no_answer(problem, __VA_ARGS__))
 
-/* Stores an error. The two macros below also store an error. Their value is false, so that a function that
- * fails can end with `return expression_wrong(...)`. */
-void expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-#define expression_wrong(error, at, ...)    (expression_report(error, at, false, __VA_ARGS__), false)
-#define expression_no_value(error, at, ...) (expression_report(error, at, true, __VA_ARGS__), false)
+/* Parses the longest expression at the reader's position, and moves the reader to its end. After an error,
+ * sets the reader's problem, leaves the reader at the place of the error, and returns NULL. */
+struct tree *expression_parse(struct reader *reader);
 
-struct parse {
-    const char *text; /* the beginning of the expression */
-    const char *end;  /* the end of the expression, or the position of an error */
-    struct expression_error *error;
-    struct arena *arena;
-    /* Letters that are names, not units, when they stand alone after a blank. For example, if the letters are
-     * "sg", then the s in "r 2 s 0.3" is the parameter s, not seconds. If this member is not NULL, the word
-     * "feet" after a blank is also a name, because there is an effect called feet. */
-    const char *no_unit;
-    /* The names that 'let' has defined, or NULL. They hide landmarks. */
-    const struct variables *variables;
-    /* Resolves a name whose arguments have been parsed. On failure, sets *parse->error and returns false. If
-     * the pointer is NULL, names stay as they are. */
-    bool (*names)(struct parse *parse, struct tree *name);
-    /* Parses a "with" after a value in parentheses, as in "(rmax with q hollow d 0.1)". The "with" begins at
-     * parse->end. Returns a tree for the value and its "with", or NULL after an error. If the pointer `with`
-     * itself is NULL, the parser does not accept "with". */
-    struct tree *(*with)(struct parse *parse, struct tree *value);
-    void *context; /* for `names` and `with` */
-    /* The level of the next value, counted up to NESTING_MOST. The caller sets the level of the first one. */
-    int depth;
-    int deepest; /* the largest level so far */
-    int nested;  /* the number of open parentheses */
-    int nodes;
-};
-
-/* Parses the longest expression that begins at parse->text. After an error, sets *parse->error and returns
- * NULL. */
-struct tree *expression_parse(struct parse *parse);
+struct rows;
 
 struct evaluation {
-    struct expression_error *error;
+    struct problem *problem;
+    const struct query *query;
+    const struct quantity *argument; /* the arguments of the 'let' function that is being evaluated */
+    struct rows *rows;               /* the table of the aggregate that is being evaluated */
     /* Computes the value of a TREE_SYMBOL. Returns false after an error. */
     bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
     void *context; /* for `symbol` */
@@ -134,7 +102,7 @@ struct evaluation {
     domq_real angle;
 };
 
-/* After an error, sets *evaluation->error and returns false. */
+/* After an error, sets evaluation->problem and returns false. */
 bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
 
 /* Returns the built-in function with this name, or NULL. Stores the number of arguments of the function in

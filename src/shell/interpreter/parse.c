@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parses expressions by recursive descent. */
+#include "interpreter/reader.h"
 #include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"
@@ -11,25 +12,25 @@
 
 enum { NODES_MAX = 1000000, NAME_SIZE = 32 };
 
-/* Reports a syntax error at p->end. The value of the macro is NULL. */
-#define parse_fail(p, ...) (expression_report((p)->error, (p)->end, false, __VA_ARGS__), (struct tree *)NULL)
+/* Reports a syntax error at r->at. The value of the macro is NULL. */
+#define parse_fail(r, ...) (expression_wrong((r)->problem, (r)->at, __VA_ARGS__) ? (struct tree *)NULL : NULL)
 
-static struct tree *make_node(struct parse *p, enum tree_kind kind, const char *at)
+static struct tree *make_node(struct reader *r, enum tree_kind kind, const char *at)
 {
-    if (++p->nodes > NODES_MAX)
-        return parse_fail(p, "the expression has more than %d values", NODES_MAX);
-    struct tree *t = arena_take(p->arena, sizeof *t);
+    if (++r->nodes > NODES_MAX)
+        return parse_fail(r, "the expression has more than %d values", NODES_MAX);
+    struct tree *t = arena_take(r->arena, sizeof *t);
     if (!t)
-        return parse_fail(p, "out of memory");
+        return parse_fail(r, "out of memory");
     t->kind = kind;
     t->at = at;
     return t;
 }
 
 /* Makes a node with one child. If the child is NULL because of an error, returns NULL as well. */
-static struct tree *make_parent(struct parse *p, enum tree_kind kind, const char *at, struct tree *child)
+static struct tree *make_parent(struct reader *r, enum tree_kind kind, const char *at, struct tree *child)
 {
-    struct tree *t = child ? make_node(p, kind, at) : NULL;
+    struct tree *t = child ? make_node(r, kind, at) : NULL;
     if (!t)
         return NULL;
     t->child = child;
@@ -60,20 +61,20 @@ static bool is_word(const char *at, const char *word)
 /* The levels of precedence. Operators of the first level bind most loosely. */
 enum level { LEVEL_OR, LEVEL_AND, LEVEL_COMPARE, LEVEL_SUM, LEVEL_PRODUCT, LEVEL_POWER };
 
-static struct tree *parse_chain(struct parse *p, enum level least);
+static struct tree *parse_chain(struct reader *r, enum level least);
 
 /* Parses the unit after a number or a ')', if there is one. Returns the value with its unit, or NULL after an
  * error. */
-static struct tree *parse_unit(struct parse *p, struct tree *value)
+static struct tree *parse_unit(struct reader *r, struct tree *value)
 {
-    const char *c = skip_blanks(p->end);
-    if (c > p->end && p->no_unit && name_length(c) == 1 && strchr(p->no_unit, *c))
+    const char *c = skip_blanks(r->at);
+    if (c > r->at && r->no_unit && name_length(c) == 1 && strchr(r->no_unit, *c))
         return value;
-    if (c > p->end && p->no_unit && is_word(c, "feet"))
+    if (c > r->at && r->no_unit && is_word(c, "feet"))
         return value;
     if (*c == '%' && value->kind == TREE_NUMBER && quantity_is_number(value->value)) {
         value->value.value /= 100;
-        p->end = c + 1;
+        r->at = c + 1;
         return value;
     }
     if (!name_start(*c))
@@ -81,14 +82,14 @@ static struct tree *parse_unit(struct parse *p, struct tree *value)
     struct quantity unit = {.value = 1};
     const char *stop = unit_scan(c, &unit);
     if (!stop)
-        return c > p->end ? value : parse_fail(p, "'%.*s' is not a unit", (int)name_length(c), c);
-    p->end = stop;
+        return c > r->at ? value : parse_fail(r, "'%.*s' is not a unit", (int)name_length(c), c);
+    r->at = stop;
     if (value->kind == TREE_NUMBER && quantity_is_number(value->value)) {
         unit_scan(c, &value->value);
         return value;
     }
-    struct tree *chain = make_parent(p, TREE_CHAIN, c, value),
-                *factor = chain ? make_node(p, TREE_NUMBER, c) : NULL;
+    struct tree *chain = make_parent(r, TREE_CHAIN, c, value),
+                *factor = chain ? make_node(r, TREE_NUMBER, c) : NULL;
     if (!factor)
         return NULL;
     factor->value = unit;
@@ -96,77 +97,77 @@ static struct tree *parse_unit(struct parse *p, struct tree *value)
     return chain;
 }
 
-static struct tree *parse_number(struct parse *p)
+static struct tree *parse_number(struct reader *r)
 {
-    const char *begin = p->end;
+    const char *begin = r->at;
     if (begin[0] == '0' && (begin[1] == 'x' || begin[1] == 'X'))
-        return parse_fail(p, "this is not a decimal number");
-    struct tree *t = make_node(p, TREE_NUMBER, begin);
+        return parse_fail(r, "this is not a decimal number");
+    struct tree *t = make_node(r, TREE_NUMBER, begin);
     if (!t)
         return NULL;
     char *stop;
     errno = 0;
     t->value.value = quad_read(begin, &stop);
     if (errno == ERANGE)
-        return parse_fail(p, quad(fabs)(t->value.value) > 1 ? "this number is too large"
+        return parse_fail(r, quad(fabs)(t->value.value) > 1 ? "this number is too large"
                                                             : "this number is too close to 0");
-    p->end = stop;
-    return parse_unit(p, t);
+    r->at = stop;
+    return parse_unit(r, t);
 }
 
 /* Parses the arguments of a name, as in "(a, b)" or "()". */
-static bool parse_arguments(struct parse *p, struct tree *name)
+static bool parse_arguments(struct reader *r, struct tree *name)
 {
     struct tree **last = &name->child;
     name->called = true;
-    p->nested++;
-    p->end = skip_blanks(p->end + 1);
-    while (*p->end != ')') {
+    r->nested++;
+    r->at = skip_blanks(r->at + 1);
+    while (*r->at != ')') {
         if (name->count == EXPRESSION_ARGUMENTS)
-            return parse_fail(p, "too many values") != NULL;
-        struct tree *value = parse_chain(p, LEVEL_OR);
+            return parse_fail(r, "too many values") != NULL;
+        struct tree *value = parse_chain(r, LEVEL_OR);
         if (!value)
             return false;
         *last = value;
         last = &value->next;
         name->count++;
-        p->end = skip_blanks(p->end);
-        if (*p->end == ')')
+        r->at = skip_blanks(r->at);
+        if (*r->at == ')')
             break;
-        if (*p->end != ',')
-            return parse_fail(p, "',' or ')' is missing") != NULL;
-        p->end = skip_blanks(p->end + 1);
-        if (*p->end == ')')
-            return parse_fail(p, "a value is missing after ','") != NULL;
+        if (*r->at != ',')
+            return parse_fail(r, "',' or ')' is missing") != NULL;
+        r->at = skip_blanks(r->at + 1);
+        if (*r->at == ')')
+            return parse_fail(r, "a value is missing after ','") != NULL;
     }
-    p->nested--;
-    p->end++;
+    r->nested--;
+    r->at++;
     return true;
 }
 
-static struct tree *parse_name(struct parse *p)
+static struct tree *parse_name(struct reader *r)
 {
-    const char *at = p->end, *end;
+    const char *at = r->at, *end;
     char first[NAME_SIZE];
     size_t length = name_length(at);
     if (!name_copy(at, length, first, sizeof first))
-        return parse_fail(p, "this name is too long");
+        return parse_fail(r, "this name is too long");
     /* a landmark whose name contains blanks, as in "big ben", unless its first word is a variable */
     const struct landmark *l = landmark_scan(at, &end);
-    if (end <= at + length || (p->variables && variable_find(p->variables, first)))
+    if (end <= at + length || (r->query && variable_find(&r->query->state->variables, first)))
         l = NULL;
     else
         length = (size_t)(end - at);
-    struct tree *t = make_node(p, TREE_NAME, at);
-    if (!t || !(t->name = l ? l->name : arena_text(p->arena, at, length)))
-        return parse_fail(p, "out of memory");
-    p->end += length;
-    if (*p->end == '(' && !parse_arguments(p, t))
+    struct tree *t = make_node(r, TREE_NAME, at);
+    if (!t || !(t->name = l ? l->name : arena_text(r->arena, at, length)))
+        return parse_fail(r, "out of memory");
+    r->at += length;
+    if (*r->at == '(' && !parse_arguments(r, t))
         return NULL;
     if (t->called && strcmp(t->name, "if") == 0) {
         if (t->count != 3) {
-            p->end = at;
-            return parse_fail(p, "'if' takes a condition and two values, as in 'if(r > 1.5, 1, 0)'");
+            r->at = at;
+            return parse_fail(r, "'if' takes a condition and two values, as in 'if(r > 1.5, 1, 0)'");
         }
         t->kind = TREE_IF;
         return t;
@@ -178,8 +179,8 @@ static struct tree *parse_name(struct parse *p)
             return t;
         t->kind = TREE_NAME; /* perhaps of a column, as in max(chain(0).weight) */
         if (t->count != 1 || (strcmp(t->name, "min") != 0 && strcmp(t->name, "max") != 0)) {
-            p->end = at;
-            return parse_fail(p, "%s takes %d value%s", t->name, wanted, wanted == 1 ? "" : "s");
+            r->at = at;
+            return parse_fail(r, "%s takes %d value%s", t->name, wanted, wanted == 1 ? "" : "s");
         }
     }
     if (!t->called && strcmp(t->name, "pi") == 0) {
@@ -187,48 +188,46 @@ static struct tree *parse_name(struct parse *p)
         t->value.value = QUAD_PI;
         return t;
     }
-    if (p->end[0] == '.' && name_start(p->end[1])) {
-        size_t n = name_length(p->end + 1);
-        if (!(t->key = arena_text(p->arena, p->end + 1, n)))
-            return parse_fail(p, "out of memory");
-        p->end += 1 + n;
+    if (r->at[0] == '.' && name_start(r->at[1])) {
+        size_t n = name_length(r->at + 1);
+        if (!(t->key = arena_text(r->arena, r->at + 1, n)))
+            return parse_fail(r, "out of memory");
+        r->at += 1 + n;
     }
-    return !p->names || p->names(p, t) ? t : NULL;
+    return !r->names || r->names(r, t) ? t : NULL;
 }
 
-static struct tree *parse_parentheses(struct parse *p)
+static struct tree *parse_parentheses(struct reader *r)
 {
-    const char *open = p->end++;
-    p->nested++;
-    p->end = skip_blanks(p->end);
-    struct tree *t = parse_chain(p, LEVEL_OR);
-    p->end = t ? skip_blanks(p->end) : p->end;
-    if (t && p->with && is_word(p->end, "with"))
-        t = p->with(p, t);
+    const char *open = r->at++;
+    r->nested++;
+    r->at = skip_blanks(r->at);
+    struct tree *t = parse_chain(r, LEVEL_OR);
+    r->at = t ? skip_blanks(r->at) : r->at;
+    if (t && r->with && is_word(r->at, "with"))
+        t = r->with(r, t);
     if (!t)
         return NULL;
-    p->nested--;
-    p->end = skip_blanks(p->end);
-    if (*p->end != ')') {
-        p->end = open;
-        return parse_fail(p, "this '(' is never closed");
+    r->nested--;
+    r->at = skip_blanks(r->at);
+    if (*r->at != ')') {
+        r->at = open;
+        return parse_fail(r, "this '(' is never closed");
     }
-    p->end++;
-    return parse_unit(p, t);
+    r->at++;
+    return parse_unit(r, t);
 }
 
-static struct tree *parse_primary(struct parse *p)
+static struct tree *parse_primary(struct reader *r)
 {
-    char c = *p->end;
-    if (isdigit((unsigned char)c) || (c == '.' && isdigit((unsigned char)p->end[1])))
-        return parse_number(p);
+    char c = *r->at;
+    if (isdigit((unsigned char)c) || (c == '.' && isdigit((unsigned char)r->at[1])))
+        return parse_number(r);
     if (name_start(c))
-        return parse_name(p);
+        return parse_name(r);
     if (c == '(')
-        return parse_parentheses(p);
-    if (c == '*' && p->end > p->text && p->end[-1] == '*')
-        return parse_fail(p, "a power is written with '^', as in '2^10'");
-    return parse_fail(p, c ? "a value is missing" : "a value is missing at the end");
+        return parse_parentheses(r);
+    return parse_fail(r, c ? "a value is missing" : "a value is missing at the end");
 }
 
 /* ---- Operators ---- */
@@ -251,7 +250,7 @@ static const struct op {
  * after a value and the blanks that follow it. Outside parentheses, there are two exceptions. A '>' is not an
  * operator, because it redirects the answer. In "1 -2", the sign is not an operator, because it begins a
  * second value. */
-static const struct op *op_at(const struct parse *p, const char *at)
+static const struct op *op_at(const struct reader *r, const char *at)
 {
     const struct op *op = NULL;
     for (size_t k = 0; k < sizeof operators / sizeof *operators && !op; k++) {
@@ -261,40 +260,40 @@ static const struct op *op_at(const struct parse *p, const char *at)
     }
     if (!op)
         return NULL;
-    bool is_sign = op->level == LEVEL_SUM && at != p->end && skip_blanks(at + 1) == at + 1;
+    bool is_sign = op->level == LEVEL_SUM && at != r->at && skip_blanks(at + 1) == at + 1;
     bool redirects = op->op == OPERATOR_MORE;
-    return (is_sign || redirects) && p->nested == 0 ? NULL : op;
+    return (is_sign || redirects) && r->nested == 0 ? NULL : op;
 }
 
 /* Parses a value. It may have an exponent after it, and signs or a 'not' before it. An exponent binds more
  * tightly than a sign, so -2^2 is -(2^2). */
-static struct tree *parse_factor(struct parse *p)
+static struct tree *parse_factor(struct reader *r)
 {
-    const char *at = p->end;
-    if (++p->depth > NESTING_MOST)
-        return parse_fail(p, NESTED_TOO_DEEPLY);
-    p->deepest = p->depth > p->deepest ? p->depth : p->deepest;
+    const char *at = r->at;
+    if (++r->depth > NESTING_MOST)
+        return parse_fail(r, NESTED_TOO_DEEPLY);
+    r->deepest = r->depth > r->deepest ? r->depth : r->deepest;
     struct tree *t;
     if (*at == '-' || *at == '+') {
-        p->end = skip_blanks(at + 1);
-        t = parse_factor(p);
+        r->at = skip_blanks(at + 1);
+        t = parse_factor(r);
         if (*at == '-')
-            t = make_parent(p, TREE_MINUS, at, t);
+            t = make_parent(r, TREE_MINUS, at, t);
     } else if (*at == 'n' && is_word(at, "not")) {
-        p->end = skip_blanks(at + strlen("not"));
-        t = make_parent(p, TREE_NOT, at, parse_chain(p, LEVEL_COMPARE));
+        r->at = skip_blanks(at + strlen("not"));
+        t = make_parent(r, TREE_NOT, at, parse_chain(r, LEVEL_COMPARE));
     } else
-        t = parse_primary(p);
-    const char *power = t ? skip_blanks(p->end) : "";
+        t = parse_primary(r);
+    const char *power = t ? skip_blanks(r->at) : "";
     if (*power == '^') {
-        p->end = skip_blanks(power + 1);
-        const char *exponent_at = p->end;
-        struct tree *exponent = parse_factor(p), *base = t;
-        t = exponent ? make_parent(p, TREE_CHAIN, power, base) : NULL;
+        r->at = skip_blanks(power + 1);
+        const char *exponent_at = r->at;
+        struct tree *exponent = parse_factor(r), *base = t;
+        t = exponent ? make_parent(r, TREE_CHAIN, power, base) : NULL;
         if (t)
             append(t, base, OPERATOR_POWER, exponent_at, exponent);
     }
-    p->depth--;
+    r->depth--;
     return t;
 }
 
@@ -319,30 +318,30 @@ static void unit_move(struct tree *top, struct tree *over)
 
 /* Parses values that are joined by operators of the level `least` or of higher levels. Operators of higher
  * levels bind more tightly. */
-static struct tree *parse_chain(struct parse *p, enum level least)
+static struct tree *parse_chain(struct reader *r, enum level least)
 {
-    struct tree *left = parse_factor(p), *last = NULL;
+    struct tree *left = parse_factor(r), *last = NULL;
     /* the last operator of the chain `left`, or NULL if `left` is not a chain yet */
     const struct op *before = NULL;
     while (left) {
-        const char *at = skip_blanks(p->end);
-        const struct op *op = op_at(p, at);
+        const char *at = skip_blanks(r->at);
+        const struct op *op = op_at(r, at);
         if (!op || op->level < least)
             break;
         if (before && before->level == LEVEL_COMPARE && op->level == LEVEL_COMPARE) {
-            p->end = at;
+            r->at = at;
             return parse_fail(
-                p, "a comparison has two values; join comparisons with 'and', as in '1 < r and r < 2'");
+                r, "a comparison has two values; join comparisons with 'and', as in '1 < r and r < 2'");
         }
-        p->end = skip_blanks(at + strlen(op->text));
-        struct tree *right = parse_chain(p, op->level + 1);
+        r->at = skip_blanks(at + strlen(op->text));
+        struct tree *right = parse_chain(r, op->level + 1);
         if (!right)
             return NULL;
         if (op->op == OPERATOR_OVER && !(before && before->op == OPERATOR_OVER))
             unit_move(before ? last : left, right);
         if (!before || before->level != op->level) {
             last = left;
-            left = make_parent(p, TREE_CHAIN, left->at, left);
+            left = make_parent(r, TREE_CHAIN, left->at, left);
         }
         before = op;
         if (left) {
@@ -353,10 +352,8 @@ static struct tree *parse_chain(struct parse *p, enum level least)
     return left;
 }
 
-struct tree *expression_parse(struct parse *p)
+struct tree *expression_parse(struct reader *r)
 {
-    p->end = p->text;
-    p->error->message[0] = '\0';
-    p->nested = p->nodes = 0;
-    return parse_chain(p, LEVEL_OR);
+    r->nested = r->nodes = 0;
+    return parse_chain(r, LEVEL_OR);
 }
