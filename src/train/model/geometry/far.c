@@ -5,19 +5,21 @@
  * is another power series. So
  *
  *     H(z) = h(z) + r^(-q) H(f(z)),
- *     J(z) / (1 + z^2)^2 = i(z) (1 + z^2)^(-2) + r^(-(q+1)) f'(z)^2 J(f(z)) / (1 + f^2)^2.
+ *     J(z) / (1 + z^2)^2 = (1 + z^2)^(-2) + r^(-(q+1)) f'(z)^2 J(f(z)) / (1 + f^2)^2.
  *
  * From these equations, each coefficient of H and J follows from the coefficients before it.
  */
 #include "geometry/far.h"
 
-/* Finds the coefficients p[1] to p[order] of the power series for tan((theta_1 - theta) / 2) in z, with sharp
- * edges. */
-static void sharp_turns(const struct geometry *geometry, int order, real *p)
+/* Finds the series f = (z - p) / (1 + z p) of the follower, where p = tan((theta_1 - theta) / 2). Returns 1 -
+ * f'(0), which is small if s is small. Callers must not compute it as 1 - f[1], because digits would
+ * cancel. */
+static real far_follower(const struct geometry *geometry, int order, real *f)
 {
     /* p = tan(asin(X) / 2) = X / (1 + Y), where X = 2 r L z (sin theta_inf - z cos theta_inf) / (1 + z^2). */
-    real X[FAR_ORDER + 2], Y[FAR_ORDER + 2];
+    real X[FAR_ORDER + 2], Y[FAR_ORDER + 2], p[FAR_ORDER + 2];
     const real rL = geometry->rL;
+    f[0] = 0;
     for (int k = 1; k <= order; k++) {
         X[k] = k == 1 ? 2 * rL * geometry->inf.x : k == 2 ? -2 * rL * geometry->inf.y : -X[k - 2];
         real square = 0, half = X[k]; /* p follows from Y^2 = 1 - X^2 and p (1 + Y) = X */
@@ -27,21 +29,6 @@ static void sharp_turns(const struct geometry *geometry, int order, real *p)
         }
         Y[k] = -square / 2;
         p[k] = half / 2;
-    }
-}
-
-/* Finds the series f = (z - p) / (1 + z p) of the follower, where p = tan((theta_1 - theta) / 2). Returns 1 -
- * f'(0), which is small if s is small. Callers must not compute it as 1 - f[1], because digits would
- * cancel. */
-static real far_follower(const struct geometry *geometry, int order, real *f)
-{
-    real p[FAR_ORDER + 2];
-    if (geometry->rolls)
-        rounded_turns(geometry, order, p);
-    else
-        sharp_turns(geometry, order, p);
-    f[0] = 0;
-    for (int k = 1; k <= order; k++) {
         f[k] = k == 1 ? 1 - p[k] : -p[k];
         for (int j = 1; j + 1 < k; j++)
             f[k] -= f[j] * p[k - 1 - j];
@@ -62,9 +49,9 @@ static real far_rest(const struct far *far, const real *series)
     return 16 * most;
 }
 
-/* Returns a radius inside which the series converge with sharp edges. Inside this radius, f has no branch
- * points, which lie where X is 1 or -1. The second fixed point of f, which belongs to theta = -theta_inf, is
- * not inside the radius either. With rounded edges, the radius is an estimate. */
+/* Returns a radius inside which the series converge. Inside this radius, f has no branch points, which lie
+ * where X is 1 or -1. The second fixed point of f, which belongs to theta = -theta_inf, is not inside the
+ * radius either. */
 static real far_radius(const struct geometry *geometry)
 {
     real o = geometry->rL * geometry->inf.x, rd = geometry->r * geometry->d, least = sqrt(1 / (1 + 2 * rd));
@@ -112,26 +99,16 @@ static void far_multiply(real *p, const real *f, int first, int last)
 /* Finds the contributions of the first domino of the tail to H and J. */
 static void far_own(const struct geometry *geometry, int n, real *H, real *J)
 {
-    const struct rounded *of = &geometry->rounded;
-    const struct tilt t = geometry->inf;
-    /* i (1 + z^2) is a polynomial. */
-    const real i[] = {geometry_inertia(geometry, t), -2 * geometry_inertia_slope(geometry, t),
-                      2 * of->i.c - geometry_inertia(geometry, t)};
-    /* Without rolling, h is a cos u + b sin u with u = 2 atan z, that is a + 2 b z - 2 a z^2 + ... */
-    real sign = 1;
+    /* h is a cos u + b sin u with u = 2 atan z, that is a + 2 b z - 2 a z^2 + ..., and (1 + z^2)^(-2) is
+     * 1 - 2 z^2 + 3 z^4 - ... */
+    const real height = geometry_height(geometry, geometry->inf);
     H[0] = 0;
-    for (int k = 1; k <= n; k++)
-        H[k] = k == 1   ? -2 * geometry_height_slope(geometry, t)
-               : k == 2 ? -2 * geometry_height(geometry, t)
-                        : -H[k - 2];
-    for (int k = 0; k <= n; k++)
-        J[k] = 0;
-    for (int k = 0; k <= n; k += 2, sign = -sign) {
-        const real cube = sign * (real)((k + 2) * (k + 4)) / 8; /* coefficient of (1 + z^2)^-3 */
-        for (int j = 0; j < 3 && k + j <= n; j++)
-            J[k + j] += cube * i[j];
-        if (k < n)
-            H[k + 1] -= sign * of->roll * 2 / (real)(k + 1);
+    for (int k = 0; k <= n; k++) {
+        if (k > 0)
+            H[k] = k == 1   ? -2 * geometry_height_slope(geometry, geometry->inf)
+                   : k == 2 ? -2 * height
+                            : -H[k - 2];
+        J[k] = k % 2 ? 0 : (real)(k % 4 ? -k / 2 - 1 : k / 2 + 1);
     }
 }
 
@@ -139,7 +116,7 @@ KERNEL void far_make(struct geometry *geometry, real passes)
 {
     struct far *far = &geometry->far;
     far->order = 0;
-    if (geometry->detaches || geometry->inf.y <= 0)
+    if (geometry->rolls || geometry->detaches || geometry->inf.y <= 0)
         return;
     const int n = far->order = far_order(geometry, passes);
     if (n == 0)

@@ -6,13 +6,9 @@
 #include "geometry/chain.h"
 
 /* Builds the series geometry->far. Its order is chosen to save the most time if `passes` passes use the
- * series. If a domino detaches, if theta_inf is pi/2, or if no series saves time, the order is 0: there is no
- * series. */
+ * series. If edges are rounded, if a domino detaches, if theta_inf is pi/2, or if no series saves time, the
+ * order is 0: there is no series. */
 KERNEL void far_make(struct geometry *geometry, real passes);
-
-/* Finds the coefficients p[1] to p[order] of the power series for tan((theta_1 - theta) / 2) in z, with
- * rounded edges. */
-KERNEL void rounded_turns(const struct geometry *geometry, int order, real *p);
 
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
 KERNEL_LOOP real far_variable(const struct geometry *geometry, struct tilt t)

@@ -45,7 +45,6 @@ struct rounded {
     real rho;           /* radius of the edges */
     real tall, wide;    /* the lengths of the flat parts: 1 - 2 rho and d - 2 rho */
     real rho_1, tall_1; /* `rho` and `tall` of the follower, divided by the height of this domino */
-    real theta_inf;     /* theta_inf as an angle; set only for a train */
     real roll;          /* rolling on a slope adds this term to dh/dtheta */
     struct {
         real c, x, y;

@@ -339,8 +339,8 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
                                        : apart_by(t);
     real H2 = 0;
     bool pushes = pass == PASS_PUSHES && geometry->drag == 0; /* the proof is for a chain without drag */
-    const bool closes = geometry->far.order > 0 && !geometry->follower && geometry->n == CHAIN_ENDLESS &&
-                        !(rolls && pass == PASS_PUSHES);
+    const bool closes =
+        !rolls && geometry->far.order > 0 && !geometry->follower && geometry->n == CHAIN_ENDLESS;
     for (;;) {
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)

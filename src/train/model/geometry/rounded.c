@@ -18,7 +18,6 @@
  *                                             + (rho - rho_1) (1 - cos theta - sin theta + theta cos theta).
  */
 #include "geometry/chain.h"
-#include "geometry/far.h"
 
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 {
@@ -308,7 +307,7 @@ KERNEL struct tilt rounded_hit(const struct rounded *of, real gap, real sharp)
 KERNEL enum dom_status rounded_set(struct geometry *geometry)
 {
     struct rounded *of = &geometry->rounded;
-    real theta_leave, slope;
+    real theta, theta_leave, slope;
     if (geometry->rs > geometry->span * (1 + 2 * REAL_EPSILON))
         return DOM_OUT_OF_REACH;
     of->rho_1 = of->rho / geometry->r;
@@ -316,11 +315,11 @@ KERNEL enum dom_status rounded_set(struct geometry *geometry)
     const real sharp = fma(-geometry->r, geometry->s, 1);
     geometry->short_of = beyond(of, sharp);
     geometry->c = rounded_hit(of, geometry->rs, sharp);
-    geometry->inf = geometry->f = rounded_inf(geometry, &of->theta_inf, &slope);
+    geometry->inf = geometry->f = rounded_inf(geometry, &theta, &slope);
     geometry->decay = geometry->weight * fmax(0, slope);
     geometry->detaches = slope < 0;
     if (geometry->detaches) {
-        geometry->f = tilt_of(rounded_leave(geometry, of->theta_inf, &theta_leave));
+        geometry->f = tilt_of(rounded_leave(geometry, theta, &theta_leave));
         geometry->leave = tilt_of(theta_leave);
     }
     return DOM_OK;
@@ -364,35 +363,4 @@ KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt f
     return num_root(led_by, &led, 0, most, 2 * REAL_EPSILON, &theta) == NUM_OK
                ? tilt_of(theta)
                : (struct tilt){REAL_NAN, REAL_NAN, REAL_NAN};
-}
-
-/* ---- The far tail ---- */
-
-KERNEL void rounded_turns(const struct geometry *geometry, int order, real *p)
-{
-    const struct rounded *of = &geometry->rounded;
-    const real x = geometry->inf.x, y = geometry->inf.y, more = of->rho - of->rho_1;
-    /* series of cos theta, theta, the turn, and the sine and cosine of the turn */
-    real C[FAR_ORDER + 2] = {y}, theta[FAR_ORDER + 2] = {of->theta_inf};
-    real turn[FAR_ORDER + 2], sine[FAR_ORDER + 2], cosine[FAR_ORDER + 2] = {1};
-    for (int k = 1; k <= order; k++) {
-        const real two = k / 2 % 2 ? -2 : 2, S = two * (k % 2 ? -y : x);
-        C[k] = two * (k % 2 ? x : y);
-        theta[k] = k % 2 ? -two / (real)k : 0;
-        /* The terms of order k in the contact equation (turn_solve) give turn[k]. G is the sum of the terms
-         * on the right side, minus the terms of rho_1 turn cos theta that do not contain turn[k]. */
-        real G = geometry->L * C[k] - more * (C[k] + S - theta[0] * C[k] - theta[k] * y), sines = 0,
-             cosines = 0, half = 0;
-        for (int j = 1; j < k; j++) {
-            G += more * theta[j] * C[k - j] - of->rho_1 * turn[j] * C[k - j];
-            sines += (real)j * turn[j] * cosine[k - j];
-            cosines += (real)j * turn[j] * sine[k - j];
-            half += p[j] * cosine[k - j];
-        }
-        sines /= (real)k;
-        turn[k] = (G - of->tall_1 * sines) / (of->tall_1 + of->rho_1 * y);
-        sine[k] = turn[k] + sines;
-        cosine[k] = -cosines / (real)k;
-        p[k] = (sine[k] - half) / 2; /* from p (1 + cosine) = sine */
-    }
 }
