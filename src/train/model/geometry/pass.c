@@ -284,7 +284,9 @@ KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, 
          R = more * (sines - cosines + by * A.y - b->theta * sines) +
              sines * (of->rho_1 * b->turn.angle - geometry->L);
     real t_D = (R + c * excess) / (of->tall_1 * (a->turn.tilt.y + b->turn.tilt.y) + 2 * c);
-    return (struct apart){by + 2 * t_D - excess, (t + t_D) / (1 - t * t_D)};
+    const real t_1 = (t + t_D) / (1 - t * t_D);
+    /* a sum would keep the rounding errors of the first dominoes, so `by` would never become small */
+    return (struct apart){t_1 * t_1 < ROUNDOFF ? 2 * t_1 : by + 2 * t_D - excess, t_1};
 }
 
 /* ---- The pass that compares two chains ---- */
@@ -295,8 +297,11 @@ KERNEL_LOOP struct apart followers_apart(const struct walk *a, const struct walk
                                          const bool shifted, const bool rolls)
 {
     if (shifted) {
+        /* Near theta_inf, the turn has only rounding errors, which would go on for ever. The slope decreases
+         * with the tilt, so it bounds the turn. */
+        const struct apart most = {apart.by * b->link.contact.slope, apart.t * b->link.contact.slope};
         const real t = rolls ? half_of_tilt(a->turn.tilt) : a->link.contact.X / (1 + a->link.contact.Y);
-        return (struct apart){rolls ? a->turn.angle : 2 * t, t};
+        return fabs(t) > most.t ? most : (struct apart){rolls ? a->turn.angle : 2 * t, t};
     }
     if (rolls)
         return apart_next(a, b, apart);

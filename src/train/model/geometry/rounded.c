@@ -39,9 +39,7 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 
 /* ---- One contact ---- */
 
-/* The maximum number of steps of an iteration. If there is a solution, one to four steps are enough. The
- * exception is rounded_leave, which may have to bisect. It takes about a dozen steps, and its maximum is
- * about 2 * TURN_STEPS. */
+/* The maximum number of steps of an iteration. If there is a solution, one to four steps are enough. */
 enum { TURN_STEPS = 40 };
 
 static const struct turn no_turn = {REAL_NAN, {REAL_NAN, REAL_NAN, REAL_NAN}};
@@ -260,32 +258,21 @@ static struct tilt rounded_inf(const struct geometry *geometry, real *theta, rea
     return t;
 }
 
-/*
- * Finds the tilt of a leader at which its follower detaches. *theta receives this tilt, and the function
- * returns the tilt of the follower. The follower detaches where the slope of the contact is 0. The slope
- * decreases with theta. At the upper end `hi`, the slope is negative, or NaN if there is no contact. Newton's
- * method starts from the solution for sharp edges, and a bracket confines it.
- */
-static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
+/* Returns the slope of the contact at a tilt, or -1 if there is no contact. */
+static real slope_at(real theta, void *geometry)
 {
-    const real L = geometry->L, of_r = 1 / geometry->r, s = geometry->s,
-               v = (of_r - s) * (of_r + s) / (2 * geometry->d * L);
-    real lo = 0, follower = REAL_NAN;
-    *theta = 2 * atan(sqrt(v / (2 - v)));
-    for (int i = 0; i <= 2 * TURN_STEPS && hi - lo > 2 * REAL_EPSILON * hi; i++) {
-        if (!(*theta > lo && *theta < hi))
-            *theta = (lo + hi) / 2;
-        const struct walk at = rounded_at(geometry, *theta);
-        const real by = -at.link.contact.slope / at.curve;
-        *(at.link.contact.slope >= 0 ? &lo : &hi) = *theta;
-        if (!isnan(at.turn.angle))
-            follower = *theta + at.turn.angle + by * at.link.contact.slope / 2;
-        *theta += by;
-        /* near the root, each step roughly squares the error */
-        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
-            break;
-    }
-    return follower;
+    const real slope = rounded_at(geometry, theta).link.contact.slope;
+    return isnan(slope) ? -1 : slope;
+}
+
+/* Returns the tilt of a leader at which its follower detaches: the slope of the contact, which decreases with
+ * the tilt, is 0 there. At the tilt hi it is negative, or there is no contact. */
+static real rounded_leave(struct geometry *geometry, real hi)
+{
+    real theta = hi;
+    num_root_between(slope_at, geometry, REAL_EPSILON * hi, 1, hi, -1, 2 * REAL_EPSILON, &theta);
+    geometry->leave = tilt_of(theta);
+    return theta;
 }
 
 /* Returns how far a head reaches beyond the next domino. `sharp` is this length with sharp edges. */
@@ -307,7 +294,7 @@ KERNEL struct tilt rounded_hit(const struct rounded *of, real gap, real sharp)
 KERNEL enum dom_status rounded_set(struct geometry *geometry)
 {
     struct rounded *of = &geometry->rounded;
-    real theta, theta_leave, slope;
+    real theta, slope;
     if (geometry->rs > geometry->span * (1 + 2 * REAL_EPSILON))
         return DOM_OUT_OF_REACH;
     of->rho_1 = of->rho / geometry->r;
@@ -319,8 +306,8 @@ KERNEL enum dom_status rounded_set(struct geometry *geometry)
     geometry->decay = geometry->weight * fmax(0, slope);
     geometry->detaches = slope < 0;
     if (geometry->detaches) {
-        geometry->f = tilt_of(rounded_leave(geometry, theta, &theta_leave));
-        geometry->leave = tilt_of(theta_leave);
+        theta = rounded_leave(geometry, theta);
+        geometry->f = tilt_of(theta + rounded_at(geometry, theta).turn.angle);
     }
     return DOM_OK;
 }
@@ -328,15 +315,12 @@ KERNEL enum dom_status rounded_set(struct geometry *geometry)
 KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *follower)
 {
     struct rounded *of = &geometry->rounded;
-    real theta = 0;
     of->rho_1 = follower->rounded.rho / geometry->r;
     of->tall_1 = follower->rounded.tall / geometry->r;
     geometry->short_of = beyond(&follower->rounded, 1 - geometry->rs);
     geometry->leave = (struct tilt){0, -1, 2};
-    if (!(rounded_at(geometry, PI / 2).link.contact.slope >= 0)) {
-        rounded_leave(geometry, PI / 2, &theta);
-        geometry->leave = tilt_of(theta);
-    }
+    if (slope_at(PI / 2, geometry) < 0)
+        rounded_leave(geometry, PI / 2);
 }
 
 /* A root of led_by is the tilt of a leader whose follower has the tilt `follower`. */
