@@ -67,7 +67,7 @@ saved() {
 export -f saved
 @test "full disk: save leaves the old file" { disk saved; }
 
-@test "full disk: a line that does not fit into the history is reported, and the file does not change" {
+@test "full disk: a line that does not fit into the history is reported" {
     full_history() {
         printf 'show s\n' >history
         fill

@@ -41,19 +41,21 @@ set fuel |exact paper
 set q |hollow solid
 help b|barrier back best budget bounce
 rmax 0.9*rm|0.9*rmax
-count |h $landmarks
-count 112 |fewest r rmax pair m mm cm km in ft yd
-count 112 m |fewest r rmax pair
+count |$landmarks
+count 112 |fewest m mm cm km in ft yd
+count 112 m |fewest
+count 112 r|r rmax round(
 set h 48 |m mm cm km in ft yd
 set h 48m|48m 48mm
 set mass 10 |kg g t lb oz
 curve 0.1 0.9 |mm cm in
-theta1 |thetac where
+theta1 |(nothing)
+theta1 th|threads thetac
 sweep fuel |exact paper
 sweep h 40 mm 60 mm 3 den|density
 count 2*sq|2*sqrt(
 rmax.r_max_e|rmax.r_max_exact
-solve d 0.05 |d m mm cm km in ft yd
+solve d 0.05 |m mm cm km in ft yd
 rmax with q ho|hollow
 q = |hollow solid
 print 4 cm to f|ft

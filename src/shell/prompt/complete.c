@@ -42,33 +42,24 @@ static void emit_name(const struct completion *c, const char *name, const char *
 
 /* ---- Values ---- */
 
-/* Returns true if a value with this name and unit can be the argument. */
-static bool fits(const struct argument *a, const char *name, const char *unit)
-{
-    struct quantity wanted = argument_unit(a);
-    size_t length = a->parameter ? strlen(a->parameter) : 0;
-    if (a->kind == ARGUMENT_COUNT)
-        return false;
-    if (!quantity_is_number(wanted))
-        return quantity_alike(expression_unit(unit), wanted);
-    /* If the argument is a plain number, only the names of values can show which of them fit: r and r_max,
-     * for example, fit the parameter r. */
-    return length > 0 && strncmp(name, a->parameter, length) == 0 &&
-           (name[length] == '\0' || name[length] == '_');
-}
-
-/* Emits the names that have a value: parameters, commands whose answer is a number, variables and
- * functions. */
+/* Emits the names that have a value: parameters, commands whose answer is a number, variables, functions and
+ * landmarks. If the value is a whole argument, and not a part of an expression, its first letter must have
+ * been typed, and the parser checks each name by computing its value. For a command about the row this can
+ * take a long time, so such a command is offered only in expressions. */
 static void emit_values(const struct completion *c)
 {
     const struct argument *a = &c->offer.value;
     const struct variables *variables = &c->session->state.variables;
-    bool is_any = c->offer.is_inside || (a->kind == ARGUMENT_ANY && !a->noun),
-         has_row = c->session->state.scene.effect[DOM_EFFECT_row].on;
+    const bool is_any = c->offer.is_inside || (a->kind == ARGUMENT_ANY && !a->noun),
+               has_row = c->session->state.scene.effect[DOM_EFFECT_row].on;
     const char *name;
     int fewest;
+    for (int i = 0; (*c->name || a->kind == ARGUMENT_HEIGHT) && (name = landmark_names(NULL, i)) != NULL; i++)
+        emit_name(c, name, "", !is_any);
+    if (!is_any && !*c->name)
+        return;
     for (const struct parameter *p = session_parameters; p->name; p++)
-        if (parameter_is_number(p) && p != c->offer.parameter && (is_any || fits(a, p->name, p->value->unit)))
+        if (parameter_is_number(p) && p != c->offer.parameter)
             emit_name(c, p->name, "", !is_any);
     const struct command *command;
     for (int i = 0; (command = command_at(i)) != NULL; i++) {
@@ -77,46 +68,25 @@ static void emit_values(const struct completion *c)
             command_values(command, &fewest);
             emit_name(c, name, fewest ? "(" : "", false);
         }
-        /* Completion must not insert 'best' after 'set s ', before the user has begun the word. */
-        const bool is_unasked = c->offer.parameter && !*c->word;
-        if (command_arity(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
-            continue;
-        const struct column *column = &command->columns[command_principal(command)];
-        /* The parser checks a candidate by computing its value. For a command about the row, this can take a
-         * long time. Therefore such a command is offered only where candidates need no check. */
-        if (is_any || (!fewest && !is_unasked && command->train && fits(a, column->key, column->unit)))
+        const bool has_value = command_arity(command, &fewest) >= 0;
+        if (has_value && (is_any ? command->train || fewest || has_row : command->train && !fewest))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
     emit_name(c, "ans", "", !is_any);
     if (is_any && *c->name)
         emit_name(c, "sum", "(", false);
-    const bool has_landmarks = *c->name ? is_any || quantity_alike(expression_unit("m"), argument_unit(a))
-                                        : a->kind == ARGUMENT_HEIGHT && !c->offer.is_inside;
-    for (int i = 0; (name = landmark_names(NULL, i)) != NULL; i++)
-        if (has_landmarks)
-            emit_name(c, name, "", !is_any);
     for (const struct variable *v = variables->list; v && v < variables->list + variables->count; v++)
-        if (is_any || v->body || quantity_alike(v->value, argument_unit(a)))
-            emit_name(c, v->name, v->body ? "(" : "", !is_any);
-    for (int i = 0;
-         (is_any || (*c->name && a->kind != ARGUMENT_COUNT)) && (name = expression_names(NULL, i)) != NULL;
-         i++)
+        emit_name(c, v->name, v->body ? "(" : "", !is_any);
+    for (int i = 0; (name = expression_names(NULL, i)) != NULL; i++)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* Emits the units that may follow a number. If a name may also follow, a unit that is spelled like such a
- * name is not emitted. Examples are s and g, which are also parameters. */
+/* Emits the units that may follow a number. */
 static void emit_units(const struct completion *c)
 {
-    const struct offer *o = &c->offer;
     const char *unit;
-    for (int k = 0; (unit = expression_units(NULL, k)) != NULL; k++) {
-        bool is_name = false;
-        for (int i = 0; i < o->lists; i++)
-            is_name = is_name || names_exact(o->names[i], o->context[i], unit) >= 0;
-        if (!is_name)
-            emit_name(c, unit, "", true);
-    }
+    for (int k = 0; (unit = expression_units(NULL, k)) != NULL; k++)
+        emit_name(c, unit, "", true);
 }
 
 /* ---- Keys and files ---- */

@@ -31,14 +31,8 @@ static struct session *prompt_session;
 /* The number of lines that are kept. A file is shortened when it has twice as many. */
 enum { HISTORY_LINES = 2000 };
 
-/* The path of the history file without symbolic links, or "" if no history is kept. */
+/* The path of the history file, or "" if no history is kept. */
 static char history_file[PATH_MAX];
-
-static void history_fails(struct session *session, const char *reason)
-{
-    session_error(session, "cannot keep the history in '%s': %s", history_file, reason);
-    *history_file = '\0';
-}
 
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size)
 {
@@ -52,81 +46,63 @@ bool line_path(const char *variable, const char *fallback, const char *name, cha
 }
 
 /* Loads the history. The environment variable DOMINO_HISTORY names the file. If it is not set, the file is
- * $XDG_STATE_HOME/domino/history, or else ~/.local/state/domino/history. If DOMINO_HISTORY is empty or a
- * device, the history ends with the session. */
-static void history_load(struct session *session)
+ * $XDG_STATE_HOME/domino/history, or else ~/.local/state/domino/history. If it is empty, or not a regular
+ * file, the history ends with the session. */
+static void history_load(void)
 {
     const char *chosen = getenv("DOMINO_HISTORY");
     struct stat status;
     using_history();
     stifle_history(HISTORY_LINES);
-    bool known = chosen ? snprintf(history_file, PATH_MAX, "%s", chosen) < PATH_MAX
-                        : line_path("XDG_STATE_HOME", ".local/state", "history", history_file, PATH_MAX);
-    if (!known)
+    const bool is_known =
+        chosen ? snprintf(history_file, PATH_MAX, "%s", chosen) < PATH_MAX
+               : line_path("XDG_STATE_HOME", ".local/state", "history", history_file, PATH_MAX);
+    if (!is_known || (stat(history_file, &status) == 0 && !S_ISREG(status.st_mode)))
         *history_file = '\0';
-    if (!*history_file || stat(history_file, &status) != 0)
-        return;
-    if (S_ISCHR(status.st_mode)) { /* a device such as /dev/null means that no history is wanted */
-        *history_file = '\0';
-        return;
+    else if (read_history(history_file) == 0 && history_base + history_length > 2 * HISTORY_LINES) {
+        char *real = realpath(history_file, NULL); /* a link must stay a link */
+        if (real)
+            history_truncate_file(real, HISTORY_LINES);
+        free(real);
     }
-    if (!S_ISREG(status.st_mode)) {
-        history_fails(session, "it is not a regular file");
-        return;
-    }
-    char *real = realpath(history_file, NULL); /* a link must stay a link when the file is shortened */
-    if (real)
-        snprintf(history_file, sizeof history_file, "%s", real);
-    free(real);
-    int reason = read_history(history_file);
-    if (reason == 0 && history_base + history_length > 2 * HISTORY_LINES &&
-        (reason = history_truncate_file(history_file, HISTORY_LINES)) == 0)
-        (void)chmod(history_file, status.st_mode & 0777);
-    if (reason && reason != EACCES) /* a line that cannot be added is reported when it is typed */
-        history_fails(session, strerror(reason));
 }
 
 /* Appends a line to the file, in one write, because other sessions may append lines at the same time. Makes
- * the file and its folders if they are missing; typed lines are private. If the whole line cannot be written,
- * appends nothing. Returns an error number, or 0. */
-static int file_add(const char *text)
+ * the file and its folders if they are missing; typed lines are private. Returns false and sets errno if the
+ * line cannot be written. */
+static bool file_add(const char *text)
 {
-    struct stat status;
-    char *line = NULL;
-    int no_folder = 0; /* why a folder could not be made */
     for (char *c = strchr(history_file + 1, '/'); c; c = strchr(c + 1, '/')) {
         *c = '\0';
-        if (mkdir(history_file, 0700) != 0 && errno != EEXIST && !no_folder)
-            no_folder = errno;
+        mkdir(history_file, 0700);
         *c = '/';
     }
-    const int file = open(history_file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600);
-    if (file < 0)
-        return errno == ENOENT && no_folder ? no_folder : errno;
-    /* A session that was killed may have left a line without a newline. */
-    const bool is_ready = fstat(file, &status) == 0 &&
-                          asprintf(&line, "%s%s\n", io_ends_in_line(history_file) ? "\n" : "", text) >= 0;
-    const int reason = is_ready && io_write(file, line, strlen(line), NULL) ? 0 : errno;
-    if (is_ready && reason)
-        (void)!ftruncate(file, status.st_size);
-    if (is_ready)
+    char *line = NULL;
+    const int file = open(history_file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600),
+              length = file >= 0 ? asprintf(&line, "%s\n", text) : -1;
+    const bool is_written = length >= 0 && io_write(file, line, (size_t)length, NULL);
+    const int reason = errno;
+    if (length >= 0)
         free(line);
-    close(file);
-    return reason;
+    if (file >= 0)
+        close(file);
+    errno = reason;
+    return is_written;
 }
 
-/* Adds a line to the history and to the history file. Blank lines, and lines that repeat the previous line,
- * are not added. If the file cannot be written, reports the error once, and then leaves the file alone. */
+/* Adds a line to the history and to the history file, before the line runs. Blank lines, and lines that
+ * repeat the previous line, are not added. If the file cannot be written, reports the error once, and then
+ * leaves the file alone. */
 static void history_keep(struct session *session, const char *text)
 {
     HIST_ENTRY *last = history_length ? history_get(history_base + history_length - 1) : NULL;
     if (!text[strspn(text, " \t\r")] || (last && strcmp(last->line, text) == 0))
         return;
     add_history(text);
-    /* written at once, so that the line is kept if the session crashes */
-    const int reason = *history_file ? file_add(text) : 0;
-    if (reason)
-        history_fails(session, strerror(reason));
+    if (!*history_file || file_add(text))
+        return;
+    session_error(session, "cannot keep the history in '%s': %s", history_file, strerror(errno));
+    *history_file = '\0';
 }
 
 /* ---- Completion ---- */
@@ -297,7 +273,7 @@ void line_prompt(struct session *session, volatile sig_atomic_t *raised)
     bool has_warned = false; /* The user has been warned that unsaved changes will be lost. */
     prompt_session = session;
     session->source.name = NULL;
-    history_load(session);
+    history_load();
     fprintf(session->output->out,
             "domino " DOM_VERSION ": how far can a domino row grow? Try 'count 112', 'lesson' or 'help'.\n");
     while (!session->quit && (*raised == 0 || *raised == SIGINT)) {
