@@ -74,7 +74,7 @@ plot sweep s 0.1 0.3 3 : rm|rmax
 cost |fuel launch barrier duration rmax pair
 set precision |float double quad
 set s |(nothing)
-set s b|best
+set s b|barrier best
 reset s |(nothing)
 foo |(nothing)
 fuel |(nothing)

@@ -54,7 +54,8 @@ static void emit_values(const struct completion *c)
                has_row = c->session->state.scene.effect[DOM_EFFECT_row].on;
     const char *name;
     int fewest;
-    for (int i = 0; (*c->name || a->kind == ARGUMENT_HEIGHT) && (name = landmark_names(NULL, i)) != NULL; i++)
+    const bool has_landmarks = is_any ? *c->name != '\0' : a->kind == ARGUMENT_HEIGHT;
+    for (int i = 0; has_landmarks && (name = landmark_names(NULL, i)) != NULL; i++)
         emit_name(c, name, "", !is_any);
     if (!is_any && !*c->name)
         return;
