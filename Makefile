@@ -71,13 +71,13 @@ $(foreach f,$(call lacks,$(FEATURES)),$(error there is no feature '$f'; the feat
 BUILT    := $(call once,train $(call with_needs,$(FEATURES)))
 BUILT    += $(foreach f,$(JOINT),$(if $(filter-out $(BUILT),$(NEEDS_$f)),,$f))
 # The headers in include/ declare the functions of these, even where a folder is gone.
-PART     := $(filter-out $(BUILT),$(sort $(EVERY) rows chance explain planning proof))
+PART     := $(filter-out $(BUILT),$(sort $(EVERY) rows chance explain planning proof pictures))
 FOLDERS  := $(subst _,/,$(BUILT))
 
 # src/train/model/precision compiles the model of trains and rows once for each precision. All other sources of the
 # library are in double.
 TRAIN   := src/train/model
-MODEL   := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c $(addprefix precision/,float.c double.c quad.c)) \
+MODEL   := $(addprefix $(TRAIN)/,texts.c many.c numerics/quiet.c numerics/interrupt.c $(addprefix precision/,float.c double.c quad.c)) \
            $(wildcard $(TRAIN)/search/*.c $(patsubst %,src/%/model/*.c,$(filter-out train,$(BUILT))))
 ENGINE_C := $(filter-out %/row_engine.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
 # The sources of a feature are in its folder, and in folders within it that are neither a model nor a feature.
@@ -178,11 +178,11 @@ $(call OBJ,$(TRAIN)/precision/quad.c): C_FLAGS += -DDOMQ
 # With -O1, compiling takes at most two thirds of the time. Code that waits for the models in float and double is as
 # fast with -O1, which studies of rows do not. The model in quad is as fast, too, because it waits for library functions
 # that multiply and add. The models in float and double need the same options, because 'cost' compares their times.
-QUICK := $(call OBJ,$(SHELL_C) $(TRAIN)/precision/quad.c $(filter src/%/model/%.c,$(filter-out $(TRAIN)/% %/study.c,$(MODEL))))
+QUICK := $(call OBJ,$(SHELL_C) $(TRAIN)/precision/quad.c $(filter src/%/model/%.c,$(filter-out $(TRAIN)/% %/study.c %/floor.c,$(MODEL))))
 $(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 # With -Og, compiling takes even less time. Code that runs once per command executes as many instructions as with -O1.
 # With -Og everywhere, a line would take 16 % more instructions, and quad with friction 10 % more.
-ONCE  := $(filter-out src/shell/% $(TRAIN)/% src/rows/model/study.c,$(SHELL_C) $(MODEL)) $(filter src/shell/commands/% src/shell/prompt/%,$(SHELL_C))
+ONCE  := $(filter-out src/shell/% $(TRAIN)/% src/rows/model/study.c src/rows/model/floor.c,$(SHELL_C) $(MODEL)) $(filter src/shell/commands/% src/shell/prompt/%,$(SHELL_C))
 $(call OBJ,$(ONCE)): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-Og)
 
 $(LIB_OBJ): $(B)/library.h

@@ -332,22 +332,6 @@ typedef bool dom_state_visit(const struct dom_state *state, const struct dom_eve
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t count,
                                enum dom_spacing by, dom_state_visit *visit, void *context);
 
-/* The contact force and the impulse between domino i and its follower. The two stay in contact while the
- * force is > 0 (section 5 of the paper). */
-struct dom_force {
-    size_t i;
-    /* contact force divided by the weight m g of the head; NaN if domino i has no follower */
-    dom_real force;
-    dom_real per_weight; /* the force divided by the weight of domino i */
-    dom_real impulse;    /* impulse of the collision, divided by the head's m g tau; NaN if theta > 0 */
-};
-
-/* Visits the dominoes from the head to the last that contributes, while the head leans at theta. The statuses
- * are those of dom_cycle_state. */
-typedef bool dom_force_visit(const struct dom_force *force, void *context);
-enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
-                                 dom_real theta, dom_force_visit *visit, void *context);
-
 /* If the smallest force and the smallest impulse are > 0, the dominoes stay in contact. If there is no
  * contact at all, both are infinite. */
 struct dom_least_force {
@@ -361,21 +345,6 @@ struct dom_least_force {
  * of the weight of the pushed domino. The status is DOM_NO_FUEL if there is no cycle. */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
                                       struct dom_least_force *least);
-
-/* The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z, where R is
- * the force of the floor on a foot. It is infinite if a domino would be lifted off the floor. */
-struct dom_floor {
-    dom_real motion, theta; /* the coefficient during the motion, and the tilt of the head */
-    size_t domino;          /* the domino whose foot needs it, 0 = head */
-    dom_real hit;           /* the coefficient in the collision, where R is an impulse */
-    size_t hit_domino;      /* the domino whose foot needs it */
-};
-
-/* Finds the friction that the floor needs during the cycle, or until the train stops. Dominoes slower than a
- * thousandth of the speed of the head are left out. Where |R_x| / R_z is smooth around its maximum, the
- * relative error is at most a millionth. The status is DOM_NO_FUEL if there is no cycle. */
-enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
-                                struct dom_floor *floor);
 
 /* ---- The limits of growth ---- */
 
@@ -428,16 +397,6 @@ struct dom_best {
  * touches 0 there. Then s is on the side of the jump where the train passes the dip. */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
-
-/* ---- Many trains at once ---- */
-
-/* Answers the same question about `count` trains, so that slow languages such as Python need no loop.
- * `answers` is an array of the type that enum dom_question names, and `statuses` has a status for each train.
- * `tilts` may be NULL if the question needs no tilt. Returns DOM_OK, or DOM_NO_METHOD if the question is not
- * in the enumeration. After an interrupt, returns DOM_INTERRUPTED, also for all remaining trains. */
-enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
-                               const dom_real *tilts, size_t count, const struct dom_compute *compute,
-                               void *answers, enum dom_status *statuses);
 
 /* ---- Effects ---- */
 
@@ -531,6 +490,66 @@ struct dom_count {
  * or too small for the precision. It is DOM_BAD_R if r is not a finite number >= 1.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count);
+
+/* ==== From here on everything exists only in double, with dom_ ==== */
+
+/* ---- Forces of a cycle ---- */
+
+/* The contact force and the impulse between domino i and its follower. The two stay in contact while the
+ * force is > 0 (section 5 of the paper). */
+struct dom_force {
+    size_t i;
+    /* contact force divided by the weight m g of the head; NaN if domino i has no follower */
+    double force;
+    double per_weight; /* the force divided by the weight of domino i */
+    double impulse;    /* impulse of the collision, divided by the head's m g tau; NaN if theta > 0 */
+};
+
+/* Visits the dominoes from the head to the last that contributes, while the head leans at theta. The statuses
+ * are those of dom_cycle_state. */
+typedef bool dom_force_visit(const struct dom_force *force, void *context);
+enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
+                                 double theta, dom_force_visit *visit, void *context);
+
+/* The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z, where R is
+ * the force of the floor on a foot. It is infinite if a domino would be lifted off the floor. */
+struct dom_floor {
+    double motion, theta; /* the coefficient during the motion, and the tilt of the head */
+    size_t domino;        /* the domino whose foot needs it, 0 = head */
+    double hit;           /* the coefficient in the collision, where R is an impulse */
+    size_t hit_domino;    /* the domino whose foot needs it */
+};
+
+/* Finds the friction that the floor needs during the cycle, or until the train stops. Dominoes slower than a
+ * thousandth of the speed of the head are left out. Where |R_x| / R_z is smooth around its maximum, the
+ * relative error is at most a millionth. The status is DOM_NO_FUEL if there is no cycle. */
+enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_floor *floor);
+
+/* ---- Many trains at once ---- */
+
+/* The questions that dom_trains_ask can ask, each with the function that answers it for one train. */
+enum dom_question {
+    DOM_ASK_ANGLES,   /* dom_angles_find fills a struct dom_angles */
+    DOM_ASK_CONTACT,  /* dom_contact_find fills a struct dom_contact; needs a tilt */
+    DOM_ASK_ENERGY,   /* dom_energy_find fills a struct dom_energy; needs a tilt */
+    DOM_ASK_FUEL,     /* dom_fuel_find fills a struct dom_fuels */
+    DOM_ASK_LAUNCH,   /* dom_launch_find fills a struct dom_launch */
+    DOM_ASK_BARRIER,  /* dom_barrier_find fills a struct dom_barrier */
+    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq fills a dom_real; needs a tilt */
+    DOM_ASK_DURATION, /* dom_cycle_duration fills a dom_real */
+    DOM_ASK_RMAX,     /* dom_limit_rmax fills a struct dom_limit */
+    DOM_ASK_PAIR,     /* dom_limit_pair fills a struct dom_limit */
+    DOM_ASK_BEST      /* dom_limit_best fills a struct dom_best */
+};
+
+/* Answers the same question about `count` trains, so that slow languages such as Python need no loop.
+ * `answers` is an array of the type that enum dom_question names, and `statuses` has a status for each train.
+ * `tilts` may be NULL if the question needs no tilt. Returns DOM_OK, or DOM_NO_METHOD if the question is not
+ * in the enumeration. After an interrupt, returns DOM_INTERRUPTED, also for all remaining trains. */
+enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
+                               const double *tilts, size_t count, const struct dom_compute *compute,
+                               void *answers, enum dom_status *statuses);
 
 #ifdef __cplusplus
 }

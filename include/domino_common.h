@@ -143,21 +143,6 @@ const char *dom_event_text(enum dom_event_kind kind);
 /* Whether the states that dom_cycle_walk visits are evenly spaced in time or in tilt. */
 enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
 
-/* The questions that dom_trains_ask can ask, each with the function that answers it for one train. */
-enum dom_question {
-    DOM_ASK_ANGLES,   /* dom_angles_find fills a struct dom_angles */
-    DOM_ASK_CONTACT,  /* dom_contact_find fills a struct dom_contact; needs a tilt */
-    DOM_ASK_ENERGY,   /* dom_energy_find fills a struct dom_energy; needs a tilt */
-    DOM_ASK_FUEL,     /* dom_fuel_find fills a struct dom_fuels */
-    DOM_ASK_LAUNCH,   /* dom_launch_find fills a struct dom_launch */
-    DOM_ASK_BARRIER,  /* dom_barrier_find fills a struct dom_barrier */
-    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq fills a dom_real; needs a tilt */
-    DOM_ASK_DURATION, /* dom_cycle_duration fills a dom_real */
-    DOM_ASK_RMAX,     /* dom_limit_rmax fills a struct dom_limit */
-    DOM_ASK_PAIR,     /* dom_limit_pair fills a struct dom_limit */
-    DOM_ASK_BEST      /* dom_limit_best fills a struct dom_best */
-};
-
 /* ---- Work and interrupts ---- */
 
 /* Counters, to which every call adds. The caller initializes them with {0}. */

@@ -75,7 +75,6 @@ struct dom_row {
      * kg/m^3, so all masses must be in kg. */
     dom_real mu, alpha, walls, rho, air, drag;
     dom_real feet; /* only for an engine, which adds it to the floor's friction coefficient */
-    bool floor;    /* true to find the friction that the floor needs */
     /* The engine that simulates the row instead of this library, or NULL. It exists in double only. */
     const struct dom_engine *engine;
     dom_real boxes_above;      /* the height, in m, above which dominoes have walls; 0 if all have walls */
@@ -100,10 +99,6 @@ struct dom_fall {
     dom_real theta_m;       /* tilt of the domino at the top of the barrier, in rad */
     dom_real theta;         /* the last tilt in rad: at the next hit, on the floor, or at rest */
     size_t moving;          /* the number of dominoes that move just after the hit, this one included */
-    /* The friction that the floor needs, as in struct dom_floor, but with dominoes numbered from 1. Unless
-     * row->floor is set, the coefficients are NaN and the numbers of dominoes are 0. */
-    dom_real floor_motion, floor_hit;
-    size_t floor_domino, floor_hit_domino;
 };
 
 struct dom_verdict {
@@ -129,25 +124,6 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
  * if it touches none. The statuses are those of dom_row_run. */
 enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt);
 
-/* The state of a row at one moment. */
-struct dom_moment {
-    dom_real time; /* in s, measured as in struct dom_fall */
-    size_t head;   /* number of the last domino that was hit, counted from 1 */
-    size_t moving; /* the number of dominoes that move, the head included */
-    /* tilts in rad and angular velocities in rad/s, from domino 1 on; valid only during the visit */
-    const dom_real *tilt, *omega;
-};
-
-/* Runs a row and visits its state at `count` times in s, in ascending order. For a time after the end of the
- * motion, such as INFINITY, visit gets the final state and the time at which the row reached it. A domino
- * that detaches keeps its tilt from then on. Without a push, times may be negative. The status is
- * DOM_BAD_TIME if they are not in order or not allowed, and DOM_NO_MARGIN if the row comes so close to a stop
- * that later times cannot be computed. Other statuses are those of dom_row_run. */
-typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
-enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
-                              const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
-                              struct dom_verdict *verdict);
-
 /* Writes the first `count` dominoes of a train. Each gap is s times the height of its domino, and each width
  * is train->width times the height. The first domino has the given mass in kg. Does not check the
  * arguments. */
@@ -158,8 +134,9 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
 
 /* An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` does what
  * dom_row_run does, and finds its private data in row->engine->context. Studies may call it from many threads
- * at once. All functions that run a row call it, except that dom_row_watch returns DOM_NO_METHOD, as do
- * domf_row_run and domq_row_run, and that the search of dom_row_improve runs the model. */
+ * at once. All functions that run a row call it, except that dom_row_watch and dom_row_floor return
+ * DOM_NO_METHOD, as do domf_row_run and domq_row_run, and that the search of dom_row_improve runs the model.
+ */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
                                        bool times, dom_fall_visit *visit, void *context,
                                        struct dom_verdict *verdict);
@@ -167,6 +144,31 @@ struct dom_engine {
     dom_row_runner *run;
     void *context;
 };
+
+/* The state of a row at one moment. */
+struct dom_moment {
+    double time;   /* in s, measured as in struct dom_fall */
+    size_t head;   /* number of the last domino that was hit, counted from 1 */
+    size_t moving; /* the number of dominoes that move, the head included */
+    /* tilts in rad and angular velocities in rad/s, from domino 1 on; valid only during the visit */
+    const double *tilt, *omega;
+};
+
+/* Runs a row and visits its state at `count` times in s, in ascending order. For a time after the end of the
+ * motion, such as INFINITY, visit gets the final state and the time at which the row reached it. A domino
+ * that detaches keeps its tilt from then on. Without a push, times may be negative. The status is
+ * DOM_BAD_TIME if they are not in order or not allowed, and DOM_NO_MARGIN if the row comes so close to a stop
+ * that later times cannot be computed. Other statuses are those of dom_row_run. */
+typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
+enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
+                              const double *times, size_t count, dom_moment_visit *visit, void *context,
+                              struct dom_verdict *verdict);
+
+/* Finds the friction that the floor needs while each domino of a row is the head: floor[k] for domino k + 1,
+ * with dominoes numbered from 1. The coefficients are NaN, and the numbers 0, for a domino that is not hit.
+ * The statuses are those of dom_row_run. */
+enum dom_status dom_row_floor(const struct dom_row *row, const struct dom_compute *compute,
+                              struct dom_floor *floor);
 
 /* Finds the weakest push in rad/s that makes all dominoes of a row fall, rounded upwards to four digits. It
  * is row->push if all dominoes already fall, and NaN if no push up to `strongest` is enough. The search

@@ -77,9 +77,7 @@ static void hits_visit(const struct engine_hit *hit, const struct engine_fall *f
                                         .friction_work = none,
                                         .theta_m = none,
                                         .theta = none,
-                                        .moving = k + 1,
-                                        .floor_motion = none,
-                                        .floor_hit = none},
+                                        .moving = k + 1},
                      context);
     }
 }
@@ -142,14 +140,14 @@ static enum dom_status run_row(const struct dom_row *row, const struct dom_compu
 
 struct watch {
     struct unit unit;
-    double zero;             /* the reading of the engine's clock in s when the visitor's clock reads 0 */
-    const domq_real *times;  /* the next times to visit, in s */
-    size_t left;             /* the number of elements left in `times` */
-    domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
-    double *feet;            /* how far the feet have slid by the end of the last step, in m */
-    double time;             /* the time of the last step, in s */
+    double zero;          /* the reading of the engine's clock in s when the visitor's clock reads 0 */
+    const double *times;  /* the next times to visit, in s */
+    size_t left;          /* the number of elements left in `times` */
+    double *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
+    double *feet;         /* how far the feet have slid by the end of the last step, in m */
+    double time;          /* the time of the last step, in s */
     size_t head;
-    domq_moment_visit *visit;
+    dom_moment_visit *visit;
     void *context;
     bool more; /* the visitor has not asked to stop */
 };
@@ -157,11 +155,8 @@ struct watch {
 /* Passes the state after the last step, and its time in s, to the visitor. */
 static void watch_visit(struct watch *w, double time)
 {
-    const struct domq_moment moment = {.time = (domq_real)time,
-                                       .head = w->head + 1,
-                                       .moving = w->head + 1,
-                                       .tilt = w->tilt,
-                                       .omega = w->omega};
+    const struct dom_moment moment = {
+        .time = time, .head = w->head + 1, .moving = w->head + 1, .tilt = w->tilt, .omega = w->omega};
     w->more = w->visit(&moment, w->context);
     w->times++;
     w->left--;
@@ -176,19 +171,19 @@ static bool watch_step(const struct world *world, void *context)
     w->head = world->head;
     for (size_t k = 0; k < world->count; k++) {
         const double tilt = world_tilt(world, k);
-        w->omega[k] = dt > 0 ? (domq_real)((tilt - (double)w->tilt[k]) / dt) : 0;
-        w->tilt[k] = (domq_real)tilt;
+        w->omega[k] = dt > 0 ? (tilt - w->tilt[k]) / dt : 0;
+        w->tilt[k] = tilt;
         w->feet[k] = world_slid(world, k) * w->unit.length;
     }
     /* Steps are so short that the state after a step serves for all times within the step. */
-    while (w->more && w->left > 0 && (double)*w->times <= time)
-        watch_visit(w, (double)*w->times);
+    while (w->more && w->left > 0 && *w->times <= time)
+        watch_visit(w, *w->times);
     return w->more && w->left > 0;
 }
 
-static enum dom_status row_watch(const struct domq_row *row, const struct any_compute *compute,
-                                 const domq_real *times, size_t count, domq_moment_visit *visit,
-                                 void *context, double *feet)
+static enum dom_status row_watch(const struct dom_row *row, const struct dom_compute *compute,
+                                 const double *times, size_t count, dom_moment_visit *visit, void *context,
+                                 double *feet)
 {
     const struct scene_engine *of_scene = row->engine->context;
     const struct engine_report *report = of_scene->report;
@@ -204,21 +199,17 @@ static enum dom_status row_watch(const struct domq_row *row, const struct any_co
     struct engine_fall fall;
     struct engine_row engine;
     struct dom_domino *dominoes = NULL;
-    struct double_row made;
     memset(feet, 0, row->count * sizeof *feet);
-    if (!double_row_make(row, compute, &made))
-        return DOM_NO_MEMORY;
-    w.unit = unit_of(made.domino, made.row.g);
+    w.unit = unit_of(row->domino, row->g);
     w.tilt = calloc(2 * row->count, sizeof *w.tilt);
     w.omega = w.tilt ? w.tilt + row->count : NULL;
-    enum dom_status status = w.tilt ? row_convert(&made.row, &engine, &dominoes) : DOM_NO_MEMORY;
+    enum dom_status status = w.tilt ? row_convert(row, &engine, &dominoes) : DOM_NO_MEMORY;
     if (status == DOM_OK)
         status = engine_run(&engine, &grain, compute->interrupt, NULL, watch_step, &w, &fall);
     /* The state no longer changes after the motion has ended. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
     free(dominoes);
-    free(made.domino);
     free(w.tilt);
     return status;
 }

@@ -4,6 +4,7 @@
 #include "language/quad.h"
 #include "rows/rows.h"
 #include "train/train.h"
+#include <stdlib.h>
 
 const struct column fall_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
@@ -68,10 +69,11 @@ static void needs_add(struct needs *n, struct slip slip, domq_real floor)
         n->first = slip;
 }
 
-static void feet_add(struct feet *feet, const struct domq_fall *f)
+/* Adds what the floor needs while the domino `head` falls. */
+static void feet_add(struct feet *feet, size_t head, const struct dom_floor *f)
 {
-    needs_add(&feet->motion, (struct slip){f->floor_motion, f->floor_domino, f->domino}, feet->floor);
-    needs_add(&feet->hit, (struct slip){f->floor_hit, f->floor_hit_domino, f->domino}, feet->floor);
+    needs_add(&feet->motion, (struct slip){(domq_real)f->motion, f->domino, head}, feet->floor);
+    needs_add(&feet->hit, (struct slip){(domq_real)f->hit, f->hit_domino, head}, feet->floor);
 }
 
 static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_real floor)
@@ -131,7 +133,8 @@ struct falling {
     struct answer *answer;
     struct row_run run;
     struct feet feet;
-    struct domq_fall last; /* the last domino that was hit */
+    struct dom_floor *floor; /* what the floor needs while each domino falls; NULL unless 'set floor' is on */
+    struct domq_fall last;   /* the last domino that was hit */
 };
 
 static bool is_slippery(const struct scene_row *scene)
@@ -222,16 +225,16 @@ static void engine_say(struct answer *a, const struct row_run *run)
 
 /* ---- The run ---- */
 
-static void columns_choose(struct answer *a, const struct scene_row *scene, bool has_masses)
+static void columns_choose(struct answer *a, const struct falling *f, bool has_masses)
 {
     if (answer_for_people(a)) {
         /* A table shows energies as percentages and, if the masses are known, also in J. */
         answer_leave_out(a, has_masses ? "margin" : "kinetic barrier margin");
-        answer_leave_out(a, scene->row.engine ? "energy" : ""); /* the engine does not compute barriers */
+        answer_leave_out(a, f->run.scene.row.engine ? "energy" : ""); /* the engine computes no barriers */
     }
-    if (!scene->row.floor)
+    if (!f->floor)
         answer_leave_out(a, "floor floor_hit");
-    if (!is_slippery(scene))
+    if (!is_slippery(&f->run.scene))
         answer_leave_out(a, "slid");
 }
 
@@ -239,7 +242,8 @@ static bool fall_note(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
     f->last = *fall;
-    feet_add(&f->feet, fall);
+    if (f->floor)
+        feet_add(&f->feet, fall->domino, &f->floor[fall->domino - 1]);
     return true;
 }
 
@@ -255,14 +259,16 @@ static struct cell energy_cell(const struct answer *a, const struct domq_fall *f
 static bool fall_row(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
-    bool lifted = isinf(fall->floor_motion) || isinf(fall->floor_hit);
     const size_t k = fall->domino - 1;
+    const struct dom_floor none = {.motion = DOM_NAN, .hit = DOM_NAN},
+                           *floor = f->floor ? &f->floor[k] : &none;
+    const bool lifted = isinf(floor->motion) || isinf(floor->hit);
     answer_row(f->answer,
                ROW(cell_count((domq_real)fall->domino), cell_narrow(f->run.scene.domino[k].height, 4),
                    cell_narrow(fall->time, 4), cell_narrow(fall->time + fall->duration, 4),
                    cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4), cell_narrow(fall->barrier, 4),
                    cell_narrow(fall->margin, 4), energy_cell(f->answer, fall),
-                   cell_narrow(fall->floor_motion, 3), cell_narrow(fall->floor_hit, 3),
+                   cell_narrow((domq_real)floor->motion, 3), cell_narrow((domq_real)floor->hit, 3),
                    cell_narrow(foot_slid(&f->run.scene, k), 3)),
                lifted && !answer_for_people(f->answer) ? foot_lifted : NULL);
     return fall_note(fall, context) && !answer_lost(f->answer);
@@ -290,6 +296,18 @@ static void verdict_row(struct answer *a, const struct row_run *run)
     answer_row(a, cells, falls || answer_for_people(a) ? NULL : reason); /* sentences have the reason */
 }
 
+/* Finds what the floor needs, in double. */
+static enum dom_status floor_find(struct falling *f)
+{
+    struct double_row made;
+    f->floor = calloc(f->run.scene.row.count, sizeof *f->floor);
+    if (!f->floor || !double_row_make(&f->run.scene.row, &f->run.scene.compute, &made))
+        return DOM_NO_MEMORY;
+    const enum dom_status status = dom_row_floor(&made.row, &made.compute, f->floor);
+    free(made.domino);
+    return status;
+}
+
 /* Runs the row and prints the answer: that of 'fall' if `listed` is true, and that of 'verdict' if it is
  * false. */
 static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
@@ -301,19 +319,23 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
         return false;
     if (scene_has_masses(query->scene))
         columns_in_joules(a);
+    enum dom_status status = DOM_OK;
+    if (query->scene->effect[DOM_EFFECT_floor].on)
+        status = floor_find(&f);
     if (listed)
-        columns_choose(a, scene, scene_has_masses(query->scene));
+        columns_choose(a, &f, scene_has_masses(query->scene));
     for (size_t k = 0; k < scene->row.count && listed; k++)
         answer_announce(a, "height", scene->domino[k].height);
-    enum dom_status status =
-        any_row_run(&scene->row, &scene->compute, true, listed ? fall_row : fall_note, &f, &f.run.verdict);
+    if (status == DOM_OK)
+        status = any_row_run(&scene->row, &scene->compute, true, listed ? fall_row : fall_note, &f,
+                             &f.run.verdict);
     bool known = status == DOM_OK && v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS;
     answer_set_verdict(a, known && v->end == DOM_ROW_FALLS);
     if (known && !listed)
         verdict_row(a, &f.run);
     if (known || (status == DOM_OK && listed)) {
         verdict_say(a, &f, listed);
-        if (scene->row.floor)
+        if (f.floor)
             feet_say(a, &f.feet, scene->row.count);
         engine_say(a, &f.run);
     }
@@ -321,6 +343,7 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
     for (size_t k = 0; k < scene->row.count; k++)
         leans = leans || scene->domino[k].lean != 0;
     row_run_free(&f.run);
+    free(f.floor);
     if (status != DOM_OK)
         return row_status(query, problem, status);
     return known ||
@@ -360,19 +383,21 @@ const struct column slip_columns[] = {
 
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct domq_floor f;
+    struct dom_floor f;
     const struct effect_state *floor = &query->scene->effect[DOM_EFFECT_floor];
-    const enum dom_status status = any_cycle_floor(&query->scene->train, &query->scene->compute, &f);
+    const struct dom_train train = train_in_double(&query->scene->train);
+    const struct dom_compute compute = compute_in_double(&query->scene->compute);
+    const enum dom_status status = dom_cycle_floor(&train, &compute, &f);
     if (status == DOM_NO_AIR && query->scene->effect[DOM_EFFECT_row].on)
         return problem_no_answer(problem, "%s; about the row: 'set floor 0.4; fall'",
                                  dom_status_text(status));
     if (!query_status(query, problem, status))
         return false;
-    bool slips = f.motion > floor->value[0], slips_hit = f.hit > floor->value[0];
+    bool slips = f.motion > (double)floor->value[0], slips_hit = f.hit > (double)floor->value[0];
     answer_row(a,
-               ROW(cell_narrow(f.motion, 6), cell_computed(f.theta), cell_count((domq_real)f.domino),
-                   cell_computed(f.hit), cell_count((domq_real)f.hit_domino),
-                   floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN),
+               ROW(cell_narrow((domq_real)f.motion, 6), cell_computed((domq_real)f.theta),
+                   cell_count((domq_real)f.domino), cell_computed((domq_real)f.hit),
+                   cell_count((domq_real)f.hit_domino), floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN),
                    floor->on ? cell_flag(slips_hit) : cell_real(DOMQ_NAN)),
                isfinite(f.motion) && isfinite(f.hit) ? NULL : foot_lifted);
     if (!floor->on)

@@ -158,7 +158,6 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     double push = DOM_NAN;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
-    scene.row.floor = false;
     enum dom_status status = scene_row_in_double(&scene, &made);
     if (status == DOM_OK)
         status = any_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);

@@ -251,7 +251,6 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
     struct windows w;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
-    scene.row.floor = false;
     enum dom_status status = windows_find(query, &scene, &w);
     if (status == DOM_OK) {
         columns_choose(a, &w);

@@ -33,7 +33,6 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
 {
     if (!row_run_begin(query, problem, run))
         return false;
-    run->scene.row.floor = false;
     run->fall = calloc(run->scene.row.count, sizeof *run->fall);
     enum dom_status status =
         run->fall ? any_row_run(&run->scene.row, &run->scene.compute, timed, fall_keep, run, &run->verdict)

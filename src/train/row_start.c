@@ -96,7 +96,6 @@ static bool plain_make(const struct scene *scene, struct plain_run *run, struct 
 {
     run->most = 0;
     const bool is_made = scene_row_make(scene, &run->made, problem);
-    run->made.row.floor = false;
     return is_made;
 }
 

@@ -111,9 +111,7 @@ static inline enum dom_status ask_check(const struct setup *setup)
 
 /* Functions with several results, and walks along a chain or a cycle. */
 #define ask_cycle_events(a, ...)      any_cycle_events(ASKED(a), __VA_ARGS__)
-#define ask_cycle_forces(a, ...)      any_cycle_forces(ASKED(a), __VA_ARGS__)
 #define ask_cycle_least_force(a, ...) any_cycle_least_force(ASKED(a), __VA_ARGS__)
-#define ask_cycle_floor(a, ...)       any_cycle_floor(ASKED(a), __VA_ARGS__)
 #define ask_chain_walk(a, ...)        any_chain_walk(ASKED(a), __VA_ARGS__)
 #define ask_cycle_walk(a, ...)        any_cycle_walk(ASKED(a), __VA_ARGS__)
 #define ask_row_of_train(a, ...)      domq_row_of_train((const struct domq_train[]){setup_train(a)}, __VA_ARGS__)
@@ -133,6 +131,16 @@ static inline enum dom_status ask_count_find(enum precision precision, domq_real
     return any_count_find(first, height, r, &compute, count);
 }
 
+/* What exists in double only. */
+#define ASKED_IN_DOUBLE(a)                                                                                   \
+    (const struct dom_train[]){train_in_double((const struct domq_train[]){setup_train(a)})},                \
+        (const struct dom_compute[])                                                                         \
+    {                                                                                                        \
+        compute_in_double((const struct any_compute[]){setup_compute(a)})                                    \
+    }
+#define ask_cycle_forces(a, ...) dom_cycle_forces(ASKED_IN_DOUBLE(a), __VA_ARGS__)
+#define ask_cycle_floor(a, ...)  dom_cycle_floor(ASKED_IN_DOUBLE(a), __VA_ARGS__)
+
 /* ---- Rows ---- */
 
 /* A row and how to compute. */
@@ -142,7 +150,6 @@ struct row_setup {
     domq_real g, push, release;
     DOM_DYNAMICS(SETUP_EFFECT)
     domq_real boxes_above; /* as in struct domq_row */
-    bool floor;
     DOMQ_COMPUTE_PARAMETERS(SETUP_NUMBER)
     enum precision precision;
     struct dom_work *work;
@@ -164,7 +171,6 @@ static inline struct domq_row row_setup(const struct row_setup *a)
                              .g = a->g,
                              .push = a->push,
                              .release = a->release,
-                             .floor = a->floor,
                              .boxes_above = a->boxes_above,
                              DOM_DYNAMICS(SETUP_COPY_EFFECT)};
 }
@@ -181,8 +187,7 @@ static inline struct any_compute row_setup_compute(const struct row_setup *a)
         row_setup_compute(a)                                                                                 \
     }
 
-#define ask_row_run(a, ...)   any_row_run(ROW_SETUP(a), __VA_ARGS__)
-#define ask_row_watch(a, ...) any_row_watch(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_run(a, ...) any_row_run(ROW_SETUP(a), __VA_ARGS__)
 
 /* The same row in double, for searches and studies. The dominoes stay until the next call. */
 static inline struct dom_row row_setup_in_double(const struct row_setup *a)
@@ -201,7 +206,6 @@ static inline struct dom_row row_setup_in_double(const struct row_setup *a)
                             .g = (double)a->g,
                             .push = (double)a->push,
                             .release = (double)a->release,
-                            .floor = a->floor,
                             .boxes_above = (double)a->boxes_above,
                             DOM_DYNAMICS(SETUP_NARROW)};
 #undef SETUP_NARROW
@@ -218,6 +222,8 @@ static inline struct dom_compute row_setup_compute_in_double(const struct row_se
         row_setup_compute_in_double(a)                                                                       \
     }
 
+#define ask_row_watch(a, ...)        dom_row_watch(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
+#define ask_row_floor(a, ...)        dom_row_floor(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
 #define ask_row_rmax(a, ...)         dom_row_rmax(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
 #define ask_row_windows(a, ...)      dom_row_windows(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
 #define ask_row_weakest_push(a, ...) dom_row_weakest_push(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)

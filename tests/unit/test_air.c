@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Needs: proof */
+/* Needs: proof pictures */
 /* Air: single plates against closed forms, trains; test_row compares rows with Newton's equations, and long
  * rows with trains. Without air nothing changes. */
 #include "domino_proof.h"
@@ -27,12 +27,12 @@ struct moments {
     size_t count;
 };
 
-static bool moment_seen(const struct domq_moment *m, void *context)
+static bool moment_seen(const struct dom_moment *m, void *context)
 {
     struct moments *seen = context;
-    seen->time[seen->count] = (double)m->time;
-    seen->tilt[seen->count] = (double)m->tilt[0];
-    seen->omega[seen->count++] = (double)m->omega[0];
+    seen->time[seen->count] = m->time;
+    seen->tilt[seen->count] = m->tilt[0];
+    seen->omega[seen->count++] = m->omega[0];
     return true;
 }
 
@@ -43,8 +43,8 @@ TEST(single_plate_without_gravity)
     for (int i = 0; i < 3; i++) {
         const double air = i == 1 ? 40 : 1.2, drag = i == 2 ? 2 : 1.2;
         struct row_setup row = row_setup_default(&domino, 1, 1);
-        struct domq_verdict verdict;
-        domq_real times[] = {0, 0.2, 0.5, 0.9, 1.4};
+        struct dom_verdict verdict;
+        double times[] = {0, 0.2, 0.5, 0.9, 1.4};
         struct moments seen = {.count = 0};
         row.g = 1e-8;
         row.air = air;
@@ -68,12 +68,13 @@ TEST(single_plate_without_gravity)
 /* Before the first hit, the tilts of a domino that tips over change at the rate omega. */
 static void tilts_follow_omega(struct run *run)
 {
-    domq_real times[60];
+    double times[60];
+    struct dom_verdict verdict;
     struct moments seen = {.count = 0};
     run->row.domino = run->domino;
     for (int n = 0; n < 60; n++)
-        times[n] = -(domq_real)(60 - n) / 100;
-    assert_status(ask_row_watch(&run->row, times, 60, moment_seen, &seen, &run->verdict), DOM_OK);
+        times[n] = -(60 - n) / 100.0;
+    assert_status(ask_row_watch(&run->row, times, 60, moment_seen, &seen, &verdict), DOM_OK);
     assert_true(seen.omega[0] > 0 && seen.omega[0] < 0.02); /* almost at rest at first */
     for (size_t n = 1; n + 1 < 60; n++)
         assert_near("tipping", (seen.tilt[n + 1] - seen.tilt[n - 1]) / 0.02,
@@ -151,12 +152,12 @@ struct work {
     size_t steps, moving;
 };
 
-static bool work_seen(const struct domq_moment *m, void *context)
+static bool work_seen(const struct dom_moment *m, void *context)
 {
     struct work *work = context;
     double power = 0;
     for (size_t k = 0; k < work->run->row.count; k++)
-        power += torque_of(&work->run->domino[k], work->air, 1.2) * pow((double)m->omega[k], 3);
+        power += torque_of(&work->run->domino[k], work->air, 1.2) * pow(m->omega[k], 3);
     /* the trapezoidal rule, with all points and with every second point */
     work->sum[0] += power;
     work->sum[1] += work->steps++ % 2 == 0 ? power : 0;
@@ -166,7 +167,7 @@ static bool work_seen(const struct domq_moment *m, void *context)
 TEST(lost_energy_is_the_work_of_the_drag)
 {
     enum { STEPS = 4000 };
-    static domq_real times[STEPS + 1];
+    static double times[STEPS + 1];
     for (int i = 0; i < 3; i++) { /* sharp edges, rounded edges, and rounded edges on a slope */
         static struct run run;
         make_row(&run, 6, 0.4, 1.2, 0);
@@ -182,9 +183,10 @@ TEST(lost_energy_is_the_work_of_the_drag)
             /* Within one fall the speeds are smooth, unless a domino detaches. */
             const double begins = (double)run.fall[k].time, lasts = (double)run.fall[k].duration;
             struct work work = {.run = &run, .air = 10};
+            struct dom_verdict verdict;
             for (int n = 0; n <= STEPS; n++) /* times just inside */
-                times[n] = (domq_real)(begins + lasts * (1e-9 + (1 - 2e-9) * n / STEPS));
-            assert_status(ask_row_watch(&run.row, times, STEPS + 1, work_seen, &work, &run.verdict), DOM_OK);
+                times[n] = begins + lasts * (1e-9 + (1 - 2e-9) * n / STEPS);
+            assert_status(ask_row_watch(&run.row, times, STEPS + 1, work_seen, &work, &verdict), DOM_OK);
             lost += (double)run.fall[k].friction_work;
             sum += work.sum[0] * lasts / STEPS;
         }

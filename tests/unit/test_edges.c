@@ -107,20 +107,6 @@ TEST(ends)
     assert_status(run_whole(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_STOPS);
     assert_true(seen.verdict.seconds == seen.fall[3].time);
-    /* Without a push, the first domino starts balanced on its edge. It needs friction with the floor only
-     * from this tilt on. */
-    alike(&seen, 2);
-    seen.row.push = DOMQ_NAN;
-    seen.row.floor = true;
-    seen.domino[1].gap = 0.02;
-    assert_status(run_whole(&seen), DOM_OK);
-    assert_true((double)seen.fall[0].floor_motion > 0 && (double)seen.fall[1].floor_hit > 0);
-    alike(&seen, 1);
-    seen.row.push = DOMQ_NAN;
-    seen.row.floor = true;
-    assert_status(run_whole(&seen), DOM_OK);
-    /* A thin rod needs unbounded friction at cos theta = 1/3, where the floor carries none of its weight. */
-    assert_true((double)seen.fall[0].floor_motion > 1);
     /* DOM_ROW_PARTS: the dominoes that fall have margins that are not negative. */
     alike(&seen, 6);
     seen.domino[1].gap = 0;
@@ -129,15 +115,6 @@ TEST(ends)
     assert_true(!(seen.verdict.spare < 0));
     seen.row.tol = 1e-30;
     assert_status(run_whole(&seen), DOM_BAD_TOL);
-}
-
-/* Checks that a domino that is hit at its own hinge cannot stay on the floor. */
-TEST(floor_at_the_reach)
-{
-    struct setup t = friction_train(0.5, 2, 0.1, 3, 0);
-    struct domq_floor floor;
-    assert_status(ask_cycle_floor(&t, &floor), DOM_OK);
-    assert_true(isinf((double)floor.hit) && floor.hit_domino == 0);
 }
 
 /* ---- Loose tolerances, and results close to 0, for which a shortcut was once wrong ---- */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows */
 /* The friction that the floor needs under a domino that falls alone, whose motion is known in closed form. It
  * is compared with values on a fine grid, on level floors and on slopes. */
+#include "run.h"
 #include "support.h"
 
 enum { GRID = 4000 };
@@ -52,12 +54,6 @@ static double most_needed(const struct block *b, double end, int *tops)
     return most;
 }
 
-static bool fall_seen(const struct domq_fall *fall, void *context)
-{
-    *(struct domq_fall *)context = *fall;
-    return false;
-}
-
 /*
  * Checks the first of two dominoes. Rows in which it comes to rest before it hits the second are left out. A
  * smooth maximum must be right to a millionth.
@@ -73,31 +69,104 @@ TEST(two_tops)
         b.push = edge * (i % 3 ? random_log(&seed, 1.0001, 1.1) : random_log(&seed, 1.1, 5));
         struct domq_domino domino[] = {{h, d, 0, 1, 0, 0, 0}, {2 * h, d, gap, 1, 0, 0, 0}};
         struct row_setup row = row_setup_default(domino, 2, b.push);
-        struct domq_fall fall;
         struct domq_verdict verdict;
+        struct dom_floor floor[2];
         int tops;
-        row.floor = true;
         row.alpha = b.slope;
-        if (i % 4 == 0) {
-            row.precision = i % 40 == 0 ? IN_QUAD : IN_FLOAT;
-            row.tol = i % 40 == 0 ? 1e-12 : 1e-5;
-        }
-        assert_status(ask_row_run(&row, false, fall_seen, &fall, &verdict), DOM_OK);
-        if (fall.margin < 0)
+        assert_status(ask_row_run(&row, false, NULL, NULL, &verdict), DOM_OK);
+        if (verdict.domino == 1)
             continue;
-        double most = most_needed(&b, asin(gap / h), &tops), bound = row.precision == IN_FLOAT ? 1e-3 : 2e-6;
+        assert_status(ask_row_floor(&row, floor), DOM_OK);
+        double most = most_needed(&b, asin(gap / h), &tops), got = floor[0].motion;
         if (isinf(most) || most > 1e3) { /* if the domino is nearly lifted, few digits are right */
-            assert_true(fall.floor_motion > 500);
+            assert_true(got > 500);
             continue;
         }
-        if (!(fabs((double)fall.floor_motion - most) <= bound * most * (1 + most)))
+        if (!(fabs(got - most) <= 2e-6 * most * (1 + most)))
             fail_msg("d/h %g, gap/h %g, push %g, slope %g: %.10g, on a grid %.10g (%d tops)", d / h, gap / h,
-                     b.push, b.slope, (double)fall.floor_motion, most, tops);
+                     b.push, b.slope, got, most, tops);
         checked++;
         several += tops > 1;
     }
     print_message("# %d heads, %d with several tops\n", checked, several);
     assert_true(checked > 2500);
+}
+
+/* ---- Rows ---- */
+
+/* Without a push, the first domino starts balanced on its edge. It needs friction only from this tilt on. */
+TEST(tipped)
+{
+    static struct run run;
+    struct dom_floor floor[2];
+    alike(&run, 2);
+    run.row.push = DOMQ_NAN;
+    run.domino[1].gap = 0.02;
+    assert_status(ask_row_floor(&run.row, floor), DOM_OK);
+    assert_true(floor[0].motion > 0 && floor[0].domino == 1 && floor[0].hit == 0 && floor[1].hit > 0);
+    run.row.count = 1;
+    assert_status(ask_row_floor(&run.row, floor), DOM_OK);
+    /* A thin rod needs unbounded friction at cos theta = 1/3, where the floor carries none of its weight. */
+    assert_true(floor[0].motion > 1);
+    run.row.push = 1e-3; /* the first domino stops, and the second is not hit */
+    run.row.count = 2;
+    assert_status(ask_row_floor(&run.row, floor), DOM_OK);
+    assert_true(floor[0].motion > 0 && isnan(floor[1].motion) && isnan(floor[1].hit) && floor[1].domino == 0);
+}
+
+/* In a long row of equal dominoes, the later heads repeat what the earlier ones need. A row whose gaps differ
+ * by rounding errors computes every head. */
+TEST(equal_heads)
+{
+    enum { LONG = 130 };
+    static struct domq_domino domino[LONG];
+    static struct dom_floor equal[LONG], other[LONG];
+    struct row_setup row = row_setup_default(domino, LONG, 5);
+    for (size_t k = 0; k < LONG; k++)
+        domino[k] = (struct domq_domino){.height = 0.048, .thickness = 0.007, .gap = 0.02, .mass = 0.01};
+    assert_status(ask_row_floor(&row, equal), DOM_OK);
+    for (size_t k = 0; k < LONG; k++)
+        domino[k].gap *= 1 + 1e-14 * (double)(k % 2);
+    assert_status(ask_row_floor(&row, other), DOM_OK);
+    for (size_t k = 0; k < LONG; k++) {
+        if (equal[k].motion != other[k].motion) /* both may be infinite */
+            assert_near("motion", equal[k].motion, other[k].motion, 1e-10);
+        assert_near("hit", equal[k].hit, other[k].hit, 1e-10);
+        assert_true(equal[k].domino == other[k].domino && equal[k].hit_domino == other[k].hit_domino);
+    }
+}
+
+/* A long row of a train needs the same friction as the endless train, during the motion and in the hit. */
+TEST(floor_of_the_train)
+{
+    static struct run run;
+    for (int i = 0; i < 3; i++) {
+        struct setup train = setup_default();
+        struct dom_floor floor[40], of_train;
+        train.s = 0.4;
+        train.r = 1.3;
+        train.mu = 0.1 * i;
+        make_row(&run, 40, 0.4, 1.3, train.mu);
+        assert_status(ask_row_floor(&run.row, floor), DOM_OK);
+        assert_status(ask_cycle_floor(&train, &of_train), DOM_OK);
+        assert_near("motion", floor[36].motion, of_train.motion, 1e-6);
+        assert_near("hit", floor[36].hit, of_train.hit, 1e-6);
+        assert_int_equal(floor[36].domino, 37 - of_train.domino);
+        assert_int_equal(floor[36].hit_domino, 37 - of_train.hit_domino);
+    }
+}
+
+/* Checks that a domino that is hit at its own hinge cannot stay on the floor. */
+TEST(floor_at_the_reach)
+{
+    struct setup t = setup_default();
+    struct dom_floor floor;
+    t.s = 0.5;
+    t.r = 2;
+    t.d = 0.1;
+    t.q = 3;
+    assert_status(ask_cycle_floor(&t, &floor), DOM_OK);
+    assert_true(isinf(floor.hit) && floor.hit_domino == 0);
 }
 
 /* ---- The followers of a train ---- */
@@ -204,7 +273,7 @@ TEST(light_followers)
         struct setup train = setup_default();
         struct domq_angles angles;
         struct domq_limit limit;
-        struct domq_floor floor;
+        struct dom_floor floor;
         size_t decides = 0;
         train.s = random_log(&seed, 0.02, 0.1);
         train.d = random_log(&seed, 0.004, 0.04);
@@ -214,7 +283,7 @@ TEST(light_followers)
             continue;
         train.r = 1 + ((double)limit.r_max - 1) * (0.3 + 0.65 * random_unit(&seed));
         if (ask_angles_find(&train, &angles) != DOM_OK || angles.detaches ||
-            ask_cycle_floor(&train, &floor) != DOM_OK || !isfinite((double)floor.motion))
+            ask_cycle_floor(&train, &floor) != DOM_OK || !isfinite(floor.motion))
             continue;
         double most = 0;
         for (int k = 1; k < TILTS; k++) {
@@ -223,8 +292,8 @@ TEST(light_followers)
             decides = needs > most ? here : decides;
             most = fmax(most, needs);
         }
-        if (!(fabs((double)floor.motion - most) <= 1e-3 * most))
-            fail_train("friction of the floor", &train, (double)floor.motion, most);
+        if (!(fabs(floor.motion - most) <= 1e-3 * most))
+            fail_train("friction of the floor", &train, floor.motion, most);
         checked++;
         light += pow((double)train.r, -(double)train.q * (double)decides) < 1e-6;
     }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: pictures rows */
 /* Trains with friction between dominoes, and the friction that the floor needs. */
 #include "support.h"
 #include <float.h>
@@ -98,7 +99,7 @@ static bool link_seen(const struct domq_link *link, void *context)
     return (c->n = link->i + 1) < CHAIN_MOST;
 }
 
-static bool force_seen(const struct domq_force *force, void *context)
+static bool force_seen(const struct dom_force *force, void *context)
 {
     struct chain *c = context;
     c->force[force->i] = force->force;
@@ -390,7 +391,7 @@ TEST(floor_holds)
     int checked = 0, lifted = 0, by_head = 0;
     for (int i = 0; i < 60; i++) {
         struct setup train = random_friction_train(&seed, 0.1, 1);
-        struct domq_floor floor;
+        struct dom_floor floor;
         struct domq_barrier barrier;
         struct domq_angles angles;
         train.r = fmin(train.r, 1.8);

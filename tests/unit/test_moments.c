@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: pictures */
 /* The tilts of all dominoes of a row at given times: at hits, between hits by the energy and by difference
  * quotients, and at the end. */
 #include "run.h"
@@ -14,27 +15,32 @@ struct seen {
     size_t most; /* number of visits after which the visitor ends the run */
 };
 
-static bool moment_seen(const struct domq_moment *m, void *context)
+static bool moment_seen(const struct dom_moment *m, void *context)
 {
     struct seen *s = context;
     assert_true(s->count < FRAMES);
-    s->time[s->count] = (double)m->time;
+    s->time[s->count] = m->time;
     s->head[s->count] = m->head;
     s->moving[s->count] = m->moving;
     for (size_t k = 0; k < s->dominoes; k++) {
-        s->tilt[s->count][k] = (double)m->tilt[k];
-        s->omega[s->count][k] = (double)m->omega[k];
+        s->tilt[s->count][k] = m->tilt[k];
+        s->omega[s->count][k] = m->omega[k];
     }
     return ++s->count < s->most;
 }
 
-static enum dom_status watch(struct run *run, const domq_real *times, size_t count, struct seen *seen)
+static enum dom_status watch(struct run *run, const double *times, size_t count, struct seen *seen)
 {
     assert_true(run->row.count <= DOMINOES);
     seen->count = 0;
     seen->dominoes = run->row.count;
     seen->most = FRAMES + 1;
-    return ask_row_watch(&run->row, times, count, moment_seen, seen, &run->verdict);
+    run->row.domino = run->domino;
+    struct dom_verdict verdict = {.end = run->verdict.end, .domino = run->verdict.domino};
+    const enum dom_status status = ask_row_watch(&run->row, times, count, moment_seen, seen, &verdict);
+    run->verdict.end = verdict.end;
+    run->verdict.domino = verdict.domino;
+    return status;
 }
 
 /* Returns the potential and kinetic energy of all dominoes, in J. */
@@ -77,17 +83,17 @@ TEST(agrees_with_hits)
     static struct run run;
     static struct seen seen;
     for (int i = 0; i < ROWS; i++) {
-        domq_real times[ROW_MOST];
+        double times[ROW_MOST];
         rows(&run, i);
         assert_status(run_whole(&run), DOM_OK);
         struct domq_verdict verdict = run.verdict;
         for (size_t k = 0; k < run.falls; k++)
-            times[k] = run.fall[k].time;
+            times[k] = (double)run.fall[k].time;
         assert_status(watch(&run, times, run.falls, &seen), DOM_OK);
         assert_int_equal(seen.count, run.falls);
         assert_true(run.verdict.end == verdict.end && run.verdict.domino == verdict.domino);
         for (size_t k = 0; k < run.falls; k++) {
-            assert_near("time", seen.time[k], (double)times[k], 0);
+            assert_near("time", seen.time[k], times[k], 0);
             assert_int_equal(seen.head[k], k + 1);
             /* A domino may detach at the moment of the hit. */
             assert_true(seen.moving[k] <= run.fall[k].moving && seen.moving[k] + 1 >= run.fall[k].moving);
@@ -108,12 +114,12 @@ TEST(keeps_the_laws_between)
     static struct seen seen;
     size_t detached = 0;
     for (int i = 0; i < ROWS; i++) {
-        domq_real times[FRAMES];
+        double times[FRAMES];
         rows(&run, i);
         assert_status(run_whole(&run), DOM_OK);
         double whole = (double)(run.fall[run.falls - 1].time) * 1.05;
         for (size_t k = 0; k < FRAMES; k++)
-            times[k] = (domq_real)(whole * (double)k / FRAMES);
+            times[k] = whole * (double)k / FRAMES;
         assert_status(watch(&run, times, FRAMES, &seen), DOM_OK);
         for (size_t k = 1; k < seen.count; k++) {
             const double *tilt = seen.tilt[k], *before = seen.tilt[k - 1];
@@ -147,7 +153,7 @@ TEST(ends)
 {
     static struct run run;
     static struct seen seen;
-    const domq_real times[] = {1, 1e6, (domq_real)INFINITY};
+    const double times[] = {1, 1e6, (double)INFINITY};
     for (int i = 0; i < ROWS; i++) {
         rows(&run, i);
         run.row.push *= 1.5;
@@ -171,7 +177,7 @@ TEST(tips_before_the_first_hit)
 {
     static struct run run;
     static struct seen seen;
-    const domq_real times[] = {-1, -0.05, -0.02, -0.0199, 0};
+    const double times[] = {-1, -0.05, -0.02, -0.0199, 0};
     make_row(&run, 5, 0.4, 1.2, 0);
     run.row.push = (domq_real)NAN;
     assert_status(watch(&run, times, 5, &seen), DOM_OK);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: pictures */
 /* One cycle in time: events, times, the balance of energy, accelerations and contact forces. */
 #include "support.h"
 #include <float.h>
@@ -148,7 +149,7 @@ struct smallest {
     double head, force, impulse;
 };
 
-static bool force_seen(const struct domq_force *force, void *context)
+static bool force_seen(const struct dom_force *force, void *context)
 {
     struct smallest *s = context;
     if (force->i == 0)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Needs: rows chance */
+/* Needs: rows chance pictures */
 /* Bad parameters: every function that gets a bad parameter returns the status DOM_BAD_... that names it. */
 #include "support.h"
 
@@ -58,6 +58,7 @@ static void every_function(const struct dom_train *t, const struct dom_compute *
     struct dom_event events[DOM_EVENTS_MAX];
     int count;
     double number;
+    struct dom_floor floor;
 #define FIND(name, structure)                                                                                \
     {                                                                                                        \
         struct dom_##structure result;                                                                       \
@@ -79,6 +80,7 @@ static void every_function(const struct dom_train *t, const struct dom_compute *
     assert_named(dom_cycle_events(t, c, events, &count), expected);
     assert_named(dom_cycle_walk(t, c, 3, DOM_BY_TIME, never_state, NULL), expected);
     assert_named(dom_cycle_forces(t, c, 0.1, never_force, NULL), expected);
+    assert_named(dom_cycle_floor(t, c, &floor), expected);
 }
 
 /* Calls every function, and the check of <domino_quad.h>. */

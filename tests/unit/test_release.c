@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: pictures */
 /* A first domino that is released at a tilt, in limiting cases, and with a push that brings it to the same
  * state; test_row compares such rows with Newton's equations. */
 #include "run.h"
@@ -123,9 +124,9 @@ struct seen {
     double tilt, omega;
 };
 
-static bool state_seen(const struct domq_moment *m, void *context)
+static bool state_seen(const struct dom_moment *m, void *context)
 {
-    *(struct seen *)context = (struct seen){(double)m->tilt[0], (double)m->omega[0]};
+    *(struct seen *)context = (struct seen){m->tilt[0], m->omega[0]};
     return false;
 }
 
@@ -135,6 +136,7 @@ TEST(every_effect)
     static struct run run, after;
     for (int i = 0; i < 7; i++) {
         struct seen seen;
+        struct dom_verdict verdict;
         make_row(&run, 6, 0.5, 1.1, i == 1 || i == 6 ? 0.2 : 0);
         run.row.alpha = i == 2 ? 0.03 : 0;
         run.row.rho = i == 3 || i == 6 ? 0.02 : 0;
@@ -143,9 +145,9 @@ TEST(every_effect)
         run.row.precision = i == 0 ? IN_QUAD : IN_DOUBLE;
         assert_status(run_whole(&run), DOM_OK);
         assert_int_equal(run.verdict.end, DOM_ROW_FALLS);
-        const domq_real time = run.fall[1].time / 2;
+        const double time = (double)run.fall[1].time / 2;
         run.row.domino = run.domino;
-        assert_status(ask_row_watch(&run.row, &time, 1, state_seen, &seen, &run.verdict), DOM_OK);
+        assert_status(ask_row_watch(&run.row, &time, 1, state_seen, &seen, &verdict), DOM_OK);
         after = run;
         after.row.release = seen.tilt;
         after.row.push = seen.omega;
@@ -165,16 +167,17 @@ TEST(first_moments)
     static struct run run;
     for (int i = 0; i < 4; i++) {
         struct seen seen;
-        const domq_real times[] = {0, (domq_real)1e-4};
+        struct dom_verdict verdict;
+        const double times[] = {0, 1e-4};
         const double at = 20 * deg;
         released(&run, 4, 0.5, 1.1, at);
         run.row.air = i == 1 ? 1.2 : 0;
         run.row.rho = i == 2 ? 0.02 : 0;
         run.row.mu = i == 3 ? 0.3 : 0;
         run.row.domino = run.domino;
-        assert_status(ask_row_watch(&run.row, times, 1, state_seen, &seen, &run.verdict), DOM_OK);
+        assert_status(ask_row_watch(&run.row, times, 1, state_seen, &seen, &verdict), DOM_OK);
         assert_true(seen.tilt == at && seen.omega == 0);
-        assert_status(ask_row_watch(&run.row, times + 1, 1, state_seen, &seen, &run.verdict), DOM_OK);
+        assert_status(ask_row_watch(&run.row, times + 1, 1, state_seen, &seen, &verdict), DOM_OK);
         const double h = run.domino->height, d = run.domino->thickness,
                      alpha = 3 * g / 2 * (h * sin(at) - d * cos(at)) / (h * h + d * d),
                      bound = i == 1 || i == 2 ? 0.2 : 1e-5;

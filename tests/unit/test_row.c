@@ -395,7 +395,6 @@ TEST(verdict_sums_up)
                 least = spare;
                 weakest = k + 1;
             }
-            assert_true(isnan((double)f->floor_motion) && f->floor_domino == 0);
         }
         assert_int_equal(run.verdict.weakest, weakest);
         assert_true((double)run.verdict.spare == (double)least);
@@ -471,30 +470,5 @@ TEST(precisions_agree)
                     assert_near("duration", f->duration, wide->duration, bound / spare);
             }
         }
-    }
-}
-
-/* Checks that a long row of a train needs the same friction with the floor as the endless train, during the
- * motion and in the hit. */
-TEST(floor_of_the_train)
-{
-    static struct run run;
-    for (int i = 0; i < 3; i++) {
-        struct setup train = setup_default();
-        struct domq_floor floor;
-        train.s = 0.4;
-        train.r = 1.3;
-        train.mu = 0.1 * i;
-        make_row(&run, 40, 0.4, 1.3, train.mu);
-        run.row.floor = true;
-        assert_status(run_whole(&run), DOM_OK);
-        assert_status(ask_cycle_floor(&train, &floor), DOM_OK);
-        const struct domq_fall *f = &run.fall[36];
-        assert_near("motion", f->floor_motion, floor.motion, 1e-6);
-        assert_near("hit", f->floor_hit, floor.hit, 1e-6);
-        assert_int_equal(f->floor_domino, f->domino - floor.domino);
-        assert_int_equal(f->floor_hit_domino, f->domino - floor.hit_domino);
-        assert_int_equal(run.fall[0].floor_domino, 1);
-        assert_true(run.fall[0].floor_hit == 0); /* the first domino was not hit */
     }
 }

@@ -127,7 +127,6 @@ TEST(falls_up_to_it)
                                     2.5 + 2 * random_unit(&seed));
         struct row_setup row = row_of(2 + (size_t)(8 * random_unit(&seed)), i % 3 ? 6 : DOMQ_NAN);
         row.mu = i % 4 ? 0 : 0.2;
-        row.floor = i % 2; /* changes nothing */
         struct dom_row_growth growth = growth_of(&f, &row);
         assert_true(f.made < 400);
         if (isnan((double)growth.r_max)) {

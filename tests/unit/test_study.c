@@ -65,7 +65,7 @@ static struct dom_row row_of(const struct row_request *request)
 static bool falls_all(const struct row_request *request)
 {
     struct dom_verdict verdict;
-    assert_status(row_run(request, false, NULL, NULL, &verdict), DOM_OK);
+    assert_status(row_run(request, false, NULL, NULL, NULL, NULL, &verdict), DOM_OK);
     return verdict.end == DOM_ROW_FALLS;
 }
 
@@ -111,7 +111,7 @@ TEST(rows_again_end_like_whole_rows)
             domino_change(&changed[k], &seed);
             request.domino = copy.domino = changed;
             request.work = &work;
-            assert_status(row_run(&request, false, NULL, NULL, &whole), DOM_OK);
+            assert_status(row_run(&request, false, NULL, NULL, NULL, NULL, &whole), DOM_OK);
             assert_status(row_study(study, &copy, k, k, &again), DOM_OK);
             assert_int_equal(again.end == DOM_ROW_FALLS, whole.end == DOM_ROW_FALLS);
             falls += whole.end == DOM_ROW_FALLS;
@@ -188,8 +188,7 @@ TEST(heads_that_keep_falling)
         const struct dom_row random = row_of(&row.request);
         assert_status(row_study_begin(&random, NULL, &study, NULL), DOM_OK);
         study->quick = true;
-        struct run run = row_launch(&study->row);
-        run.study = study;
+        struct run run = row_launch(&study->row, NULL, study);
         for (size_t k = 0; k < row.request.count && run.verdict.end == DOM_ROW_FALLS; k++) {
             struct descent d;
             struct dom_fall fall;

@@ -23,7 +23,6 @@ static void random_row(struct run *run, uint64_t *seed)
         run->domino[k].thickness *= 0.7 + 0.6 * random_unit(seed);
     }
     run->row.push *= random_log(seed, 0.6, 3);
-    run->row.floor = random_unit(seed) < 0.2; /* changes nothing */
 }
 
 /* Changes one value of the row as a builder would, without the library, and returns true if the row falls. */

@@ -203,7 +203,6 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
     memcpy(draw->domino, row->domino, row->count * sizeof *draw->domino);
     draw->row = *row;
     draw->row.domino = draw->domino;
-    draw->row.floor = false;
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
         const struct dom_random_error *error = &p->error[order[k]];
         if (!(error->size > 0))

@@ -51,7 +51,6 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     struct dom_row row = *s->row;
     if (s->row->engine)
         return DOM_OK;
-    row.floor = false;
     return row_study_begin(&row, &s->compute, &b->study, NULL);
 }
 

@@ -125,7 +125,7 @@ static bool moment_time(struct problem *problem, const struct options *options, 
 }
 
 /* Draws a moment of the fall or, if `moment` is NULL, the row before it falls. */
-static bool moment_show(const struct domq_moment *moment, void *context)
+static bool moment_show(const struct dom_moment *moment, void *context)
 {
     struct falling_row *row = context;
     const struct domq_row *r = &row->run.scene.row;
@@ -160,7 +160,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
     bool good = options->has[DRAW_AT] ? moment_time(problem, options, &row, &time) : moment_show(NULL, &row);
     enum dom_status status = DOM_OK;
     if (good && options->has[DRAW_AT])
-        status = falling_row_watch(&row, &time, 1, moment_show, &row);
+        status = falling_row_watch(&row, (const double[]){(double)time}, 1, moment_show, &row);
     problem->place = 0;
     if (status != DOM_OK) {
         good = row_status(query, problem, status);

@@ -12,9 +12,9 @@
 
 /* ---- The row on its stage ---- */
 
-static bool end_seen(const struct domq_moment *moment, void *context)
+static bool end_seen(const struct dom_moment *moment, void *context)
 {
-    *(double *)context = (double)moment->time;
+    *(double *)context = moment->time;
     return true;
 }
 
@@ -28,7 +28,7 @@ domq_real scene_row_tilt(const struct scene_row *row)
     return quad_smaller(row->row.release, touch);
 }
 
-void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
+void falling_row_pose(struct falling_row *row, const struct dom_moment *moment)
 {
     const struct domq_row *r = &row->run.scene.row;
     const struct domq_verdict *v = &row->run.verdict;
@@ -38,7 +38,7 @@ void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
     for (size_t k = 0; k < row->stage.count; k++) {
         const struct domq_domino *domino = &row->run.scene.domino[k];
         double lean = k == 0 ? (double)scene_row_tilt(&row->run.scene) : (double)domino->lean,
-               tilt = moment ? (double)moment->tilt[k] : lean, height = (double)domino->height;
+               tilt = moment ? moment->tilt[k] : lean, height = (double)domino->height;
         at += k > 0 ? (double)domino->gap : 0;
         row->stage.domino[k] =
             (struct drawn){.number = k >= row->dominoes ? NUMBER_TOWER : (int)k + 1,
@@ -85,7 +85,7 @@ static double tallest(const struct falling_row *row, size_t count)
 bool falling_row_make(const struct query *query, struct problem *problem, bool has_tower,
                       struct falling_row *row)
 {
-    const domq_real ever = (domq_real)HUGE_VAL;
+    const double ever = HUGE_VAL;
     *row = (struct falling_row){.end = (double)NAN, .has_tower = has_tower};
     if (!row_run(query, problem, true, &row->run))
         return false;
@@ -126,14 +126,18 @@ double falling_row_hit(const struct falling_row *row, size_t k)
                                         : (double)NAN;
 }
 
-enum dom_status falling_row_watch(const struct falling_row *row, const domq_real *times, size_t count,
-                                  domq_moment_visit *visit, void *context)
+enum dom_status falling_row_watch(const struct falling_row *row, const double *times, size_t count,
+                                  dom_moment_visit *visit, void *context)
 {
-    const struct scene_row *scene = &row->run.scene;
-    struct domq_verdict verdict;
-    if (scene->row.engine)
-        return row_engine->watch(&scene->row, &scene->compute, times, count, visit, context, row->slid);
-    return any_row_watch(&scene->row, &scene->compute, times, count, visit, context, &verdict);
+    struct double_row made;
+    struct dom_verdict verdict;
+    if (!double_row_make(&row->run.scene.row, &row->run.scene.compute, &made))
+        return DOM_NO_MEMORY;
+    const enum dom_status status =
+        made.row.engine ? row_engine->watch(&made.row, &made.compute, times, count, visit, context, row->slid)
+                        : dom_row_watch(&made.row, &made.compute, times, count, visit, context, &verdict);
+    free(made.domino);
+    return status;
 }
 
 /* ---- The tower ---- */
@@ -249,10 +253,10 @@ void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
                  domino_words(row, v->weakest).text, energy_words(v->spare + 1).text);
 }
 
-void falling_row_moment(const struct falling_row *row, const struct domq_moment *m, char text[SENTENCE])
+void falling_row_moment(const struct falling_row *row, const struct dom_moment *m, char text[SENTENCE])
 {
     char what[SENTENCE / 2];
-    const double time = (double)m->time;
+    const double time = m->time;
     const bool over = time >= row->end, falls = row->run.verdict.end == DOM_ROW_FALLS;
     const size_t after = row->dominoes > m->head ? row->dominoes - m->head : 0;
     const struct words domino = domino_words(row, m->head);

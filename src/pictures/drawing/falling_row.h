@@ -33,14 +33,14 @@ double falling_row_hit(const struct falling_row *row, size_t k);
 
 /* Runs the row again and calls `visit` at each of the times, which must not decrease. Infinity stands for the
  * end of the motion. */
-enum dom_status falling_row_watch(const struct falling_row *row, const domq_real *times, size_t count,
-                                  domq_moment_visit *visit, void *context);
+enum dom_status falling_row_watch(const struct falling_row *row, const double *times, size_t count,
+                                  dom_moment_visit *visit, void *context);
 
 /* Returns the tilt in rad of the first domino before the fall. */
 domq_real scene_row_tilt(const struct scene_row *row);
 
 /* Draws the dominoes at a moment or, if `moment` is NULL, before the fall. */
-void falling_row_pose(struct falling_row *row, const struct domq_moment *moment);
+void falling_row_pose(struct falling_row *row, const struct dom_moment *moment);
 
 /* Sets the right end of the stage to the right end of the standing row or, if `lying` is true, of the fallen
  * row. */
@@ -80,6 +80,6 @@ const char *falling_row_start(const struct falling_row *row);
 
 /* Writes what happens at a moment, for example "2.500 s after the push: domino 3 falls; 7 dominoes still
  * stand." */
-void falling_row_moment(const struct falling_row *row, const struct domq_moment *moment, char text[SENTENCE]);
+void falling_row_moment(const struct falling_row *row, const struct dom_moment *moment, char text[SENTENCE]);
 
 #endif

@@ -213,15 +213,15 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     return DOM_OK;
 }
 
-static bool force_seen(const struct domq_force *f, void *context)
+static bool force_seen(const struct dom_force *f, void *context)
 {
     struct stage *stage = context;
     if (f->i + 1 >= stage->count)
         return false;
     struct drawn *k = &stage->domino[f->i + 1];
     if (k->touched) {
-        k->force = (double)f->force;
-        k->of_own = (double)f->per_weight;
+        k->force = f->force;
+        k->of_own = f->per_weight;
     }
     return true;
 }
@@ -229,5 +229,7 @@ static bool force_seen(const struct domq_force *f, void *context)
 enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
                              const struct any_compute *compute, domq_real theta)
 {
-    return any_cycle_forces(train, compute, theta, force_seen, stage);
+    const struct dom_train narrow = train_in_double(train);
+    const struct dom_compute narrow_compute = compute_in_double(compute);
+    return dom_cycle_forces(&narrow, &narrow_compute, (double)theta, force_seen, stage);
 }

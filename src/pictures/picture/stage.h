@@ -99,7 +99,7 @@ const struct drawn *stage_front(const struct stage *stage, size_t k);
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
                             const struct any_compute *compute, domq_real theta);
 
-/* Adds the contact forces to a train on a stage. Returns the status of any_cycle_forces. */
+/* Adds the contact forces to a train on a stage. Returns the status of dom_cycle_forces. */
 enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
                              const struct any_compute *compute, domq_real theta);
 

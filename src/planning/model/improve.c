@@ -24,7 +24,7 @@
  * cross-entropy with 40 candidates over 10 % with errors of gaps.
  */
 #include "chance/model/draw.h"
-#include "entry/study.h"
+#include "rows/model/study.h"
 #include "numerics/quiet.h"
 #include "numerics/real.h"
 #include "planning/model/shape.h"

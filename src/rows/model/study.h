@@ -20,6 +20,10 @@ enum dom_status row_study(struct study *study, const struct dom_row *row, size_t
                           struct dom_verdict *verdict);
 void row_study_end(struct study *study);
 
+/* Runs a row. At a domino that would stop, the run does not end: the domino gets the energy that it needs. */
+enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,
+                           dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
+
 /* Runs the unchanged row. Returns true if all dominoes fall. Also prepares trials that change one domino or
  * the gaps beside it. The caller must call trial_end afterwards, even after a failure. */
 bool trial_begin(struct trial *t);

@@ -32,7 +32,7 @@ struct film {
     bool is_data; /* the frames are written as data, rather than drawn */
     const struct options *options;
     struct falling_row row;
-    domq_real *time;      /* time of each frame, in s */
+    double *time;         /* time of each frame, in s */
     domq_real speed;      /* seconds of the fall that are shown in one second of the film */
     bool follows;         /* the view follows the front of the fall */
     size_t frames, frame; /* the total number of frames, and the number written so far */
@@ -123,17 +123,17 @@ static void front_follow(struct film *f, size_t head, double time)
     stage->tall = 2.6 * from->height * growth;
 }
 
-static bool frame_visit(const struct domq_moment *m, void *context)
+static bool frame_visit(const struct dom_moment *m, void *context)
 {
     struct film *f = context;
     struct stage *stage = &f->row.stage;
     char moment[SENTENCE], more[SENTENCE], speed[64] = "";
     if (f->is_data) {
-        answer_cells(f->out, cell_real(m->time), cell_count((domq_real)m->head),
-                     cell_real(m->tilt[m->head - 1]));
+        answer_cells(f->out, cell_real((domq_real)m->time), cell_count((domq_real)m->head),
+                     cell_real((domq_real)m->tilt[m->head - 1]));
         return !answer_lost(f->out);
     }
-    const bool over = (double)m->time >= f->row.end;
+    const bool over = m->time >= f->row.end;
     falling_row_pose(&f->row, m);
     falling_row_moment(&f->row, m, moment);
     if (over)
@@ -144,7 +144,7 @@ static bool frame_visit(const struct domq_moment *m, void *context)
         snprintf(speed, sizeof speed, " (%.30s times real speed)", measured(f->speed, "", 3).text);
     snprintf(stage->caption, CAPTION, "%s\n%s%s", moment, more, speed);
     if (f->follows)
-        front_follow(f, m->head, (double)m->time);
+        front_follow(f, m->head, m->time);
     if (f->screen) {
         f->failed = !frame_draw(f);
         return !f->failed && frame_play(f);
@@ -187,7 +187,7 @@ static bool times_find(struct film *f)
     f->frames = (size_t)frames;
     f->time = malloc(f->frames * sizeof *f->time);
     for (size_t k = 0; k < f->frames && f->time; k++)
-        f->time[k] = (domq_real)((double)k < moving ? begins + step * (double)k : HUGE_VAL);
+        f->time[k] = (double)k < moving ? begins + step * (double)k : HUGE_VAL;
     return f->time || problem_status(f->problem, f->query->scene, DOM_NO_MEMORY);
 }
 

@@ -10,8 +10,6 @@ struct visitor {
     DOM_VISITORS(MEMBER)
 #undef MEMBER
     void *context;
-    size_t count; /* for `moment_visit`: the number of dominoes in the row */
-    bool failed;  /* memory has run out, so the visitor has not been called */
 };
 
 #define NARROW(name) domf_##name

@@ -77,7 +77,6 @@ function visitor(prototype,   type, count, i, before, arguments, parameters) {
     type = substr(prototype, RSTART + 4, RLENGTH - 4)
     visitors = visitors " X(" type ")"
     count = parse(prototype)
-    if (pointed[1] == "moment") return # any.inc has the function that converts its arrays
     for (i = 1; i < count; i++) {
         parameters = parameters "const struct NARROW(" pointed[i] ") *" name[i] ", "
         before = before "    struct domq_" pointed[i] " " name[i] "_;\n    if (" name[i] ")\n        OWN(" pointed[i] "_out)(&" name[i] "_, " name[i] ");\n"
@@ -116,16 +115,10 @@ function ask(prototype,   find, count, i, p, v, at, signature, own, quad, before
         if (v == "row") {
             needs = needs "row_.domino && "
             after = after "    free((void *)row_.domino);\n"
-        } else if (v == "times" && p ~ /\*/) {
-            before = before "    NARROW(real) *const times_ = OWN(times_in)(times, count);\n"
-            arguments = join(arguments, "times_")
-            needs = needs "times_ && "
-            after = after "    free(times_);\n"
         } else if (p ~ /_visit|domq_visit/) {
             sub(/^domq_/, "", p)
             sub(/ .*/, "", p)
             before = before "    struct visitor visitor_ = {." p " = visit, .context = context};\n"
-            if (p == "moment_visit") { before = before "    visitor_.count = row->count;\n"; after = after "    status = visitor_.failed ? DOM_NO_MEMORY : status;\n" }
             arguments = join(arguments, "visit ? OWN(" p ") : NULL, &visitor_")
         } else if (v == "events") {
             before = before "    struct NARROW(event) events_[DOM_EVENTS_MAX];\n"

@@ -214,16 +214,14 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     if (!row->domino)
         return problem_status(problem, scene, DOM_NO_MEMORY);
     scene_row_fill(scene, row->domino, count);
-    row->row = (struct domq_row){
-        .domino = row->domino,
-        .count = count,
-        .g = scene->scale.g,
-        .push = scene_push(scene, row->domino->height),
-        .release = scene_release(scene),
+    row->row = (struct domq_row){.domino = row->domino,
+                                 .count = count,
+                                 .g = scene->scale.g,
+                                 .push = scene_push(scene, row->domino->height),
+                                 .release = scene_release(scene),
 #define VALUE(name, member, status) .member = scene->train.member,
-        DOM_DYNAMICS(VALUE)
+                                 DOM_DYNAMICS(VALUE)
 #undef VALUE
-            .floor = effect[DOM_EFFECT_floor].on,
     };
     row->row.walls = scene_walls(scene);
     row->row.air = scene_has_masses(scene) ? effect_value(scene, DOM_EFFECT_air, 0) : row->row.air;

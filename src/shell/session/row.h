@@ -46,11 +46,11 @@ struct engine_driver {
      */
     bool (*make)(const struct scene *scene, size_t count, struct scene_engine *engine,
                  struct problem *problem);
-    /* Does the same as any_row_watch, but in the engine. The step size comes from the report of an earlier
+    /* Does the same as dom_row_watch, but in the engine. The step size comes from the report of an earlier
      * run. Before each call of `visit`, stores in feet[k] how far the foot of domino k has slid, in m. k is
      * counted from 0. */
-    enum dom_status (*watch)(const struct domq_row *row, const struct any_compute *compute,
-                             const domq_real *times, size_t count, domq_moment_visit *visit, void *context,
+    enum dom_status (*watch)(const struct dom_row *row, const struct dom_compute *compute,
+                             const double *times, size_t count, dom_moment_visit *visit, void *context,
                              double *feet);
 };
 

@@ -21,17 +21,10 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state);
 KERNEL enum dom_status cycle_walk(const struct request *train, size_t count, enum dom_spacing by,
                                   dom_state_visit *visit, void *context);
-KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta, dom_force_visit *visit,
-                                    void *context);
 KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom_least_force *least);
-KERNEL enum dom_status cycle_floor(const struct request *train, struct dom_floor *floor);
 KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit);
 KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit);
 KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best);
-KERNEL enum dom_status row_run(const struct row_request *row, bool times, dom_fall_visit *visit,
-                               void *context, struct dom_verdict *verdict);
-KERNEL enum dom_status row_watch(const struct row_request *row, const dom_real *times, size_t count,
-                                 dom_moment_visit *visit, void *context, struct dom_verdict *verdict);
 KERNEL enum dom_status count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count);
 
 #endif

@@ -5,17 +5,7 @@
 #include "effects/effects.h"
 #include "entry/answers.h"
 #include "entry/study.h"
-
-/* A question about a train. */
-struct question {
-    struct request request;
-    enum dom_status status;
-};
-
-/* Asks a question: calls the function that answers, unless the question has an error. The value of the macro
- * is the status. */
-#define ASK(question, find, ...)                                                                             \
-    ((question).status != DOM_OK ? (question).status : find(&(question).request, __VA_ARGS__))
+#include "row/row.h"
 
 /* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */
 #define BAD_s     DOM_BAD_S
@@ -56,19 +46,18 @@ static enum dom_status request_check(const struct request *q)
 #define TRAIN_VALUE(effect, member, status) train->member,
 #define ROW_VALUE(effect, member, status)   row->member,
 
-static struct question question_make(const struct dom_train *train, const struct dom_compute *given)
+KERNEL_SHARED enum dom_status train_request_of(const struct dom_train *train, const struct dom_compute *given,
+                                               struct request *request)
 {
-    struct dom_compute compute = compute_or_default(given);
+    const struct dom_compute compute = compute_or_default(given);
 #define COPY(name, default_, lowest, highest, unit, meaning)         .name = train->name,
 #define COPY_COMPUTE(name, default_, lowest, highest, unit, meaning) .name = compute.name,
-    struct question q = {
-        .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
-                    .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .work = compute.work,
-                    .interrupt = compute.interrupt}};
+    *request = (struct request){
+        DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
+        .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .work = compute.work, .interrupt = compute.interrupt};
 #undef COPY
 #undef COPY_COMPUTE
-    q.status = IS_NEWER(train) || IS_NEWER(&compute) ? DOM_NEWER : request_check(&q.request);
-    return q;
+    return IS_NEWER(train) || IS_NEWER(&compute) ? DOM_NEWER : request_check(request);
 }
 
 KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *given,
@@ -82,7 +71,6 @@ KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const st
                                     .release = row->release,
                                     .effect = {DOM_DYNAMICS(ROW_VALUE)},
                                     .boxes_above = row->boxes_above,
-                                    .floor = row->floor,
                                     .tol = compute.tol,
                                     .work = compute.work,
                                     .interrupt = compute.interrupt};
@@ -91,85 +79,44 @@ KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const st
                                                  : DOM_OK;
 }
 
-/* Makes a question about a limit of growth. The search chooses r, so train->r need not be valid. */
-static struct question question_of_limit(const struct dom_train *train, const struct dom_compute *compute)
-{
-    struct dom_train t = *train;
-    t.r = 1;
-    return question_make(&t, compute);
-}
-
-/* Define public functions that answer a question about a train, or about a train at a tilt or a time. */
-#define ANSWER(find, structure)                                                                              \
+/* ANSWER defines a public function that checks a train and then calls the function that answers. */
+#define LIST(...) __VA_ARGS__
+#define ANSWER(find, parameters, ...)                                                                        \
     enum dom_status dom_##find(const struct dom_train *train, const struct dom_compute *compute,             \
-                               structure *found)                                                             \
+                               LIST parameters)                                                              \
     {                                                                                                        \
-        struct question q = question_make(train, compute);                                                   \
-        return ASK(q, find, found);                                                                          \
+        struct request request;                                                                              \
+        const enum dom_status status = train_request_of(train, compute, &request);                           \
+        return status == DOM_OK ? find(&request, __VA_ARGS__) : status;                                      \
     }
-#define ANSWER_AT(find, structure)                                                                           \
-    enum dom_status dom_##find(const struct dom_train *train, const struct dom_compute *compute,             \
-                               dom_real at, structure *found)                                                \
-    {                                                                                                        \
-        struct question q = question_make(train, compute);                                                   \
-        return ASK(q, find, at, found);                                                                      \
-    }
-ANSWER(angles_find, struct dom_angles)
-ANSWER(fuel_find, struct dom_fuels)
-ANSWER(launch_find, struct dom_launch)
-ANSWER(barrier_find, struct dom_barrier)
-ANSWER(cycle_duration, dom_real)
-ANSWER(cycle_least_force, struct dom_least_force)
-ANSWER(cycle_floor, struct dom_floor)
-ANSWER_AT(contact_find, struct dom_contact)
-ANSWER_AT(energy_find, struct dom_energy)
-ANSWER_AT(cycle_state, struct dom_state)
-
-enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
-                                  dom_real theta, dom_real *omegasq)
-{
-    struct question q = question_make(train, compute);
-    *omegasq = DOM_NAN;
-    return ASK(q, cycle_omegasq, theta, omegasq);
-}
-
-enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
-                               dom_real theta, dom_visit *visit, void *context)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, chain_walk, theta, visit, context);
-}
-
-enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
-                                 struct dom_event *events, int *count)
-{
-    struct question q = question_make(train, compute);
-    *count = 0;
-    return ASK(q, cycle_events, events, count);
-}
-
-enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t count,
-                               enum dom_spacing by, dom_state_visit *visit, void *context)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, cycle_walk, count, by, visit, context);
-}
-
-enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
-                                 dom_real theta, dom_force_visit *visit, void *context)
-{
-    struct question q = question_make(train, compute);
-    return ASK(q, cycle_forces, theta, visit, context);
-}
+ANSWER(angles_find, (struct dom_angles * angles), angles)
+ANSWER(contact_find, (dom_real theta, struct dom_contact *contact), theta, contact)
+ANSWER(chain_walk, (dom_real theta, dom_visit *visit, void *context), theta, visit, context)
+ANSWER(energy_find, (dom_real theta, struct dom_energy *energy), theta, energy)
+ANSWER(fuel_find, (struct dom_fuels * fuels), fuels)
+ANSWER(launch_find, (struct dom_launch * launch), launch)
+ANSWER(barrier_find, (struct dom_barrier * barrier), barrier)
+ANSWER(cycle_omegasq, (dom_real theta, dom_real *omegasq), theta, omegasq)
+ANSWER(cycle_duration, (dom_real * duration), duration)
+ANSWER(cycle_events, (struct dom_event * events, int *count), events, count)
+ANSWER(cycle_state, (dom_real theta, struct dom_state *state), theta, state)
+ANSWER(cycle_walk, (size_t count, enum dom_spacing by, dom_state_visit *visit, void *context), count, by,
+       visit, context)
+ANSWER(cycle_least_force, (struct dom_least_force * least), least)
+#undef ANSWER
+#undef LIST
 
 /* ---- Limits, which more than one precision may find ---- */
 
 enum dom_status OWN(_limit_alone)(const struct dom_train *train, const struct dom_compute *compute, bool pair,
                                   dom_real near, struct dom_limit *limit)
 {
-    struct question q = question_of_limit(train, compute);
-    q.request.near = near;
-    return pair ? ASK(q, limit_pair, limit) : ASK(q, limit_rmax, limit);
+    struct request request;
+    struct dom_train t = *train;
+    t.r = 1; /* the search chooses r, so train->r need not be valid */
+    const enum dom_status status = train_request_of(&t, compute, &request);
+    request.near = near;
+    return status != DOM_OK ? status : pair ? limit_pair(&request, limit) : limit_rmax(&request, limit);
 }
 
 /* Finds a limit. In quad, a search for r_max starts from that in double. A limit that is open in float or
@@ -202,15 +149,16 @@ enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_c
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *given,
                                struct dom_best *best)
 {
+    struct request request;
     struct dom_train anywhere = *train;
-    anywhere.s = 1;
-    struct question q = question_of_limit(&anywhere, given);
+    anywhere.s = anywhere.r = 1;
+    const enum dom_status status = train_request_of(&anywhere, given, &request);
 #ifdef DOMQ
     const struct dom_compute compute = compute_or_default(given);
-    if (q.status == DOM_OK && !near_best(&anywhere, &compute, &q.request.s, &q.request.near))
-        q.request.near = 0;
+    if (status == DOM_OK && !near_best(&anywhere, &compute, &request.s, &request.near))
+        request.near = 0;
 #endif
-    return ASK(q, limit_best, best);
+    return status == DOM_OK ? limit_best(&request, best) : status;
 }
 
 /* ---- Rows and counts ---- */
@@ -221,7 +169,7 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
     struct row_request request;
     enum dom_status status = row_request_of(row, given, &request);
     if (status != DOM_OK || !row->engine)
-        return status == DOM_OK ? row_run(&request, times, visit, context, verdict) : status;
+        return status == DOM_OK ? row_run(&request, times, NULL, NULL, visit, context, verdict) : status;
 #if defined DOMF || defined DOMQ
     return DOM_NO_METHOD;
 #else
@@ -253,35 +201,10 @@ enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_comput
     struct dom_row two = *row;
     two.count = row->count < 2 ? row->count : 2;
     two.engine = NULL;
-    two.floor = false;
     two.push = 0;
     two.release = (dom_real)HUGE_VAL;
     return dom_row_run(&two, compute, false, tilt_seen, tilt, &verdict);
 }
-
-enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
-                              const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
-                              struct dom_verdict *verdict)
-{
-    struct row_request request;
-    const enum dom_status status = row_request_of(row, compute, &request);
-    return status != DOM_OK ? status
-           : row->engine    ? DOM_NO_METHOD
-                            : row_watch(&request, times, count, visit, context, verdict);
-}
-
-#if !defined DOMF && !defined DOMQ
-
-enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,
-                           dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
-{
-    struct row_request request;
-    const enum dom_status status = row_request_of(row, compute, &request);
-    request.carries_on = true;
-    return status == DOM_OK ? row_run(&request, false, visit, context, verdict) : status;
-}
-
-#endif
 
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count)
 {
@@ -297,66 +220,3 @@ dom_real dom_rmax(dom_real s, dom_real d, dom_real q)
     train.q = q;
     return dom_limit_rmax(&train, NULL, &limit) == DOM_OK ? limit.r_max : DOM_NAN;
 }
-
-/* ---- Many trains at once ---- */
-
-static const size_t answer_sizes[] = {
-    [DOM_ASK_ANGLES] = sizeof(struct dom_angles), [DOM_ASK_CONTACT] = sizeof(struct dom_contact),
-    [DOM_ASK_ENERGY] = sizeof(struct dom_energy), [DOM_ASK_FUEL] = sizeof(struct dom_fuels),
-    [DOM_ASK_LAUNCH] = sizeof(struct dom_launch), [DOM_ASK_BARRIER] = sizeof(struct dom_barrier),
-    [DOM_ASK_OMEGASQ] = sizeof(dom_real),         [DOM_ASK_DURATION] = sizeof(dom_real),
-    [DOM_ASK_RMAX] = sizeof(struct dom_limit),    [DOM_ASK_PAIR] = sizeof(struct dom_limit),
-    [DOM_ASK_BEST] = sizeof(struct dom_best),
-};
-
-static enum dom_status train_ask(enum dom_question question, const struct dom_train *train,
-                                 const struct dom_compute *compute, const dom_real *tilt, void *answer)
-{
-    switch (question) {
-    case DOM_ASK_ANGLES:
-        return dom_angles_find(train, compute, answer);
-    case DOM_ASK_CONTACT:
-        return dom_contact_find(train, compute, *tilt, answer);
-    case DOM_ASK_ENERGY:
-        return dom_energy_find(train, compute, *tilt, answer);
-    case DOM_ASK_FUEL:
-        return dom_fuel_find(train, compute, answer);
-    case DOM_ASK_LAUNCH:
-        return dom_launch_find(train, compute, answer);
-    case DOM_ASK_BARRIER:
-        return dom_barrier_find(train, compute, answer);
-    case DOM_ASK_OMEGASQ:
-        return dom_cycle_omegasq(train, compute, *tilt, answer);
-    case DOM_ASK_DURATION:
-        return dom_cycle_duration(train, compute, answer);
-    case DOM_ASK_RMAX:
-        return dom_limit_rmax(train, compute, answer);
-    case DOM_ASK_PAIR:
-        return dom_limit_pair(train, compute, answer);
-    case DOM_ASK_BEST:
-        break;
-    }
-    return dom_limit_best(train, compute, answer);
-}
-
-enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
-                               const dom_real *tilts, size_t count, const struct dom_compute *compute,
-                               void *answers, enum dom_status *statuses)
-{
-    bool interrupted = false;
-    if ((unsigned)question >= sizeof answer_sizes / sizeof *answer_sizes)
-        return DOM_NO_METHOD;
-    for (size_t k = 0; k < count; k++) {
-        void *answer = (char *)answers + k * answer_sizes[question];
-        interrupted = interrupted || (compute && dom_interrupted(compute->interrupt));
-        statuses[k] = interrupted
-                          ? DOM_INTERRUPTED
-                          : train_ask(question, &trains[k], compute, tilts ? &tilts[k] : NULL, answer);
-        interrupted = interrupted || statuses[k] == DOM_INTERRUPTED;
-    }
-    return interrupted ? DOM_INTERRUPTED : DOM_OK;
-}
-
-#undef ASK
-#undef ANSWER
-#undef ANSWER_AT

@@ -99,7 +99,7 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
     return DOM_OK;
 }
 
-KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
+KERNEL_SHARED enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
 {
     /* If theta_c >= 0 and theta is less than c.x = sin theta_c, then theta is also less than theta_c. The
      * comparisons below give the same result with c.x instead of theta_c, and no arc tangent is needed. */
@@ -110,7 +110,7 @@ KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta
     return DOM_OK;
 }
 
-KERNEL real geometry_half_u(const struct geometry *geometry)
+KERNEL_SHARED real geometry_half_u(const struct geometry *geometry)
 {
     if (geometry->rounded.roll != 0)
         return tan(geometry_theta_u(geometry) / 2);

@@ -204,7 +204,7 @@ KERNEL real geometry_tipped_omegasq(const struct geometry *geometry);
 /* A single domino tips over at theta_u. These functions return theta_u, tan(theta_u / 2) and
  * h(theta_u) - h(0). */
 KERNEL_SHARED real geometry_theta_u(const struct geometry *geometry);
-KERNEL real geometry_half_u(const struct geometry *geometry);
+KERNEL_SHARED real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
 /* Returns r s for the smallest growth at which domino 1 tips over by itself before it hits the next domino
@@ -217,7 +217,7 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
 
 /* Converts an angle to a tilt. If the angle equals theta_c apart from rounding, the result is theta_c.
  * Returns DOM_BAD_TILT if the angle is less than the lean of the head (0 in a train), or exceeds theta_c. */
-KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
+KERNEL_SHARED enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
 /* Returns the largest gap that a head with edges of radius rho can reach across. Both lengths are in units of
  * the head's height. */

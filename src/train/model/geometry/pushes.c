@@ -90,7 +90,7 @@ KERNEL_LOOP bool pushes_by(const struct walk *a, const struct walk *b, const boo
     return least_product(of_x, B.x, A.x) + least_product(of_y, A.y, B.y) + rest >= 0;
 }
 
-KERNEL bool contact_pushes(const struct walk *a, const struct walk *b, int halvings)
+KERNEL_SHARED bool contact_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (a->link.geometry->rolls ? pushes_by(a, b, true) : pushes_by(a, b, false))
         return true;

@@ -34,7 +34,6 @@ struct row_request {
     dom_real g, push, release;
     dom_real effect[DOM_DYNAMICS_COUNT];
     dom_real boxes_above; /* as in struct dom_row */
-    bool floor;
     /* If true, the run does not end at a domino that would stop. Instead, the domino gets the energy that it
      * needs, and the run goes on. */
     bool carries_on;

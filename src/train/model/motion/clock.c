@@ -106,7 +106,7 @@ static enum num_status clock_make(struct clock *c)
     return solver;
 }
 
-KERNEL enum dom_status clock_begin(struct clock *c, struct segment *st, real to, bool rests, real tol)
+KERNEL_SHARED enum dom_status clock_begin(struct clock *c, struct segment *st, real to, bool rests, real tol)
 {
     const struct barrier *b = &st->barrier;
     const real noise = segment_noise(st), tol_sums = st->geometry.tol, spare = st->start.kinetic - b->height;
@@ -133,12 +133,12 @@ KERNEL enum dom_status clock_begin(struct clock *c, struct segment *st, real to,
     return model_status(st->status, solver);
 }
 
-KERNEL void clock_free(struct clock *c)
+KERNEL_SHARED void clock_free(struct clock *c)
 {
     num_linear_free(&c->time);
 }
 
-KERNEL real clock_time(const struct clock *c, real theta)
+KERNEL_SHARED real clock_time(const struct clock *c, real theta)
 {
     if (c->time.panels == 0)
         return 0;
@@ -167,7 +167,7 @@ static real clock_early(real theta, void *context)
     return clock_time(s->clock, theta) - s->time;
 }
 
-KERNEL enum dom_status clock_tilt(const struct clock *c, real time, real *theta)
+KERNEL_SHARED enum dom_status clock_tilt(const struct clock *c, real time, real *theta)
 {
     struct sought s = {c, time};
     const enum num_status solver = num_root(clock_early, &s, c->segment->lo, c->to, c->tol, theta);

@@ -25,7 +25,7 @@ KERNEL enum dom_status motion_begin(const struct request *train, struct motion *
     return m->stops ? DOM_OK : status;
 }
 
-KERNEL void motion_end(struct motion *m)
+KERNEL_SHARED void motion_end(struct motion *m)
 {
     dynamics_end(&m->segment.geometry);
     clock_free(&m->clock);
@@ -37,7 +37,7 @@ static enum dom_status motion_find_end(struct motion *m)
     return m->stops ? segment_rest(&m->segment, &m->end) : DOM_OK;
 }
 
-KERNEL enum dom_status motion_prepare(const struct request *train, bool timed, struct motion *m)
+KERNEL_SHARED enum dom_status motion_prepare(const struct request *train, bool timed, struct motion *m)
 {
     enum dom_status status = motion_begin(train, m);
     if (status == DOM_OK && !(segment_noise(&m->segment) < (real)0.125))

@@ -43,7 +43,7 @@ KERNEL enum dom_status segment_begin(struct segment *segment);
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
 /* Finds tau^2 omega^2 at a tilt. */
-KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq);
+KERNEL_SHARED enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq);
 
 /* For a motion that stops, finds the tilt at which its energy is used up. With friction, the function may
  * replace the solution of the motion by another solution, which ends near this tilt. */
@@ -69,15 +69,15 @@ struct clock {
 /* Makes the clock of the motion from segment->lo to the tilt `to`. The segment must exist as long as the
  * clock. The memory of an earlier clock is used again; a new one must be {0}, and clock_free frees it.
  * Returns DOM_NO_MARGIN if the energy is too close to the barrier to compute times. */
-KERNEL enum dom_status clock_begin(struct clock *clock, struct segment *segment, real to, bool rests,
-                                   real tol);
-KERNEL void clock_free(struct clock *clock);
+KERNEL_SHARED enum dom_status clock_begin(struct clock *clock, struct segment *segment, real to, bool rests,
+                                          real tol);
+KERNEL_SHARED void clock_free(struct clock *clock);
 
 /* Returns the time from the beginning of the motion to a tilt, in tau. */
-KERNEL real clock_time(const struct clock *clock, real theta);
+KERNEL_SHARED real clock_time(const struct clock *clock, real theta);
 
 /* Finds the tilt at a time from 0 to clock_time(clock, clock->to). */
-KERNEL enum dom_status clock_tilt(const struct clock *clock, real time, real *theta);
+KERNEL_SHARED enum dom_status clock_tilt(const struct clock *clock, real time, real *theta);
 
 /* Finds the duration of a segment, in tau. If the train nearly stops, the duration grows like ln(1/margin).
  * Returns DOM_NO_MARGIN as clock_begin does. */
@@ -96,11 +96,11 @@ struct motion {
 /* Finds the launch of a train, and its barrier over [0, theta_c]. Returns DOM_NO_FUEL if the train has no
  * energy for a launch. Always call motion_end afterwards. */
 KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion);
-KERNEL void motion_end(struct motion *motion);
+KERNEL_SHARED void motion_end(struct motion *motion);
 
 /* Begins a motion, and finds its end and, if `timed` is true, its clock. Returns DOM_NO_MARGIN if the margin
  * is too small to compute times. Always call motion_end afterwards. */
-KERNEL enum dom_status motion_prepare(const struct request *train, bool timed, struct motion *motion);
+KERNEL_SHARED enum dom_status motion_prepare(const struct request *train, bool timed, struct motion *motion);
 
 /* ---- Forces (forces.c) ---- */
 
@@ -109,23 +109,64 @@ KERNEL enum dom_status motion_prepare(const struct request *train, bool timed, s
  * true, no ratio is negative, so callers that only need the sign do not call this function. */
 KERNEL_SHARED enum dom_status segment_contact(const struct segment *segment, real to, real *least);
 
-/*
- * The friction coefficient that the floor needs so that no foot slips. It is the largest ratio |R_x| / R_z
- * over all feet. During the motion, R is the force of the floor on a foot. In the collision, R is the impulse
- * of this force.
- */
-struct required_friction {
-    real motion, theta; /* largest ratio during the motion, and the tilt of the head at which it occurs */
-    size_t domino;      /* domino with the largest ratio during the motion; 0 is the head */
-    real hit;           /* largest ratio |R_x| / R_z in the collision */
-    size_t hit_domino;
-    size_t shown; /* the number of dominoes at which the last search looked */
+/* This tolerance gives a few digits of a force. */
+#define FORCES_TOL ((real)1e-6)
+
+/* The motion of a chain, given by the motion of its head: `omegasq` is tau^2 omega^2, and `acceleration` is
+ * tau^2 times the angular acceleration. */
+struct kinematics {
+    struct tilt head;
+    real omegasq, acceleration;
+    size_t n; /* number of dominoes that contribute to the sums */
+    /*
+     * True at the start of a motion that begins with a collision. `omega` is then tau times the angular
+     * velocity of the head after the collision. `omega_lost` describes what the followers lose: in the
+     * collision, the angular velocity of follower i decreases by theta_i' * `omega_lost` / tau.
+     */
+    bool hit;
+    real omega, omega_lost;
 };
 
-/* Finds the friction needed at the tilts in [lo, hi]. If this is more than the friction in *required, updates
- * *required. No domino may detach inside this interval. If the friction is smooth around its maximum, the
- * relative error is about a millionth. */
-KERNEL enum dom_status floor_over(const struct segment *segment, real lo, real hi,
-                                  struct required_friction *required);
+/* One domino of a moving chain. Forces are in units of m g of the head, and impulses in units of m g tau of
+ * the head. */
+struct loaded {
+    struct link link;
+    real second_derivative; /* theta_i'' */
+    real size;              /* height / height of the head */
+    struct arms arms;       /* arms of the contact with the follower, if there is one */
+    bool leaned;            /* true if a follower leans on this domino */
+    real force, impulse;    /* of the follower, normal to the back face; NaN if none leans on this domino */
+};
+
+/* Finds the motion of a chain at a tilt of its head. */
+KERNEL_SHARED enum dom_status forces_motion(const struct segment *segment, real theta,
+                                            struct kinematics *kinematics);
+
+/* Finds the forces of the contacts of the first *shown dominoes, or of all if there are fewer. Sets *shown to
+ * their number. Returns their list, which the caller frees, or NULL if memory runs out. */
+KERNEL_SHARED struct loaded *forces_find(const struct geometry *geometry, const struct kinematics *kinematics,
+                                         size_t *shown);
+
+/* ---- The largest value over a motion (forces.c) ---- */
+
+/* Finds the value at a tilt. */
+typedef enum dom_status peak_function(real theta, void *context, real *value);
+
+enum { PEAK_MOST = 24, PEAK_HALVINGS = 24 };
+
+struct peak {
+    int samples; /* the number of intervals with which a search begins, at most PEAK_MOST */
+    peak_function *at;
+    void *context;
+    real most;     /* the largest value so far */
+    real tol, off; /* a search ends when no peak can exceed `most` by more than tol * |most| + off */
+};
+
+/* Searches [lo, hi], in which the value must not jump. */
+KERNEL_SHARED enum dom_status peak_over(struct peak *peak, real lo, real hi);
+
+/* Searches the cycle of a train. The edges of its barrier divide the cycle into parts. Forces jump at the
+ * edges, so the search of a part begins and ends just inside. */
+KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *peak, const struct motion *motion);
 
 #endif

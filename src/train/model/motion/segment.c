@@ -52,7 +52,7 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
     }
 }
 
-KERNEL enum dom_status segment_speed(const struct segment *st, real theta, real *omegasq)
+KERNEL_SHARED enum dom_status segment_speed(const struct segment *st, real theta, real *omegasq)
 {
     return dynamics_speed(&st->geometry, &st->start, theta, omegasq);
 }

@@ -5,7 +5,7 @@
  * least 1e-300. */
 #define ITERATIONS_MAX 2000
 
-KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x)
+KERNEL_SHARED enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x)
 {
     real f_lo = f(lo, context), f_hi = f(hi, context);
     return num_root_between(f, context, lo, f_lo, hi, f_hi, tol, x);

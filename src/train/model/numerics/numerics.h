@@ -21,7 +21,7 @@ typedef real num_function(real x, void *context);
  * signs; zero counts as either sign. The method is Chandrupatla's (Advances in Engineering Software 28,
  * 1997). It uses inverse quadratic interpolation where that is safe, and bisection elsewhere.
  */
-KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
+KERNEL_SHARED enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
 /* Does the same as num_root, for callers that already know f(lo) and f(hi), or at least numbers with the same
  * signs. */
@@ -88,8 +88,8 @@ struct num_linear {
  * end at lo. The relative error of G is about tol, and the error of v is about tol times the range of v. If
  * tol is infinite, the solution is rough: it has a single panel, on which p and c are evaluated only at 7
  * nodes, so its series may not have converged. */
-KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
-                                        struct num_linear *solution);
+KERNEL_SHARED enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi,
+                                               real tol, struct num_linear *solution);
 
 KERNEL void num_linear_free(struct num_linear *solution);
 
@@ -97,6 +97,6 @@ KERNEL void num_linear_free(struct num_linear *solution);
 KERNEL void num_linear_at(const struct num_linear *solution, real x, real *ln_G, real *v);
 
 /* Returns v(x) - v(x - by). The relative error does not grow if `by` is tiny. */
-KERNEL real num_linear_moved(const struct num_linear *solution, real x, real by);
+KERNEL_SHARED real num_linear_moved(const struct num_linear *solution, real x, real by);
 
 #endif

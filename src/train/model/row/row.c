@@ -41,7 +41,8 @@ static enum dom_status descent_move(struct descent *d)
     struct segment *st = &d->st;
     struct run *run = d->run;
     const bool ends = d->stops || d->locks, moves = !ends || st->lo < d->stop;
-    struct passage passage = {.head = d->head,
+    struct passage passage = {.st = st,
+                              .head = d->head,
                               .to = ends ? d->stop : st->hi,
                               .rests = d->stops,
                               .begins = run->time,
@@ -51,21 +52,26 @@ static enum dom_status descent_move(struct descent *d)
     enum dom_status status = DOM_OK;
     if (moves && st->lo < passage.to && (run->forces || !st->end.pushes))
         status = segment_contact(st, passage.to, &d->least_force);
-    if (status == DOM_OK && run->row->request.floor && st->lo < passage.to)
-        status = floor_over(st, st->lo, passage.to, &d->required_friction);
     if (status == DOM_OK && !ends && run->times)
         status = segment_time(st, st->geometry.tol, &passage.lasts);
     if (status == DOM_NO_MARGIN) /* then the time is NaN */
         status = DOM_OK;
-    if (status == DOM_OK && moves && run->watch) {
-        passage.st = *st;
-        status = watch_passage(run->watch, &passage);
-    }
+    if (status == DOM_OK && moves && run->hooks->moves)
+        status = run->hooks->moves(run, &passage);
     if (!ends) {
         d->climbed += st->end.dH;
         d->time += passage.lasts;
     }
     return status != DOM_OK || ends ? status : st->status;
+}
+
+/* Called at the end of a segment. */
+static enum dom_status descent_detach(const struct descent *d)
+{
+    const struct run_hooks *hooks = d->run->hooks;
+    return hooks->detaches && d->moving < d->st.geometry.n
+               ? hooks->detaches(d->run, &d->st, d->head, d->moving)
+               : DOM_OK;
 }
 
 /* Computes the motion of the head in one segment and prepares the next segment. If the head has stopped in an
@@ -80,7 +86,7 @@ static enum dom_status descent_segment(struct descent *d, real end)
     if (status == DOM_OK)
         status = segment_begin(st);
     if (status == DOM_OK && !over && st->lo == st->hi)
-        status = watch_detach(d->run->watch, st, d->head, d->moving);
+        status = descent_detach(d);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
     /* The margin is the energy to spare at the launch of the head. If omegasq at the launch changes, omegasq
@@ -99,13 +105,15 @@ static enum dom_status descent_segment(struct descent *d, real end)
     if (status == DOM_OK && !over)
         status = descent_move(d);
     if (status == DOM_OK && !d->stops && !d->locks)
-        status = watch_detach(d->run->watch, st, d->head, d->moving);
+        status = descent_detach(d);
     if (status == DOM_OK && !st->locks)
         *st = next;
     return status;
 }
 
-KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
+/* Runs head k from its first tilt to its last tilt and stores the final state in *d. Unlike row_head, does
+ * not update the verdict. */
+static enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct geometry *self = &run->row->geometry[k];
     const struct block block = block_of(&run->row->request, k);
@@ -122,8 +130,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
                           .moving = run->moving,
                           .least_margin = (real)INFINITY,
                           .least_force = (real)INFINITY};
-    if (run->watch)
-        run->watch->head = k;
+    if (run->hooks->begins)
+        run->hooks->begins(run, k);
     struct sums at = {0};
     d->st.geometry.n = run->moving;
     enum dom_status status = chain_sum(&d->st.geometry, rest, &at);
@@ -183,10 +191,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
         d->st.geometry.conservative = true;
     else if (tips)
         status = losses_tipped(geometry, &omegasq);
-    if (status == DOM_OK && run->row->request.floor && tips)
-        status = floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction);
-    if (status == DOM_OK)
-        status = watch_tip(run->watch, &d->st, block.tau);
+    if (status == DOM_OK && run->hooks->tips)
+        status = run->hooks->tips(run, &d->st, block.tau);
     d->st.start.from = geometry->c;
     d->st.start.J = geometry_inertia(geometry, geometry->c);
     d->st.start.omegasq = omegasq;
@@ -219,7 +225,11 @@ static enum dom_row_end hit_ends(const struct row *row, size_t k)
     return self->height * top > flat * next->height ? DOM_ROW_PASSES : DOM_ROW_FALLS;
 }
 
-KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
+/*
+ * Computes the collision of head k with domino k + 1, which then becomes the head. The arguments *at and
+ * *hitting are the state and the geometry of head k at the hit. If the fall ends here, sets run->verdict.end.
+ */
+static enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at)
 {
     const struct row_request *request = &run->row->request;
@@ -241,19 +251,23 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
     return status;
 }
 
-KERNEL_SHARED struct run row_launch(struct row *row)
+KERNEL_SHARED struct run row_launch(struct row *row, const struct run_hooks *hooks, void *hooked)
 {
+    static const struct run_hooks none = {.every = false};
     const real push = row->request.push, omega = isnan(push) ? 0 : push * block_of(&row->request, 0).tau;
     return (struct run){.row = row,
                         .moving = 1,
                         .omegasq = omega * omega,
-                        .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
+                        .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY},
+                        .hooks = hooks ? hooks : &none,
+                        .hooked = hooked};
 }
 
 /* A domino that would stop gets this much more energy than it needs if the run must go on. */
 #define CARRY_ON (1 + (real)1e-4)
 
-KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
+/* Runs head k from the hit, or from the start if k = 0. Updates the verdict. */
+static enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct row_request *request = &run->row->request;
     const bool tips = k == 0 && isnan(request->push);
@@ -279,14 +293,6 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
                            : d->locks                        ? DOM_ROW_LOCKS
                            : k == 0 && row_releases(request) ? DOM_ROW_BACK
                                                              : DOM_ROW_STOPS;
-    fall->floor_motion = fall->floor_hit = REAL_NAN;
-    if (request->floor) {
-        const struct required_friction *required = &d->required_friction;
-        fall->floor_motion = required->motion;
-        fall->floor_domino = k + 1 - required->domino;
-        fall->floor_hit = required->hit;
-        fall->floor_hit_domino = k + 1 - required->hit_domino;
-    }
     struct dom_verdict *v = &run->verdict;
     const real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (real)INFINITY;
     v->domino = k + 1;
@@ -334,8 +340,6 @@ static bool steady_repeats(struct steady *s, struct run *run, size_t k, struct d
     struct dom_fall *self = &s->fall;
     self->domino++;
     self->moving += s->more;
-    self->floor_domino += self->floor_domino > 0;
-    self->floor_hit_domino += self->floor_hit_domino > 0;
     self->time = run->time;
     run->time += (real)self->duration;
     run->moving += s->more;
@@ -353,8 +357,8 @@ static void steady_find(struct steady *s, const struct run *run, size_t k, const
                left = fabs(after - before->omegasq) * lambda / (1 - lambda);
     const size_t more = run->moving - fall->moving;
     const struct row_request *request = &run->row->request;
-    s->found = !run->watch && !run->study && k > 0 && request->work->longest + STEADY_MORE <= s->alike &&
-               more <= 1 && more == s->more && lambda < 1 && left <= STEADY_SHARE * request->tol * after;
+    s->found = !run->hooks->every && k > 0 && request->work->longest + STEADY_MORE <= s->alike && more <= 1 &&
+               more == s->more && lambda < 1 && left <= STEADY_SHARE * request->tol * after;
     s->more = more;
     s->fall = *fall;
 }
@@ -397,13 +401,13 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
             continue;
         }
         enum dom_status status = row_ready(row, last ? k : k + 1, &steady);
-        const bool passes = status == DOM_OK && run->passes && run->passes(run, k, &at);
+        const bool passes = status == DOM_OK && run->hooks->passes && run->hooks->passes(run, k, &at);
         run->verdict.domino = k + 1;
         if (status == DOM_OK && !passes)
             status = row_head(run, k, &d, &fall);
         if (status != DOM_OK)
             return status;
-        more = (!visit || visit(&fall, context)) && !(run->watch && run->watch->ended);
+        more = !visit || visit(&fall, context);
         if (more && run->verdict.end == DOM_ROW_FALLS && !last)
             status = passes ? row_hit(run, k, &row->geometry[k], &at)
                             : row_hit(run, k, &d.st.geometry, &d.st.start);
@@ -411,30 +415,28 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
             return status;
         if (!passes && more && !last)
             steady_find(&steady, run, k, &before, &d, &fall);
-        more = more && !(!passes && run->ends && run->ends(run, k, &before, &d, &fall));
+        more = more && !(!passes && run->hooks->ends && run->hooks->ends(run, k, &before, &d, &fall));
     }
     return DOM_OK;
 }
 
 /* ---- Public ---- */
 
-static enum dom_status row_answer(const struct row_request *request, bool times, dom_fall_visit *visit,
-                                  void *context, struct watch *watch, struct dom_verdict *verdict)
+KERNEL_SHARED enum dom_status row_run(const struct row_request *request, bool times,
+                                      const struct run_hooks *hooks, void *hooked, dom_fall_visit *visit,
+                                      void *context, struct dom_verdict *verdict)
 {
     struct row_request counted = *request;
     struct dom_work work = {0};
     struct row row;
     counted.work = &work;
     enum dom_status status = row_begin(&counted, &row, &verdict->domino);
-    if (status == DOM_OK && watch && row_releases(request))
-        watch->tilt[0] = row.geometry[0].lean;
     if (status == DOM_OK) {
-        struct run run = row_launch(&row);
+        struct run run = row_launch(&row, hooks, hooked);
         run.times = times;
-        run.watch = watch;
         status = row_falls(&run, 0, visit, context);
-        if (status == DOM_OK && watch)
-            status = watch_rest(watch);
+        if (status == DOM_OK && run.hooks->rests)
+            status = run.hooks->rests(&run);
         run.verdict.seconds = times ? run.time : REAL_NAN;
         if (status == DOM_OK)
             *verdict = run.verdict;
@@ -446,35 +448,5 @@ static enum dom_status row_answer(const struct row_request *request, bool times,
         sum->dominoes += work.dominoes;
         sum->longest = work.longest > sum->longest ? work.longest : sum->longest;
     }
-    return status;
-}
-
-KERNEL enum dom_status row_run(const struct row_request *request, bool times, dom_fall_visit *visit,
-                               void *context, struct dom_verdict *verdict)
-{
-    return row_answer(request, times, visit, context, NULL, verdict);
-}
-
-KERNEL enum dom_status row_watch(const struct row_request *request, const dom_real *times, size_t count,
-                                 dom_moment_visit *visit, void *context, struct dom_verdict *verdict)
-{
-    for (size_t k = 0; k < count; k++)
-        if (isnan(times[k]) || (k > 0 && times[k] < times[k - 1]) || (times[k] < 0 && !isnan(request->push)))
-            return DOM_BAD_TIME;
-    const size_t dominoes = request->count > 0 ? request->count : 1;
-    struct watch watch = {.time = times,
-                          .times = count,
-                          .visit = visit,
-                          .context = context,
-                          .tilt = calloc(dominoes, sizeof *watch.tilt),
-                          .omega = calloc(dominoes, sizeof *watch.omega)};
-    enum dom_status status = watch.tilt && watch.omega ? DOM_OK : DOM_NO_MEMORY;
-    for (size_t k = 0; status == DOM_OK && k < request->count; k++)
-        watch.tilt[k] = request->domino[k].lean;
-    if (status == DOM_OK)
-        status = row_answer(request, true, NULL, NULL, &watch, verdict);
-    free(watch.tilt);
-    free(watch.omega);
-    clock_free(&watch.clock);
     return status;
 }

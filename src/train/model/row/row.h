@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A finite row: its joints (joint.c), its runs (row.c), and its states at requested times (moments.c). */
+/* A finite row: its joints (joint.c) and its runs (row.c). */
 #ifndef DOM_ROW_H
 #define DOM_ROW_H
 
@@ -66,53 +66,41 @@ KERNEL real row_lean(const struct row_request *row, size_t k);
  */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 
-/* ---- Moments (moments.c) ---- */
+/* ---- Runs (row.c) ---- */
 
 /* A stretch of the motion of one head, during which no domino detaches. */
 struct passage {
-    struct segment st;
+    struct segment *st;
     size_t head; /* index of the head, from 0 */
     real to;     /* tilt of the head at the end of the passage */
     bool rests;  /* true if the head comes to rest at the tilt `to` */
     /* The head was hit at `begins`, in s. The passage begins `passed` later and lasts `lasts`, in tau of the
-     * head, which is `tau` in s. */
+     * head, which is `tau` in s. `lasts` is NaN if it is not known. */
     real begins, tau, passed, lasts;
 };
 
-/* The times at which the caller wants the state of a row, and the current state. */
-struct watch {
-    const dom_real *time; /* the requested times in s, in ascending order */
-    size_t times, next;   /* number of requested times, and index of the next one to report */
-    dom_moment_visit *visit;
-    void *context;
-    bool ended;             /* true if the callback has ended the run */
-    dom_real *tilt, *omega; /* tilt and angular velocity of each domino, in rad and rad/s */
-    size_t head, moving;    /* index of the head, and number of moving dominoes */
-    struct passage last;
-    struct clock clock; /* of `last` */
+struct run;
+struct descent;
+
+/* What other folders do while a row runs. Each function may be NULL. A status other than DOM_OK ends the run.
+ */
+struct run_hooks {
+    bool every; /* true if no head may repeat the motion of the one before instead of being computed */
+    /* Returns true if it is certain, without a search for the barrier, that head k keeps falling. Sets *at to
+     * the state at the end of its motion. */
+    bool (*passes)(struct run *run, size_t k, struct start *at);
+    /* Called after head k, which began in the state *before. Returns true if the run may end here. */
+    bool (*ends)(struct run *run, size_t k, const struct run *before, const struct descent *d,
+                 const struct dom_fall *fall);
+    /* The first domino tips over its edge before the first hit, in *tip. If it touches the next domino before
+     * it tips over, tip->hi <= tip->lo, and it leans on that domino at rest. */
+    enum dom_status (*tips)(struct run *run, struct segment *tip, real tau);
+    void (*begins)(struct run *run, size_t k); /* head k begins to move */
+    enum dom_status (*moves)(struct run *run, const struct passage *passage);
+    /* Dominoes detach at the end of a segment. The first `moving` dominoes, counted from the head, do not. */
+    enum dom_status (*detaches)(struct run *run, const struct segment *st, size_t head, size_t moving);
+    enum dom_status (*rests)(struct run *run); /* the run has ended */
 };
-
-/* In watch_tip and watch_detach, a NULL `watch` stands for a run without requested times. */
-
-/* Reports the states at those requested times that lie before the first hit. Until then, the first domino
- * tips over its edge. If it touches the next domino before it tips over, it leans on that domino at rest. */
-KERNEL enum dom_status watch_tip(struct watch *watch, const struct segment *tip, real tau);
-
-/* Reports the states at those requested times that lie in a passage. If passage->lasts is NaN, the duration
- * is not known. */
-KERNEL enum dom_status watch_passage(struct watch *watch, const struct passage *passage);
-
-/* Stores the tilts of the dominoes that detach at the end of a segment; they keep these tilts. The first
- * `moving` dominoes, counted from the head, do not detach. */
-KERNEL enum dom_status watch_detach(struct watch *watch, const struct segment *st, size_t head,
-                                    size_t moving);
-
-/* After the end of the run, reports the states at all remaining requested times. */
-KERNEL enum dom_status watch_rest(struct watch *watch);
-
-/* ---- Runs (row.c) ---- */
-
-struct descent; /* below */
 
 /* The run of a row, one head after the other. */
 struct run {
@@ -124,18 +112,11 @@ struct run {
     /* Inertia ratio T of the collision that set the head in motion (dynamics.h), or 0 if there was none. With
      * sharp edges, T is J(0) - 1 without friction, and A(0) - 1 with friction. */
     real inertia_ratio;
-    real time;           /* time since the start in s, or NaN if the time is unknown */
-    real carried;        /* kinetic energy before the next collision, in J */
-    struct watch *watch; /* the times to report, or NULL */
+    real time;    /* time since the start in s, or NaN if the time is unknown */
+    real carried; /* kinetic energy before the next collision, in J */
     struct dom_verdict verdict;
-    /* What a study adds to a run (rows/model/study.c). The functions may be NULL. */
-    struct study *study;
-    /* Returns true if it is certain, without a search for the barrier, that head k keeps falling. Sets *at to
-     * the state at the end of its motion. */
-    bool (*passes)(struct run *run, size_t k, struct start *at);
-    /* Called after head k, which began in the state *before. Returns true if the run may end here. */
-    bool (*ends)(struct run *run, size_t k, const struct run *before, const struct descent *d,
-                 const struct dom_fall *fall);
+    const struct run_hooks *hooks;
+    void *hooked; /* for the hooks */
 };
 
 /* The motion of one head, which is computed segment by segment, in the units of this head. */
@@ -154,31 +135,17 @@ struct descent {
      * the tilt `stop`. */
     bool stops, locks;
     real stop;
-    struct required_friction required_friction;
 };
 
-/* Returns a run that begins with the first domino. */
-KERNEL_SHARED struct run row_launch(struct row *row);
+/* Checks a row and runs it from the start, as dom_row_run does. `hooks` may be NULL; `hooked` is for them. */
+KERNEL_SHARED enum dom_status row_run(const struct row_request *row, bool times,
+                                      const struct run_hooks *hooks, void *hooked, dom_fall_visit *visit,
+                                      void *context, struct dom_verdict *verdict);
+
+/* Returns a run that begins with the first domino. `hooks` may be NULL. */
+KERNEL_SHARED struct run row_launch(struct row *row, const struct run_hooks *hooks, void *hooked);
 
 /* Runs a row from head k on. */
 KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context);
-
-/* Runs head k from the hit, or from the start if k = 0. Updates the verdict. */
-KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
-
-/* Runs head k from its first tilt to its last tilt and stores the final state in *d. Unlike row_head, does
- * not update the verdict. */
-KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
-
-/*
- * Computes the collision of head k with domino k + 1, which then becomes the head. The arguments *at and
- * *hitting are the state and the geometry of head k at the hit. If the fall ends here, sets run->verdict.end.
- */
-KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
-                               const struct start *at);
-
-/* Returns true if it is certain, without a search for the barrier, that a head keeps falling. Sets *at to the
- * state at the end of its motion. Edges must be sharp, and the chain must move without friction (glide.c). */
-KERNEL_SHARED bool row_glides(const struct run *run, const struct geometry *head, struct start *at);
 
 #endif

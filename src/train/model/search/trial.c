@@ -43,7 +43,6 @@ double edge_find(edge_test *test, void *context, double good, double *bad, doubl
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
 {
     struct trial t = {.row = *row, .compute = compute_or_default(compute), .status = DOM_OK};
-    t.row.floor = false;
     return t;
 }
 

@@ -5,8 +5,26 @@
  * the tilt at a given time.
  */
 #include "dynamics/dynamics.h"
-#include "geometry/chain.h"
+#include "entry/study.h"
 #include "row/row.h"
+#include <stdlib.h>
+
+/* The headers of the kernel declare functions that only its own sources define. */
+#pragma GCC diagnostic ignored "-Wunused-function"
+
+/* The times at which the caller wants the state of a row, and the current state. */
+struct watch {
+    const double *time; /* the requested times in s, in ascending order */
+    size_t times, next; /* number of requested times, and index of the next one to report */
+    dom_moment_visit *visit;
+    void *context;
+    bool ended;           /* true if the callback has ended the run */
+    double *tilt, *omega; /* tilt and angular velocity of each domino, in rad and rad/s */
+    size_t head, moving;  /* index of the head, and number of moving dominoes */
+    struct passage last;
+    struct segment st;  /* of `last` */
+    struct clock clock; /* of `last` */
+};
 
 /* ---- The state at a given tilt of the head ---- */
 
@@ -46,7 +64,7 @@ static void watch_visit(struct watch *w, dom_real time)
 
 static enum dom_status passage_lean(struct watch *w, const struct passage *s, real theta)
 {
-    const struct segment *st = &s->st;
+    const struct segment *st = s->st;
     const bool still = (s->rests && theta >= s->to) || (st->start.omegasq == 0 && theta <= st->lo);
     real omegasq = 0;
     enum dom_status status = still ? DOM_OK : segment_speed(st, theta, &omegasq);
@@ -58,26 +76,44 @@ static real passage_end(const struct passage *s)
     return s->begins + (s->passed + s->lasts) * s->tau;
 }
 
-KERNEL enum dom_status watch_passage(struct watch *w, const struct passage *passage)
+static void watch_head(struct run *run, size_t k)
 {
+    struct watch *w = run->hooked;
+    w->head = k;
+    if (k == 0) /* the first domino may be released at another tilt than its lean */
+        w->tilt[0] = run->row->geometry[0].lean;
+}
+
+/* Keeps a passage for watch_rest. */
+static void watch_keep(struct watch *w, const struct passage *passage)
+{
+    w->last = *passage;
+    w->st = *passage->st;
+    w->last.st = &w->st;
+}
+
+/* Reports the states at those requested times that lie in a passage. */
+static enum dom_status watch_passage(struct run *run, const struct passage *passage)
+{
+    struct watch *w = run->hooked;
     if (w->ended)
         return DOM_OK;
     if (isnan(passage->begins + passage->passed) && w->next < w->times)
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
-    *s = *passage;
+    watch_keep(w, passage);
     enum dom_status status = DOM_OK;
     /*
      * If a requested time lies in this passage, its tilt is sought. If the motion ends here, the caller does
      * not know the duration, and watch_rest needs the time of the end.
      */
     if (isnan(s->lasts) || (w->next < w->times && w->time[w->next] < passage_end(s)))
-        status = clock_begin(&w->clock, &s->st, s->to, s->rests, s->st.geometry.tol);
+        status = clock_begin(&w->clock, s->st, s->to, s->rests, s->st->geometry.tol);
     if (isnan(s->lasts) && status == DOM_OK)
         s->lasts = clock_time(&w->clock, s->to);
     while (status == DOM_OK && !w->ended && w->next < w->times && w->time[w->next] < passage_end(s)) {
         const real time = (w->time[w->next] - s->begins) / s->tau - s->passed;
-        real theta = s->st.lo;
+        real theta = s->st->lo;
         if (time > 0)
             status = clock_tilt(&w->clock, time, &theta);
         if (status == DOM_OK)
@@ -88,22 +124,24 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct passage *pass
     return status;
 }
 
-KERNEL enum dom_status watch_detach(struct watch *w, const struct segment *st, size_t head, size_t moving)
+/* Stores the tilts of the dominoes that detach. They keep these tilts. */
+static enum dom_status watch_detach(struct run *run, const struct segment *st, size_t head, size_t moving)
 {
-    if (!w || moving >= st->geometry.n)
-        return DOM_OK;
+    struct watch *w = run->hooked;
     enum dom_status status = watch_lean(w, st, head, st->hi, 0);
     w->moving = moving;
     return status;
 }
 
-KERNEL enum dom_status watch_rest(struct watch *w)
+/* After the end of the run, reports the states at all remaining requested times. */
+static enum dom_status watch_rest(struct run *run)
 {
+    struct watch *w = run->hooked;
     enum dom_status status = DOM_OK;
     const struct passage *s = &w->last;
     if (w->ended || w->next >= w->times)
         return DOM_OK;
-    if (s->st.geometry.n > 0) /* n is 0 if no domino has moved */
+    if (s->st) /* a domino has moved */
         status = passage_lean(w, s, s->to);
     while (status == DOM_OK && !w->ended && w->next < w->times)
         watch_visit(w, passage_end(s));
@@ -118,22 +156,14 @@ KERNEL enum dom_status watch_rest(struct watch *w)
  * phi, and constant with sharp edges. So the variable is q = ln [tan(phi_c / 4) / tan(phi / 4)], with phi_c
  * at the hit.
  */
-struct tipping {
-    const struct segment *st;
-    const struct num_linear *time; /* the time from q to the hit, in tau */
-    real left;                     /* the time whose q is sought */
-};
-
 static real tipping_phi(const struct segment *st, real q)
 {
     return 4 * atan(tan((st->hi - st->lo) / 4) * exp(-q));
 }
 
 /* With drag, the solution of the equation of motion has too few digits where the domino has hardly moved.
- * There, a power series for omega^2 takes its place, with an error of about the square of the angle, and
- * times have a coarser tolerance. */
+ * There, a power series for omega^2 takes its place, with an error of about the square of the angle. */
 #define DRAG_CLOSE ((real)1e-4)
-#define DRAG_TOL   ((real)1e-7)
 
 /* Returns tau omega / sin(phi / 2), which is a smooth function of phi. */
 static real tipping_rate(const struct segment *st, real phi)
@@ -156,53 +186,87 @@ static real tipping_rate(const struct segment *st, real phi)
     return sqrt(energy / geometry_inertia(geometry, at));
 }
 
-static bool tipping_slowness(real q, void *context, struct num_rate *rate)
+/* Returns dq/dt, in 1/tau. */
+static real tipping_slope(const struct segment *st, real q)
 {
-    const struct tipping *t = context;
-    *rate = (struct num_rate){.c = 2 / tipping_rate(t->st, tipping_phi(t->st, q))};
-    return true;
+    return tipping_rate(st, tipping_phi(st, q)) / 2;
 }
 
-static real tipping_early(real q, void *context)
+/* Number of steps per tau, and a q at which the domino has not moved within rounding errors. */
+#define TIPPING_STEPS 128
+#define TIPPING_STILL 700
+
+/* Returns q at the time `left` before the hit, in tau, by the method of Runge and Kutta. */
+static real tipping_at(const struct segment *st, real left)
 {
-    const struct tipping *t = context;
-    return num_linear_moved(t->time, q, q) - t->left;
+    const real steps = ceil(TIPPING_STEPS * left), h = left / steps;
+    real q = 0;
+    for (real k = 0; k < steps && q < TIPPING_STILL; k++) {
+        const real a = tipping_slope(st, q), b = tipping_slope(st, q + h / 2 * a),
+                   c = tipping_slope(st, q + h / 2 * b), d = tipping_slope(st, q + h * c);
+        q += h * (a + 2 * b + 2 * c + d) / 6;
+    }
+    return q;
 }
 
-KERNEL enum dom_status watch_tip(struct watch *w, const struct segment *tip, real tau)
+/* Reports the states at those requested times that lie before the first hit. */
+static enum dom_status watch_tip(struct run *run, struct segment *tip, real tau)
 {
-    if (!w)
-        return DOM_OK;
-    /* the domino touches the next one before it tips over, and leans on it at rest */
+    struct watch *w = run->hooked;
     if (tip->hi <= tip->lo) {
         w->tilt[0] = tip->hi;
         return DOM_OK;
     }
-    const bool asked = w->next < w->times && w->time[w->next] < 0;
-    const real tol = losses_end_alone(&tip->geometry) ? tip->geometry.tol / 8 : DRAG_TOL,
-               first = asked ? -(real)w->time[w->next] / tau : 0;
-    struct num_linear *time = &w->clock.time;
-    struct tipping t = {.st = tip, .time = time};
-    enum num_status solver = NUM_OK;
-    time->integral = true;
-    time->panels = 0;
-    /* The moment of inertia is at least a quarter of its value for sharp edges. So q grows by at most
-     * sqrt(2 steepest) per tau. */
-    const real most = first * sqrt(2 * tip->geometry.steepest);
-    for (real q = 0, next; q < most && solver == NUM_OK; q = next) {
-        next = fmin(fmax(8 * q, 1), most);
-        solver = num_linear_solve(tipping_slowness, &t, q, next, tol, time);
-    }
-    w->last = (struct passage){.st = *tip, .to = tip->hi, .tau = tau};
+    watch_keep(w, &(struct passage){.st = tip, .to = tip->hi, .tau = tau});
     w->moving = 1;
-    while (solver == NUM_OK && !w->ended && w->next < w->times && w->time[w->next] < 0) {
-        real q = 0;
-        t.left = -(real)w->time[w->next] / tau;
-        solver = num_root(tipping_early, &t, 0, most, tip->geometry.tol, &q);
-        const real phi = tipping_phi(tip, q);
+    while (!w->ended && w->next < w->times && w->time[w->next] < 0) {
+        const real phi = tipping_phi(tip, tipping_at(tip, -w->time[w->next] / tau));
         w->tilt[0] = tip->lo + phi;
         w->omega[0] = tipping_rate(tip, phi) * sin(phi / 2) / tau;
         watch_visit(w, w->time[w->next]);
     }
-    return model_status(DOM_OK, solver);
+    return DOM_OK;
+}
+
+/* ---- Public ---- */
+
+static bool watch_goes_on(const struct dom_fall *fall, void *context)
+{
+    const struct watch *w = context;
+    (void)fall;
+    return !w->ended;
+}
+
+enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
+                              const double *times, size_t count, dom_moment_visit *visit, void *context,
+                              struct dom_verdict *verdict)
+{
+    static const struct run_hooks hooks = {.every = true,
+                                           .tips = watch_tip,
+                                           .begins = watch_head,
+                                           .moves = watch_passage,
+                                           .detaches = watch_detach,
+                                           .rests = watch_rest};
+    struct row_request request;
+    enum dom_status status = row_request_of(row, compute, &request);
+    if (status != DOM_OK || row->engine)
+        return status != DOM_OK ? status : DOM_NO_METHOD;
+    for (size_t k = 0; k < count; k++)
+        if (isnan(times[k]) || (k > 0 && times[k] < times[k - 1]) || (times[k] < 0 && !isnan(row->push)))
+            return DOM_BAD_TIME;
+    struct watch w = {.time = times,
+                      .times = count,
+                      .visit = visit,
+                      .context = context,
+                      .tilt = calloc(row->count + 1, sizeof *w.tilt),
+                      .omega = calloc(row->count + 1, sizeof *w.omega)};
+    status = w.tilt && w.omega ? DOM_OK : DOM_NO_MEMORY;
+    for (size_t k = 0; status == DOM_OK && k < row->count; k++)
+        w.tilt[k] = row->domino[k].lean;
+    if (status == DOM_OK)
+        status = row_run(&request, true, &hooks, &w, watch_goes_on, &w, verdict);
+    free(w.tilt);
+    free(w.omega);
+    clock_free(&w.clock);
+    return status;
 }
