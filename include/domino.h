@@ -28,10 +28,10 @@
  * says otherwise.
  *
  * Precision: the functions in this header compute in double. <domino_float.h> and <domino_quad.h> declare
- * its functions, structures and macros again, for float and for the widest floating-point type of the
- * machine. Their names begin with domf_ and domq_ instead of dom_. The widest type is __float128 if the
- * machine has it, otherwise long double. If that is no wider than double, the functions return
- * DOM_NO_PRECISION.
+ * its functions, structures and macros again, except those at its end, for float and for the widest
+ * floating-point type of the machine. Their names begin with domf_ and domq_ instead of dom_. The widest type
+ * is __float128 if the machine has it, otherwise long double. If that is no wider than double, the functions
+ * return DOM_NO_PRECISION.
  *
  * Errors: to learn how accurate a number is, compute it again with a function of <domino_quad.h> and the
  * tolerance 1e-30. The two numbers differ by the error of the first one.
@@ -536,8 +536,8 @@ enum dom_question {
     DOM_ASK_FUEL,     /* dom_fuel_find fills a struct dom_fuels */
     DOM_ASK_LAUNCH,   /* dom_launch_find fills a struct dom_launch */
     DOM_ASK_BARRIER,  /* dom_barrier_find fills a struct dom_barrier */
-    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq fills a dom_real; needs a tilt */
-    DOM_ASK_DURATION, /* dom_cycle_duration fills a dom_real */
+    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq fills a double; needs a tilt */
+    DOM_ASK_DURATION, /* dom_cycle_duration fills a double */
     DOM_ASK_RMAX,     /* dom_limit_rmax fills a struct dom_limit */
     DOM_ASK_PAIR,     /* dom_limit_pair fills a struct dom_limit */
     DOM_ASK_BEST      /* dom_limit_best fills a struct dom_best */
