@@ -96,15 +96,31 @@ ANSWER(energy_find, (dom_real theta, struct dom_energy *energy), theta, energy)
 ANSWER(fuel_find, (struct dom_fuels * fuels), fuels)
 ANSWER(launch_find, (struct dom_launch * launch), launch)
 ANSWER(barrier_find, (struct dom_barrier * barrier), barrier)
-ANSWER(cycle_omegasq, (dom_real theta, dom_real *omegasq), theta, omegasq)
 ANSWER(cycle_duration, (dom_real * duration), duration)
-ANSWER(cycle_events, (struct dom_event * events, int *count), events, count)
 ANSWER(cycle_state, (dom_real theta, struct dom_state *state), theta, state)
 ANSWER(cycle_walk, (size_t count, enum dom_spacing by, dom_state_visit *visit, void *context), count, by,
        visit, context)
 ANSWER(cycle_least_force, (struct dom_least_force * least), least)
 #undef ANSWER
 #undef LIST
+
+enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
+                                  dom_real theta, dom_real *omegasq)
+{
+    struct request request;
+    const enum dom_status status = train_request_of(train, compute, &request);
+    *omegasq = DOM_NAN;
+    return status == DOM_OK ? cycle_omegasq(&request, theta, omegasq) : status;
+}
+
+enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_event *events, int *count)
+{
+    struct request request;
+    const enum dom_status status = train_request_of(train, compute, &request);
+    *count = 0;
+    return status == DOM_OK ? cycle_events(&request, events, count) : status;
+}
 
 /* ---- Limits, which more than one precision may find ---- */
 
