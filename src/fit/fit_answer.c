@@ -11,57 +11,16 @@
 
 /* ---- The arguments ---- */
 
-/* Lists the parameters of 'solve', without the random errors, which do not change the computed motion. */
-static const char *fit_names(const void *context, int k)
-{
-    const char *name;
-    for (int i = 0; (name = solve_names(context, i)) != NULL; i++) {
-        const struct parameter *p = parameter_find(name);
-        if (!(p->effect && effect_is_random(p->which)) && k-- == 0)
-            return name;
-    }
-    return NULL;
-}
-
-struct fit_given {
-    const struct parameter *parameter[FIT_UNKNOWNS];
-    int count;
-};
-
 /* Parses "friction, push": names with commas between them. */
 static bool fit_parse(struct reader *r, struct question *q)
 {
-    char message[NAMES_MESSAGE] = "", name[32];
-    struct fit_given *g = q->parsed = reader_memory(r, sizeof *g);
-    bool more = g != NULL;
-    while (more) {
-        reader_place(r, r->at);
-        offer_names(r, fit_names, NULL);
-        const size_t length = strcspn(r->at, " \t,;>");
-        snprintf(name, sizeof name, "%.*s", (int)length, r->at);
-        const int k = parameter_search(fit_names, "thing to fit", name, message);
-        if (k < 0)
-            return problem_error(
-                r->problem, k == NAMES_CLOSE ? "%s" : "%s; enter, for example, 'fit friction, push FILE'",
-                message);
-        if (g->count == FIT_UNKNOWNS)
-            return problem_error(r->problem, "at most %d parameters can be fitted at once", FIT_UNKNOWNS);
-        const struct parameter *p = parameter_find(fit_names(NULL, k));
-        for (int i = 0; i < g->count; i++)
-            if (g->parameter[i] == p)
-                return problem_error(r->problem, "'%s' is named twice", p->name);
-        g->parameter[g->count++] = p;
-        r->at = skip_blanks(r->at + length);
-        more = *r->at == ',';
-        r->at = skip_blanks(r->at + more);
-        /* Without this check, a name after a blank would be taken for the name of a file. */
-        const size_t next = strcspn(r->at, " \t,;>");
-        snprintf(name, sizeof name, "%.*s", (int)next, r->at);
-        if (!more && names_exact(fit_names, NULL, name) >= 0)
-            return problem_error(r->problem,
-                                 "a comma is missing before '%s', as in 'fit friction, push FILE'", name);
-    }
-    return g != NULL;
+    char name[32];
+    if (!range_parse_names(r, q, FIT_UNKNOWNS))
+        return false;
+    /* Without this check, a name after a blank would be taken for the name of a file. */
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(r->at, " \t;>"), r->at);
+    return names_exact(varied_names, NULL, name) < 0 ||
+           problem_error(r->problem, "a comma is missing before '%s', as in 'fit friction, push FILE'", name);
 }
 
 /* ---- The file ---- */
@@ -438,11 +397,11 @@ static void residuals_say(struct answer *a, const struct fit *f)
 
 bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
 {
-    const struct fit_given *given = query->given->bound;
+    const struct grid *named = &((const struct sweep *)query->given->bound)->grid;
     const char *shown = names_shown(query->given->word[1]);
-    *f = (struct fit){.query = query, .unknowns = given->count};
-    for (int i = 0; i < given->count; i++)
-        f->unknown[i].parameter = given->parameter[i];
+    *f = (struct fit){.query = query, .unknowns = named->axes};
+    for (int i = 0; i < named->axes; i++)
+        f->unknown[i].parameter = named->axis[i].parameter;
     const double rate = query->given->count > 2 ? (double)query->given->number[2] : (double)NAN;
     if (!fit_read(query, query->given->word[1], rate, &f->data, problem))
         return false;
@@ -489,7 +448,11 @@ bool run_fit(const struct query *query, struct answer *a, struct problem *proble
 static const struct command fit_commands[] = {
     {.name = "fit",
      .synonyms = "measured camera video tracker regression estimate calibrate",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = fit_parse, .choices = fit_names},
+     .argument = {{.name = "NAME",
+                   .kind = ARGUMENT_GRID,
+                   .parse = fit_parse,
+                   .bind = sweep_bind,
+                   .choices = varied_names},
                   {.name = "FILE", .kind = ARGUMENT_FILE},
                   {.name = "FPS", .kind = ARGUMENT_NUMBER, .optional = true}},
      .summary = "the parameters that explain measurements best",

@@ -52,8 +52,9 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
     const struct question *asserted = query->given->bound;
     const struct command *c = asserted->command;
     struct quantity value;
+    char unit[UNIT_TEXT];
     if (!c->holds) { /* the question is a condition such as rmax < 2, not a command with a verdict */
-        if (!question_value(asserted, query, &value, problem))
+        if (!question_measure(asserted, query, &value, unit, problem))
             return false;
         return value.value != 0 || problem_error(problem, "not true: %s", asserted->name);
     }

@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The arguments of 'sweep': a grid, and the answers at its points. */
+/* The arguments of the commands of this feature: a grid, or ranges, of parameters, and the answers at its
+ * points. */
 #include "language/quad.h"
+#include "session/parameters.h"
 #include "sweeps/sweeps.h"
 #include "train/train.h"
 #include <string.h>
 
-static const char form[] = "for each parameter, enter NAME FROM TO N or NAME VALUE, VALUE, ...";
-
-struct sweep_parsed {
+/* The parsed arguments. An item that was not typed is zero. */
+struct parsed {
+    enum form { FORM_GRID, FORM_RANGES, FORM_NAMES } form;
     struct axis_parsed {
         const struct parameter *parameter;
         struct value_parsed {
             struct item item;
             struct value_parsed *next;
-        } * first;    /* the value FROM, or a linked list of all values if the axis is a list */
-        size_t count; /* the number of values in a list, or 0 if the axis has the form FROM TO N */
+        } first;      /* the value FROM, or a linked list of all values if the axis is a list */
+        size_t count; /* the number of values in a list, or 0 if there is no list */
         struct item to, steps;
         const char *log_at; /* points to the word 'log' in the command, or is NULL */
     } axis[ASSIGNED_MAX];
@@ -23,59 +25,93 @@ struct sweep_parsed {
     struct question answer[ANSWER_COLUMNS];
     size_t answers;
     const char *typed; /* the answers as they were typed */
+    bool verdict;
+    struct item value;
 };
+
+/* Reports what is wrong with the arguments, with an example. */
+static bool form_wrong(struct reader *r, const struct parsed *s, const char *what)
+{
+    const struct command *c = command_find(r->problem->command);
+    return problem_error(r->problem, "%s; enter, for example, '%s'", what,
+                         s->form == FORM_GRID ? "sweep s 0.1 0.9 9 : rmax"
+                         : c && c->example    ? c->example
+                                              : "watch s 0.1 0.9 : rmax");
+}
 
 /* ---- Parsing a grid ---- */
 
-/* Parses one value. If the value is missing, the message calls it `name`. */
-static bool value_parse(struct reader *r, const struct parameter *p, const char *name, struct item *item)
+const char *varied_names(const void *context, int k)
 {
+    (void)context;
+    const struct parameter *p = session_parameters;
+    while (p->name && (p->setting || p->words_only || p->of_precision ||
+                       (p->from == p->to && !p->value->whole) || k-- > 0))
+        p++;
+    return p->name;
+}
+
+/* Parses one value, which messages call `name`. The word before it may be left out. */
+static bool value_parse(struct reader *r, const struct parsed *s, const struct parameter *p, const char *word,
+                        const char *name, struct item *item)
+{
+    char what[96];
+    r->at = skip_blanks(r->at);
+    if (*word && word_is_next(r, word))
+        r->at = skip_blanks(r->at + strlen(word));
     bool ends = reader_ends(r);
     reader_place(r, r->at);
-    return ends ? problem_error(r->problem, "%s: %s is missing; %s", p->name, name, form)
-                : item_parse_listed(r, p, item);
+    snprintf(what, sizeof what, "%s: %s is missing", p->name, name);
+    return ends                   ? form_wrong(r, s, what)
+           : s->form == FORM_GRID ? item_parse_listed(r, p, item)
+                                  : item_parse_value(r, p, 0, p->value->name, item);
 }
 
 /* Parses the remaining values of a list, after the first one. */
-static bool list_parse(struct reader *r, struct axis_parsed *axis)
+static bool list_parse(struct reader *r, struct parsed *s, struct axis_parsed *axis)
 {
-    struct value_parsed **last = &axis->first->next;
+    struct value_parsed **last = &axis->first.next;
     for (axis->count = 1; *r->at == ','; axis->count++) {
         struct value_parsed *value = *last = reader_memory(r, sizeof *value);
-        if (!value)
-            return false;
         r->at++;
-        if (!value_parse(r, axis->parameter, "a value after ','", &value->item))
+        if (!value || !value_parse(r, s, axis->parameter, "", "a value after ','", &value->item))
             return false;
         last = &value->next;
         r->at = skip_blanks(r->at);
     }
+    s->listed += axis->count;
     return true;
 }
 
-/* Parses "FROM TO N", "FROM TO N log" or a list. */
-static bool axis_parse(struct reader *r, struct axis_parsed *axis)
+/* Parses "FROM TO" and, in a grid, also "FROM TO N", "FROM TO N log" or a list. */
+static bool values_parse(struct reader *r, struct parsed *s, struct axis_parsed *axis)
 {
     static const struct argument count = {.name = "N", .kind = ARGUMENT_COUNT};
     const struct parameter *p = axis->parameter;
-    axis->first = reader_memory(r, sizeof *axis->first);
-    if (!axis->first || !value_parse(r, p, p->words_only ? "a value" : "FROM", &axis->first->item))
+    const bool is_grid = s->form == FORM_GRID;
+    if (!value_parse(r, s, p, "from", p->words_only ? "a value" : "FROM", &axis->first.item))
         return false;
     r->at = skip_blanks(r->at);
-    if (*r->at == ',')
-        return list_parse(r, axis);
-    if (!p->words_only && !value_parse(r, p, "TO", &axis->to))
+    if (is_grid && *r->at == ',')
+        return list_parse(r, s, axis);
+    if (!p->words_only && !value_parse(r, s, p, "to", "TO", &axis->to))
         return false;
-    const struct item *from = &axis->first->item, *to = &axis->to;
-    if (p->words_only || (!from->value && from->number == EFFECT_OFF) ||
-        (!to->value && to->number == EFFECT_OFF))
+    const struct item *from = &axis->first.item, *to = &axis->to;
+    if (is_grid && p->words_only)
         return problem_error(r->problem,
                              "the values of %s are words; list them, as in 'sweep %s %s, %s : rmax'", p->name,
                              p->name, p->words[0].name, p->words[1].name);
+    if ((!from->value && !isfinite(from->number)) || (!to->value && !isfinite(to->number)))
+        return form_wrong(r, s, "FROM and TO must be numbers");
+    if (!is_grid)
+        return true;
     bool ends = reader_ends(r);
     reader_place(r, r->at);
     if (ends)
-        return problem_error(r->problem, "%s: N, the number of values, is missing; %s", p->name, form);
+        return problem_error(r->problem,
+                             "%s: N, the number of values, is missing; enter %s FROM TO N, or %s VALUE, "
+                             "VALUE, ...",
+                             p->name, p->name, p->name);
     if (!item_parse(r, &count, &axis->steps))
         return false;
     const char *behind = skip_blanks(r->at);
@@ -84,47 +120,88 @@ static bool axis_parse(struct reader *r, struct axis_parsed *axis)
     return true;
 }
 
-static bool axes_parse(struct reader *r, struct sweep_parsed *grid)
+static bool axis_parse(struct reader *r, struct parsed *s, int most)
 {
-    while (!reader_ends(r) || *r->at == ',') {
-        const struct parameter *p = parameter_parse(r, form);
-        if (!p)
-            return false;
-        for (int i = 0; i < grid->axes; i++)
-            if (grid->axis[i].parameter == p)
-                return problem_error(r->problem, "'%s' is in the grid twice; name each parameter once",
-                                     p->name);
-        if (grid->axes == ASSIGNED_MAX)
-            return problem_error(r->problem,
-                                 "the grid has more than %d parameters; set the others before the sweep",
-                                 ASSIGNED_MAX);
-        struct axis_parsed *axis = &grid->axis[grid->axes++];
-        axis->parameter = p;
-        if (!axis_parse(r, axis))
-            return false;
-        grid->listed += axis->count;
-    }
+    bool ends = reader_ends(r) && *r->at != ',';
     reader_place(r, r->at);
-    if (grid->axes == 0)
-        return problem_error(r->problem, "the grid is missing; %s", form);
-    return *r->at == ':' ||
-           problem_error(r->problem, "':' and a command are missing after the grid; enter, for "
-                                     "example, 'sweep s 0.1 0.9 9 : rmax'");
+    if (ends)
+        return form_wrong(r, s, "the name of a parameter is missing");
+    const struct parameter *p =
+        parameter_parse(r, "for each parameter, enter NAME FROM TO N or NAME VALUE, VALUE, ...");
+    if (!p)
+        return false;
+    if (s->form != FORM_GRID && names_exact(varied_names, NULL, p->name) < 0)
+        return problem_error(r->problem, "the values of '%s' are words, or belong to the precision", p->name);
+    for (int i = 0; i < s->axes; i++)
+        if (s->axis[i].parameter == p)
+            return problem_error(r->problem, "'%s' is named twice; name each parameter once", p->name);
+    if (s->axes == most)
+        return problem_error(r->problem,
+                             "at most %d parameter%s can be varied; 'set' gives the others a value", most,
+                             most == 1 ? "" : "s");
+    struct axis_parsed *axis = &s->axis[s->axes++];
+    axis->parameter = p;
+    r->at = skip_blanks(r->at);
+    return s->form == FORM_NAMES || (s->form == FORM_RANGES && reader_ends(r)) || values_parse(r, s, axis);
+}
+
+/* Parses up to `most` parameters, up to the ':' or, if only names are expected, up to a name without a comma
+ * behind it. */
+static bool axes_parse(struct reader *r, struct question *q, enum form form, int most)
+{
+    struct parsed *s = q->parsed = reader_memory(r, sizeof *s);
+    const char *no_unit = r->no_unit;
+    bool more = s != NULL, is_good = more;
+    r->stops = form == FORM_NAMES ? "," : ":,";
+    if (form == FORM_GRID)
+        r->no_unit = "sg"; /* after N, 's' and 'g' are parameters, not seconds and grams */
+    for (; more && is_good; more = is_good && more) {
+        s->form = form;
+        is_good = axis_parse(r, s, most);
+        r->at = skip_blanks(r->at);
+        more = *r->at == ',' || (form == FORM_GRID && !reader_ends(r));
+        if (more && form != FORM_GRID)
+            r->at = skip_blanks(r->at + 1);
+    }
+    r->stops = NULL;
+    r->no_unit = no_unit;
+    if (is_good)
+        reader_place(r, r->at);
+    return is_good &&
+           (form == FORM_NAMES || *r->at == ':' || form_wrong(r, s, "':' and an answer are missing"));
 }
 
 bool sweep_parse_grid(struct reader *r, struct question *q)
 {
-    struct sweep_parsed *s = q->parsed = reader_memory(r, sizeof *s);
-    const char *no_unit = r->no_unit;
-    r->no_unit = "sg"; /* after N, 's' and 'g' are parameters, not seconds and grams */
-    r->stops = ":,";
-    bool is_good = s && axes_parse(r, s);
-    r->stops = NULL;
-    r->no_unit = no_unit;
-    return is_good;
+    return axes_parse(r, q, FORM_GRID, ASSIGNED_MAX);
+}
+
+bool range_parse_one(struct reader *r, struct question *q)
+{
+    return axes_parse(r, q, FORM_RANGES, 1);
+}
+
+bool range_parse_two(struct reader *r, struct question *q)
+{
+    return axes_parse(r, q, FORM_RANGES, 2);
+}
+
+bool range_parse_names(struct reader *r, struct question *q, int most)
+{
+    return axes_parse(r, q, FORM_NAMES, most);
 }
 
 /* ---- Parsing the answers ---- */
+
+/* Passes the ':' or ',' before an answer. */
+static bool answer_begins(struct reader *r, const struct parsed *s)
+{
+    char what[] = "the answer is missing after ':'";
+    what[sizeof what - 3] = *r->at;
+    r->at = skip_blanks(r->at + 1);
+    reader_place(r, r->at);
+    return !reader_ends(r) || form_wrong(r, s, what);
+}
 
 /* A names_list (see names.h) of the commands that can be swept. */
 static const char *sweepable_names(const void *context, int k)
@@ -159,13 +236,10 @@ static bool answer_parse(struct reader *r, struct question *q)
 
 bool sweep_parse_answers(struct reader *r, struct question *q)
 {
-    struct sweep_parsed *s = q->parsed;
-    r->at = skip_blanks(r->at + 1);
-    reader_place(r, r->at);
+    struct parsed *s = q->parsed;
+    if (!answer_begins(r, s))
+        return false;
     const char *begin = r->at;
-    if (reader_ends(r))
-        return problem_error(
-            r->problem, "the command after ':' is missing; enter, for example, 'sweep s 0.1 0.9 9 : rmax'");
     r->stops = ",";
     bool is_good = answer_parse(r, &s->answer[0]);
     s->answers = 1;
@@ -174,21 +248,47 @@ bool sweep_parse_answers(struct reader *r, struct question *q)
         r->at = begin;
         is_good = question_parse_any(r, &s->answer[0], true);
     }
-    while (is_good && *r->at == ',') {
-        r->at = skip_blanks(r->at + 1);
-        reader_place(r, r->at);
-        if (s->answers == ANSWER_COLUMNS)
-            is_good = problem_error(r->problem, "there are more than %d answers", ANSWER_COLUMNS);
-        else if (reader_ends(r))
-            is_good = problem_error(
-                r->problem,
-                "the answer after ',' is missing; enter, for example, 'sweep r 1 2 9 : rmax, fuel'");
-        else
-            is_good = question_parse_any(r, &s->answer[s->answers++], true);
-    }
+    while (is_good && *r->at == ',')
+        is_good = answer_begins(r, s) &&
+                  (s->answers < ANSWER_COLUMNS ||
+                   problem_error(r->problem, "there are more than %d answers", ANSWER_COLUMNS)) &&
+                  question_parse_any(r, &s->answer[s->answers++], true);
     s->typed = s->answers > 1 ? question_name(r, begin, r->at) : s->answer[0].name;
     r->stops = NULL;
     return is_good;
+}
+
+bool answer_parse_number(struct reader *r, struct question *q)
+{
+    struct parsed *s = q->parsed;
+    return answer_begins(r, s) && question_parse_any(r, &s->answer[s->answers++], true);
+}
+
+bool answer_parse_value(struct reader *r, struct question *q)
+{
+    static const struct argument value_argument = {.name = "VALUE", .kind = ARGUMENT_ANY};
+    struct parsed *s = q->parsed;
+    const struct question *answer = s->answer;
+    if (!answer_begins(r, s))
+        return false;
+    r->stops = "=";
+    bool is_good = question_parse_any(r, &s->answer[s->answers++], false);
+    r->stops = NULL;
+    if (!is_good)
+        return false;
+    s->verdict = *r->at != '=';
+    if (s->verdict)
+        return answer->command->holds ||
+               problem_error(r->problem,
+                             "'= VALUE' is missing after '%s'; only commands that answer yes or no, such as "
+                             "'verdict', can do without it; enter, for example, 'solve d : rmax = 5/3'",
+                             answer->name);
+    if (!question_needs_number(answer, r->problem))
+        return false;
+    r->at = skip_blanks(r->at + 1);
+    reader_place(r, r->at);
+    r->last = true;
+    return item_parse(r, &value_argument, &s->value);
 }
 
 /* ---- Binding ---- */
@@ -196,11 +296,13 @@ bool sweep_parse_answers(struct reader *r, struct question *q)
 static bool axis_bind(const struct axis_parsed *parsed, const struct text *text, const struct query *query,
                       domq_real *list, struct axis *axis, struct problem *problem)
 {
-    domq_real n;
-    const char *name = parsed->parameter->name;
-    const struct value_parsed *value = parsed->first;
-    *axis = (struct axis){.parameter = parsed->parameter,
+    domq_real n = 0;
+    const struct parameter *p = parsed->parameter;
+    const struct value_parsed *value = &parsed->first;
+    *axis = (struct axis){.parameter = p,
                           .count = parsed->count,
+                          .from = (domq_real)p->from,
+                          .to = (domq_real)p->to,
                           .logarithmic = parsed->log_at != NULL,
                           .list = parsed->count > 0 ? list : NULL};
     for (size_t k = 0; k < parsed->count; k++, value = value->next)
@@ -208,39 +310,49 @@ static bool axis_bind(const struct axis_parsed *parsed, const struct text *text,
             return false;
     if (parsed->count > 0)
         return true;
-    if (!item_bind(&parsed->first->item, text, query, NULL, &axis->from, problem) ||
-        !item_bind(&parsed->to, text, query, NULL, &axis->to, problem) ||
-        !item_bind(&parsed->steps, text, query, NULL, &n, problem))
+    if (!value->item.at && p->from == p->to)
+        return problem_error(problem, "%s needs a range, as in '%s 5 50 : ...'", p->name, p->name);
+    if (value->item.at && (!item_bind(&value->item, text, query, NULL, &axis->from, problem) ||
+                           !item_bind(&parsed->to, text, query, NULL, &axis->to, problem)))
+        return false;
+    if (!parsed->steps.at)
+        return axis->from < axis->to ||
+               problem_error(problem, "the range from %s to %s is empty: FROM must be less than TO",
+                             quad_text(axis->from, 10), quad_text(axis->to, 10));
+    if (!item_bind(&parsed->steps, text, query, NULL, &n, problem))
         return false;
     axis->count = (size_t)n;
     if (n == 1 && axis->from != axis->to)
-        return problem_error(problem, "%s: one value cannot cover %s to %s; enter an N of at least 2", name,
-                             quad_text(axis->from, 10), quad_text(axis->to, 10));
+        return problem_error(problem, "%s: one value cannot cover %s to %s; enter an N of at least 2",
+                             p->name, quad_text(axis->from, 10), quad_text(axis->to, 10));
     if (axis->logarithmic) {
         problem->place = text_column(text, parsed->log_at);
         return (axis->from > 0 && axis->to > 0) ||
-               problem_error(problem, "%s: with 'log', FROM and TO must be above 0", name);
+               problem_error(problem, "%s: with 'log', FROM and TO must be above 0", p->name);
     }
     domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
-    return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
+    return !p->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
            problem_error(problem,
                          "%s takes whole numbers, but %zu values from %s to %s are not all whole; "
                          "enter another N",
-                         name, axis->count, quad_text(axis->from, 10), quad_text(axis->to, 10));
+                         p->name, axis->count, quad_text(axis->from, 10), quad_text(axis->to, 10));
 }
 
 bool sweep_bind(const struct question *q, const struct query *query, struct arguments *given,
                 struct problem *problem)
 {
     const size_t most = 1000000000000;
-    const struct sweep_parsed *parsed = q->parsed;
+    const struct parsed *parsed = q->parsed;
     /* the values of the grid's lists are stored after the sweep */
     struct sweep *s = arguments_take(given, sizeof *s + parsed->listed * sizeof(domq_real), query, problem);
+    domq_real *listed = (domq_real *)(s + 1), number;
     if (!s)
         return false;
-    domq_real *listed = (domq_real *)(s + 1);
-    *s = (struct sweep){
-        .grid.points = 1, .answer = parsed->answer, .answers = parsed->answers, .typed = parsed->typed};
+    *s = (struct sweep){.grid.points = 1,
+                        .answer = parsed->answer,
+                        .answers = parsed->answers,
+                        .typed = parsed->typed,
+                        .verdict = parsed->verdict};
     for (int i = 0; i < parsed->axes; i++) {
         struct axis *axis = &s->grid.axis[s->grid.axes++];
         if (!axis_bind(&parsed->axis[i], q->text, query, listed, axis, problem))
@@ -248,9 +360,9 @@ bool sweep_bind(const struct question *q, const struct query *query, struct argu
         listed += parsed->axis[i].count;
         if (axis->count > most / s->grid.points)
             return problem_error(problem, "the grid has more than %zu points; enter a smaller N", most);
-        s->grid.points *= axis->count;
+        s->grid.points *= axis->count > 0 ? axis->count : 1;
     }
-    return true;
+    return !parsed->value.at || item_bind(&parsed->value, q->text, query, &s->value, &number, problem);
 }
 
 /* ---- The arguments of 'curve' ---- */

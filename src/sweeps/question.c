@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Questions inside other commands, such as 'sweep'. */
+/* Questions inside other commands, such as 'sweep', and probes, which ask them at many values of parameters.
+ */
+#include "language/quad.h"
 #include "sweeps/sweeps.h"
 #include <ctype.h>
 #include <string.h>
@@ -104,12 +106,6 @@ bool question_ask(const struct question *q, const struct query *query, struct an
     return done;
 }
 
-bool question_value(const struct question *q, const struct query *query, struct quantity *value,
-                    struct problem *problem)
-{
-    return question_measure(q, query, value, (char[UNIT_TEXT]){""}, problem);
-}
-
 bool question_measure(const struct question *q, const struct query *query, struct quantity *value,
                       char unit[UNIT_TEXT], struct problem *problem)
 {
@@ -140,4 +136,53 @@ bool question_measure(const struct question *q, const struct query *query, struc
         if (strcmp(column->key, key) == 0)
             snprintf(unit, UNIT_TEXT, "%s", column->unit);
     return true;
+}
+
+/* ---- Probes ---- */
+
+/* Runs the command and sets *value to 1 if its verdict is true, and to -1 if it is false. Fails if the
+ * command has no verdict. */
+static bool verdict_ask(const struct probe *p, const struct query *at, struct quantity *value,
+                        struct problem *problem)
+{
+    const struct command *c = p->question->command;
+    struct answer answer = {.style = state_style(at->state), .columns = c->columns, .rows = c->rows};
+    if (!question_ask(p->question, at, &answer, problem))
+        return false;
+    *value = (struct quantity){.value = answer.verdict == ANSWER_YES ? 1 : -1};
+    return answer.verdict != ANSWER_OPEN || problem_no_answer(problem, "the command has no verdict here");
+}
+
+domq_real probe_ask(struct probe *p, const struct assigned *assigned, int count)
+{
+    struct state point;
+    struct query at;
+    struct run_context run_context = *p->query->run_context;
+    struct quantity answer = {.value = 0};
+    problem_begin(&p->problem, p->command);
+    bool put = query_with(p->query, assigned, count, &point, &at, &p->problem);
+    at.run_context = &run_context;
+    run_context.seeks_yes = p->seeks_yes;
+    point.settings.threads = 1;
+    bool done = put && (p->verdict ? verdict_ask(p, &at, &answer, &p->problem)
+                                   : question_measure(p->question, &at, &answer, p->unit_text, &p->problem));
+    p->wrong = put && !done && p->problem.kind != PROBLEM_NO_ANSWER;
+    if (!done)
+        return DOMQ_NAN;
+    p->unit = answer;
+    return isfinite(answer.value) ? answer.value : DOMQ_NAN;
+}
+
+domq_real probe_at(struct probe *p, domq_real value)
+{
+    const struct assigned assigned = {.parameter = p->parameter, .value = value};
+    return probe_ask(p, &assigned, p->parameter != NULL);
+}
+
+bool probe_report(const struct probe *p, struct problem *problem)
+{
+    if (dom_raised(p->query->scene->compute.interrupt))
+        return problem_status(problem, p->query->scene, DOM_INTERRUPTED);
+    *problem = p->problem;
+    return false;
 }

@@ -1,299 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'solve', which finds where an answer has a given value, or where a verdict changes. The parser
- * for parameters with ranges and the probe, which other searches also use, are here, too. */
-#include "interpreter/question.h"
+/* The command 'solve', which finds where an answer has a given value, or where a verdict changes. */
 #include "language/quad.h"
-#include "session/parameters.h"
-#include "sweeps/sweeps.h"
-#include "train/seek.h"
+#include "sweeps/search.h"
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-/* ---- The question ---- */
+enum { ROOTS_MOST = 64 };
 
-const char *solve_names(const void *context, int k)
-{
-    (void)context;
-    const struct parameter *p = session_parameters;
-    while (p->name && (p->from == p->to || k-- > 0))
-        p++;
-    return p->name;
-}
-
-/* The parsed arguments of a search. An item that was not typed is zero. */
-struct varied_parsed {
-    struct {
-        const struct parameter *parameter;
-        struct item from, to;
-    } range[VARIED_MOST];
-    int count;
-    struct question question;
-    bool verdict;
-    struct item value;
-};
-
-/* Reports what is wrong with the arguments of a search, with an example. */
-static bool form_wrong(struct problem *problem, const char *what)
-{
-    const struct command *c = command_find(problem->command);
-    return problem_error(problem, "%s; enter, for example, '%s'", what,
-                         c && c->example ? c->example : "watch s 0.1 0.9 : rmax");
-}
-
-static bool bound_parse(struct reader *r, const struct parameter *p, bool is_to, struct item *item)
-{
-    /* the words may be left out, and completion does not offer them */
-    const char *word = is_to ? "to" : "from";
-    r->at = skip_blanks(r->at);
-    if (word_is_next(r, word))
-        r->at = skip_blanks(r->at + strlen(word));
-    bool is_missing = reader_ends(r);
-    reader_place(r, r->at);
-    if (is_missing)
-        return form_wrong(r->problem, is_to ? "TO is missing" : "FROM is missing");
-    return item_parse_value(r, p, 0, p->value->name, item) &&
-           (item->value || isfinite(item->number) ||
-            form_wrong(r->problem, is_to ? "TO must be a number" : "FROM must be a number"));
-}
-
-/* Parses a parameter with its range up to a ':' or ','. */
-static bool range_parse(struct reader *r, names_list *names, struct varied_parsed *v)
-{
-    char message[NAMES_MESSAGE] = "", name[32];
-    offer_names(r, names, NULL);
-    size_t length = strcspn(r->at, " \t:,;>");
-    snprintf(name, sizeof name, "%.*s", (int)length, r->at);
-    if (length == 0)
-        return form_wrong(r->problem, "the name of a parameter is missing");
-    int k = parameter_search(names, "parameter", name, message);
-    if (k == NAMES_CLOSE)
-        return problem_error(r->problem, "%s", message);
-    if (k < 0)
-        return form_wrong(r->problem, message);
-    const struct parameter *p = v->range[v->count].parameter = parameter_find(names(NULL, k));
-    r->at = skip_blanks(r->at + length);
-    r->stops = ":,";
-    bool is_good = *r->at == ':' || *r->at == ',' || command_ends(r->at) ||
-                   (bound_parse(r, p, false, &v->range[v->count].from) &&
-                    bound_parse(r, p, true, &v->range[v->count].to));
-    v->count++;
-    r->stops = NULL;
-    r->at = skip_blanks(r->at);
-    if (is_good)
-        reader_place(r, r->at);
-    return is_good;
-}
-
-/* Parses "NAME" or "NAME FROM TO" for up to `most` parameters, up to the ':'. */
-static bool ranges_parse(struct reader *r, struct question *q, names_list *names, int most)
-{
-    struct varied_parsed *v = q->parsed = reader_memory(r, sizeof *v);
-    while (v && range_parse(r, names, v)) {
-        if (v->count == 2 && v->range[0].parameter == v->range[1].parameter)
-            return problem_error(r->problem, "'%s' is named twice; name each parameter once",
-                                 v->range[0].parameter->name);
-        if (*r->at != ',')
-            return *r->at == ':' || form_wrong(r->problem, "':' and an answer are missing");
-        if (v->count == most)
-            return problem_error(r->problem, "at most %s can be varied; 'set' gives the others a value",
-                                 most == 1 ? "one parameter" : "two parameters");
-        r->at = skip_blanks(r->at + 1);
-        reader_place(r, r->at);
-    }
-    return false;
-}
-
-const char *optimum_names(const void *context, int k)
-{
-    (void)context;
-    const struct parameter *p = session_parameters;
-    while (p->name && (p->setting || p->words_only || p->of_precision ||
-                       (p->from == p->to && !p->value->whole) || k-- > 0))
-        p++;
-    return p->name;
-}
-
-bool solve_parse_name(struct reader *r, struct question *q)
-{
-    return ranges_parse(r, q, solve_names, 1);
-}
-
-bool optimum_parse_names(struct reader *r, struct question *q)
-{
-    return ranges_parse(r, q, optimum_names, VARIED_MOST);
-}
-
-static bool colon_pass(struct reader *r)
-{
-    r->at = skip_blanks(r->at + 1);
-    reader_place(r, r->at);
-    return !reader_ends(r) || form_wrong(r->problem, "the answer is missing after ':'");
-}
-
-bool varied_parse_answer(struct reader *r, struct question *q)
-{
-    struct varied_parsed *v = q->parsed;
-    return colon_pass(r) && question_parse_any(r, &v->question, true);
-}
-
-/* Parses ": ANSWER = VALUE", or ": COMMAND" for a command that has a verdict. */
-bool solve_parse_answer(struct reader *r, struct question *q)
-{
-    static const struct argument value_argument = {.name = "VALUE", .kind = ARGUMENT_ANY};
-    struct varied_parsed *v = q->parsed;
-    if (!colon_pass(r))
-        return false;
-    r->stops = "=";
-    bool is_good = question_parse_any(r, &v->question, false);
-    r->stops = NULL;
-    if (!is_good)
-        return false;
-    v->verdict = *r->at != '=';
-    if (v->verdict)
-        return v->question.command->holds ||
-               problem_error(r->problem,
-                             "'= VALUE' is missing after '%s'; only commands that answer yes or no, such as "
-                             "'verdict', can do without it; enter, for example, 'solve d : rmax = 5/3'",
-                             v->question.name);
-    if (!question_needs_number(&v->question, r->problem))
-        return false;
-    r->at = skip_blanks(r->at + 1);
-    reader_place(r, r->at);
-    r->last = true;
-    return item_parse(r, &value_argument, &v->value);
-}
-
-bool varied_bind(const struct question *q, const struct query *query, struct arguments *given,
-                 struct problem *problem)
-{
-    const struct varied_parsed *parsed = q->parsed;
-    struct varied *v = arguments_take(given, sizeof *v, query, problem);
-    domq_real number;
-    if (!v)
-        return false;
-    *v = (struct varied){.count = parsed->count, .question = &parsed->question, .verdict = parsed->verdict};
-    for (int i = 0; i < v->count; i++) {
-        const struct item *from = &parsed->range[i].from, *to = &parsed->range[i].to;
-        const struct parameter *p = parsed->range[i].parameter;
-        struct ranged *range = &v->range[i];
-        *range = (struct ranged){p, (domq_real)p->from, (domq_real)p->to};
-        if (from->at && (!item_bind(from, q->text, query, NULL, &range->from, problem) ||
-                         !item_bind(to, q->text, query, NULL, &range->to, problem)))
-            return false;
-        if (p->from == p->to && !from->at)
-            return problem_error(problem, "%s needs a range, as in '%s 5 50 : ...'", p->name, p->name);
-        if (!(range->from < range->to))
-            return problem_error(problem, "the range from %s to %s is empty: FROM must be less than TO",
-                                 quad_text(range->from, 10), quad_text(range->to, 10));
-    }
-    return !parsed->value.at || item_bind(&parsed->value, q->text, query, &v->value, &number, problem);
-}
-
-/* ---- Probes ---- */
-
-/* Runs the command and sets *value to 1 if its verdict is true, and to -1 if it is false. Fails if the
- * command has no verdict. */
-static bool verdict_ask(const struct probe *p, const struct query *at, struct quantity *value,
-                        struct problem *problem)
-{
-    const struct command *c = p->question->command;
-    struct answer answer = {.style = state_style(at->state), .columns = c->columns, .rows = c->rows};
-    if (!question_ask(p->question, at, &answer, problem))
-        return false;
-    *value = (struct quantity){.value = answer.verdict == ANSWER_YES ? 1 : -1};
-    return answer.verdict != ANSWER_OPEN || problem_no_answer(problem, "the command has no verdict here");
-}
-
-domq_real probe_ask(struct probe *p, const struct assigned *assigned, int count)
-{
-    struct state point;
-    struct query at;
-    struct run_context run_context = *p->query->run_context;
-    struct quantity answer = {.value = 0};
-    problem_begin(&p->problem, p->command);
-    bool put = query_with(p->query, assigned, count, &point, &at, &p->problem);
-    at.run_context = &run_context;
-    run_context.seeks_yes = p->seeks_yes;
-    point.settings.threads = 1;
-    bool done = put && (p->verdict ? verdict_ask(p, &at, &answer, &p->problem)
-                                   : question_measure(p->question, &at, &answer, p->unit_text, &p->problem));
-    p->wrong = put && !done && p->problem.kind != PROBLEM_NO_ANSWER;
-    if (!done)
-        return DOMQ_NAN;
-    p->unit = answer;
-    return isfinite(answer.value) ? answer.value : DOMQ_NAN;
-}
-
-domq_real probe_at(struct probe *p, domq_real value)
-{
-    const struct assigned assigned = {.parameter = p->parameter, .value = value};
-    return probe_ask(p, &assigned, p->parameter != NULL);
-}
-
-bool probe_report(const struct probe *p, struct problem *problem)
-{
-    if (dom_raised(p->query->scene->compute.interrupt))
-        return problem_status(problem, p->query->scene, DOM_INTERRUPTED);
-    *problem = p->problem;
-    return false;
-}
-
-/* ---- Roots ---- */
-
-enum { ROOTS_MOST = 64, SCAN_POINTS = 241 };
-
-/* A search for the values x of a parameter at which an answer is equal to a given value. The value of a spot
- * is the difference, answer - value, or NaN if there is no answer. */
+/* The values of spots are differences, answer - value, or NaN if there is no answer. */
 struct scan {
-    struct probe probe;
-    const struct varied *varied;
+    struct search search;
+    struct line *line; /* of the search */
     struct root {
         double x;
         const char *branch;
     } root[ROOTS_MOST]; /* the roots found so far; at the end they are sorted by x */
     int roots;
-    double jump;                                 /* an x at which the answer jumps past the given value */
-    struct spot most, least, point[SCAN_POINTS]; /* the highest and the lowest spot, and those of the grid */
-    size_t answers;                              /* the number of spots with an answer */
-    char no_answer[PROBLEM_TEXT / 2];            /* the reason for the first missing answer */
-    double sign;                                 /* for scan_side: 1 or -1 */
+    double jump;             /* an x at which the answer jumps past the given value */
+    struct spot most, least; /* the highest and the lowest spot; NaN if there is none */
 };
 
-static double scan_at(double x, void *context)
-{
-    struct scan *s = context;
-    const struct spot spot = {x, (double)(probe_at(&s->probe, quad_decimal(x)) - s->varied->value.value)};
-    if (isnan(spot.value)) {
-        if (!*s->no_answer)
-            snprintf(s->no_answer, sizeof s->no_answer, "%.*s", (int)sizeof s->no_answer - 1,
-                     s->probe.problem.text);
-        return spot.value;
-    }
-    if (s->answers == 0 || spot.value > s->most.value)
-        s->most = spot;
-    if (s->answers == 0 || spot.value < s->least.value)
-        s->least = spot;
-    s->answers++;
-    return spot.value;
-}
-
-/* These values have an edge where the answers end, where they are equal to the given value no longer, and
- * where they change their side of it. */
-static double scan_any(double x, void *context)
-{
-    return isnan(scan_at(x, context)) ? -1 : 1;
-}
-
-static double scan_equal(double x, void *context)
-{
-    return scan_at(x, context) == 0 ? 0 : -1;
-}
-
-static double scan_side(double x, void *context)
-{
-    struct scan *s = context;
-    return s->sign * scan_at(x, s);
-}
+/* ---- Roots ---- */
 
 static void root_add(struct scan *s, double x, const char *branch)
 {
@@ -309,10 +36,10 @@ static void root_add(struct scan *s, double x, const char *branch)
 static void root_between(struct scan *s, struct spot a, struct spot b)
 {
     const bool rises = b.value > a.value;
-    const double rise = fabs(b.value - a.value), value = fabs((double)s->varied->value.value),
+    const double rise = fabs(b.value - a.value), value = fabs((double)s->search.sweep->value.value),
                  scale = value > 0 ? value : s->most.value - s->least.value;
     struct spot good = rises ? b : a, bad = rises ? a : b;
-    seek_edge(scan_at, s, &good, &bad, 0);
+    seek_edge(line_at, s->line, &good, &bad, 0);
     const struct spot root = good.value <= -bad.value ? good : bad;
     if (fabs(root.value) > 1e-6 * rise && fabs(root.value) > 1e-9 * scale)
         s->jump = root.x;
@@ -320,7 +47,12 @@ static void root_between(struct scan *s, struct spot a, struct spot b)
         root_add(s, root.x, rises ? "rising" : "falling");
 }
 
-/* Looks for a root between two neighbouring points of the grid. */
+static double equal_at(double x, void *line)
+{
+    return line_at(x, line) == 0 ? 0 : -1;
+}
+
+/* Looks for a root between two neighbouring points. */
 static void look_between(struct scan *s, struct spot a, struct spot b)
 {
     struct spot *const end[] = {&a, &b};
@@ -328,8 +60,9 @@ static void look_between(struct scan *s, struct spot a, struct spot b)
         struct spot hole = *end[i];
         if (isnan(hole.value) && !isnan(end[1 - i]->value)) { /* the answers end in between */
             *end[i] = *end[1 - i];
-            seek_edge(scan_any, s, end[i], &hole, 0);
-            end[i]->value = scan_at(end[i]->x, s);
+            s->line->level = -HUGE_VAL;
+            seek_edge(line_above, s->line, end[i], &hole, 0);
+            end[i]->value = line_at(end[i]->x, s->line);
         }
     }
     for (int i = 0; i < 2; i++) {
@@ -337,31 +70,13 @@ static void look_between(struct scan *s, struct spot a, struct spot b)
         struct spot equal = *end[i], other = *end[1 - i];
         if (equal.value == 0 && other.value != 0) {
             const bool rises = i == 0 ? other.value > 0 : other.value < 0;
-            seek_edge(scan_equal, s, &equal, &other, 0);
+            seek_edge(equal_at, s->line, &equal, &other, 0);
             root_add(s, equal.x, rises ? "rising" : "falling");
             return;
         }
     }
     if (a.value * b.value < 0)
         root_between(s, a, b);
-}
-
-/* Near a maximum or a minimum, the answer may cross the value twice between two points of the grid, and then
- * both points are on the same side of the value. If m is the highest or the lowest of three points, climbs
- * from there. If this leads to the other side, there is a root on either side of that spot. */
-static void look_around(struct scan *s, struct spot a, struct spot m, struct spot b)
-{
-    s->sign = m.value < 0 ? 1 : -1;
-    const double height = s->sign * m.value, left = s->sign * a.value, right = s->sign * b.value;
-    if (m.value == 0 || height < left || height < right || (height == left && height == right))
-        return;
-    struct spot top = {m.x, height};
-    top = seek_top(scan_side, s, a.x, top, b.x, 1e-8 * (b.x - a.x), 0);
-    top.value *= s->sign;
-    if (a.value * top.value < 0) {
-        root_between(s, a, top);
-        root_between(s, top, b);
-    }
 }
 
 /* Finds where the verdict changes between two points. Without an answer the verdict counts as false. */
@@ -371,8 +86,36 @@ static void verdict_between(struct scan *s, struct spot a, struct spot b)
     struct spot good = holds ? a : b, bad = holds ? b : a;
     if (holds == (b.value > 0))
         return;
-    seek_edge(scan_at, s, &good, &bad, 0);
+    seek_edge(line_at, s->line, &good, &bad, 0);
     root_add(s, good.x, holds ? "true up to here" : "true from here on");
+}
+
+static void spot_see(struct scan *s, struct spot spot)
+{
+    if (isnan(spot.value))
+        return;
+    s->most = spot.value <= s->most.value ? s->most : spot;
+    s->least = spot.value >= s->least.value ? s->least : spot;
+}
+
+/* Near a maximum or a minimum, the answer may cross the value twice between two points, and then both points
+ * are on the same side of the value. If m is the highest or the lowest of three points, climbs from there. If
+ * this leads to the other side, there is a root on either side of that spot. */
+static void look_around(struct scan *s, struct spot a, struct spot m, struct spot b)
+{
+    const double sign = m.value < 0 ? 1 : -1;
+    const double height = sign * m.value, left = sign * a.value, right = sign * b.value;
+    if (m.value == 0 || !(height >= left && height >= right) || (height == left && height == right))
+        return;
+    s->search.sign = sign;
+    struct spot top = seek_top(line_at, s->line, a.x, (struct spot){m.x, height}, b.x, 1e-8 * (b.x - a.x), 0);
+    s->search.sign = 1;
+    top.value *= sign;
+    spot_see(s, top);
+    if (a.value * top.value < 0) {
+        root_between(s, a, top);
+        root_between(s, top, b);
+    }
 }
 
 static int compare_roots(const void *one, const void *other)
@@ -381,26 +124,23 @@ static int compare_roots(const void *one, const void *other)
     return a < b ? -1 : a > b;
 }
 
-/* Searches the whole range. Returns false after an error or an interrupt; then call probe_report. */
-static bool scan_run(struct scan *s)
+/* Searches the whole range. */
+static bool scan_run(struct scan *s, struct problem *problem)
 {
-    struct spot *p = s->point;
-    const struct ranged *range = s->varied->range;
-    const volatile sig_atomic_t *interrupt = s->probe.query->scene->compute.interrupt;
-    for (int k = 0; k < SCAN_POINTS; k++) {
-        const double share = (double)k / (SCAN_POINTS - 1);
-        p[k].x = (1 - share) * (double)range->from + share * (double)range->to;
-        p[k].value = scan_at(p[k].x, s);
-        if (s->probe.wrong || dom_raised(interrupt))
-            return false;
-    }
-    for (int k = 1; k < SCAN_POINTS; k++)
-        (s->varied->verdict ? verdict_between : look_between)(s, p[k - 1], p[k]);
-    for (int k = 1; k + 1 < SCAN_POINTS && !s->varied->verdict; k++)
-        if (!isnan(p[k - 1].value) && !isnan(p[k].value) && !isnan(p[k + 1].value))
+    const bool is_verdict = s->search.sweep->verdict;
+    const struct spot *p = s->line->point;
+    if (!search_points(&s->search, problem))
+        return false;
+    for (size_t k = 0; k < s->line->count; k++)
+        spot_see(s, p[k]);
+    for (size_t k = 1; k < s->line->count; k++)
+        (is_verdict ? verdict_between : look_between)(s, p[k - 1], p[k]);
+    for (size_t k = 1; k + 1 < s->line->count && !is_verdict; k++)
+        if (!isnan(p[k].value))
             look_around(s, p[k - 1], p[k], p[k + 1]);
     qsort(s->root, (size_t)s->roots, sizeof *s->root, compare_roots);
-    return !dom_raised(interrupt);
+    const struct scene *scene = s->search.probe.query->scene;
+    return !dom_raised(scene->compute.interrupt) || problem_status(problem, scene, DOM_INTERRUPTED);
 }
 
 /* ---- The answer ---- */
@@ -415,24 +155,19 @@ const struct column solve_columns[] = {
 
 static void no_root_text(const struct scan *s, char *text, size_t size)
 {
-    const struct varied *v = s->varied;
-    const char *name = v->range->parameter->name, *unit = v->range->parameter->value->unit,
-               *question = v->question->name;
-    const char *value = quad_text(v->value.value, 10);
+    const struct sweep *v = s->search.sweep;
+    const char *name = v->grid.axis->parameter->name, *question = v->answer->name,
+               *holds = v->answer->command->holds, *value = quad_text(v->value.value, 10);
     const bool below = s->most.value < 0; /* the answer is below the wanted value in the whole range */
     const struct spot *nearest = below ? &s->most : &s->least;
-    char range[192];
-    unit = strcmp(unit, "h") == 0 ? "" : unit;
-    snprintf(range, sizeof range, "%s = %s .. %s%s%s", name, quad_text(v->range->from, 10),
-             quad_text(v->range->to, 10), *unit ? " " : "", unit);
-    if (s->answers == 0)
-        snprintf(text, size, "%s has no answer for any %s: %s", question, range, s->no_answer);
+    char range[RANGES_TEXT];
+    search_ranges(&s->search, range);
+    if (isnan(s->most.value))
+        snprintf(text, size, "%s has no answer for any %s: %s", question, range, s->search.reason);
     else if (v->verdict && s->most.value > 0)
-        snprintf(text, size, "%s: %s for every %s", question, v->question->command->holds, range);
+        snprintf(text, size, "%s: %s for every %s", question, holds, range);
     else if (v->verdict)
-        snprintf(text, size, "%s: no %s from %s to %s%s%s makes it true that %s", question, name,
-                 quad_text(v->range->from, 10), quad_text(v->range->to, 10), *unit ? " " : "", unit,
-                 v->question->command->holds);
+        snprintf(text, size, "%s: for no %s is it true that %s", question, range, holds);
     else if (below || s->least.value > 0)
         snprintf(text, size, "%s is never %s for %s: the %s value is %s, at %s = %s", question, value, range,
                  below ? "largest" : "smallest", quad_text(quad_decimal(nearest->value) + v->value.value, 10),
@@ -443,36 +178,32 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
 }
 
 /* Checks that the answer has the unit of the value, and is not constant. */
-static bool scan_check(const struct scan *s, struct problem *problem)
+static bool scan_check(struct scan *s, struct problem *problem)
 {
-    const struct varied *v = s->varied;
-    const struct quantity unit = s->probe.unit;
+    const struct sweep *v = s->search.sweep;
+    if (v->verdict || isnan(s->most.value))
+        return true;
+    (void)probe_at(&s->search.probe, quad_decimal(s->most.x));
+    const struct quantity unit = s->search.probe.unit;
     const domq_real highest = (domq_real)s->most.value + v->value.value, size = quad(fabs)(highest),
-                    tol = s->probe.query->scene->compute.tol;
-    if (v->verdict || s->answers == 0)
-        return true;
+                    tol = s->search.probe.query->scene->compute.tol,
+                    change = (domq_real)(s->most.value - s->least.value);
     if (!quantity_is_number(v->value) && !quantity_alike(unit, v->value))
-        return problem_error(problem, "%s is %s, but VALUE is %s", v->question->name, expression_kind(unit),
+        return problem_error(problem, "%s is %s, but VALUE is %s", v->answer->name, expression_kind(unit),
                              expression_kind(v->value));
-    if (s->answers < 2 ||
-        (domq_real)(s->most.value - s->least.value) > (domq_real)1e-12 * size + 10 * tol * size)
-        return true;
-    return problem_no_answer(
-        problem,
-        "%s does not depend on %s: it is %s everywhere in %s .. %s; 'sensitivity' shows what it depends on",
-        v->question->name, v->range->parameter->name, quad_text(highest, 10), quad_text(v->range->from, 10),
-        quad_text(v->range->to, 10));
+    return s->search.missing + 1 >= s->line->count || change > (domq_real)1e-12 * size + 10 * tol * size ||
+           search_constant(&s->search, highest, problem);
 }
 
 static void scan_answer(struct scan *s, struct answer *a)
 {
     char reason[1024];
-    answer_columns(a, solve_columns)[0].unit = s->varied->range->parameter->value->unit;
+    answer_columns(a, solve_columns)[0].unit = s->search.sweep->grid.axis->parameter->value->unit;
     for (int i = 0; i < s->roots; i++)
         answer_announce(a, "value", quad_decimal(s->root[i].x));
     for (int i = 0; i < s->roots && !answer_lost(a); i++) {
         const domq_real x = quad_decimal(s->root[i].x);
-        answer_cells(a, cell_computed(x), cell_computed(probe_at(&s->probe, x)),
+        answer_cells(a, cell_computed(x), cell_computed(probe_at(&s->search.probe, x)),
                      cell_word(s->root[i].branch));
     }
     if (s->roots > 0)
@@ -486,17 +217,20 @@ static void scan_answer(struct scan *s, struct answer *a)
 
 bool run_solve(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct varied *varied = query->given->bound;
+    const struct sweep *v = query->given->bound;
     struct scan *s = calloc(1, sizeof *s);
     if (!s)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    s->varied = varied;
-    s->probe = (struct probe){.query = query,
-                              .command = problem->command,
-                              .question = varied->question,
-                              .parameter = varied->range->parameter,
-                              .verdict = varied->verdict};
-    bool done = scan_run(s) ? scan_check(s, problem) : probe_report(&s->probe, problem);
+    search_begin(&s->search, v,
+                 (struct probe){.query = query,
+                                .command = problem->command,
+                                .question = v->answer,
+                                .parameter = v->grid.axis->parameter,
+                                .verdict = v->verdict},
+                 1);
+    s->line = s->search.line;
+    s->most.value = s->least.value = (double)NAN;
+    bool done = scan_run(s, problem) && scan_check(s, problem);
     if (done)
         scan_answer(s, a);
     free(s);

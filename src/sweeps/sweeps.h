@@ -23,11 +23,8 @@ bool question_ask(const struct question *question, const struct query *query, st
                   struct problem *problem);
 
 /* Binds a question and computes its value, which is one number in SI units. For a command, this number is
- * the cell in column question->key of the answer. For 'print', it is the value of the expression. */
-bool question_value(const struct question *question, const struct query *query, struct quantity *value,
-                    struct problem *problem);
-
-/* Like question_value. Also stores the unit of the number, as text for the head of a column. */
+ * the cell in column question->key of the answer. For 'print', it is the value of the expression. Also stores
+ * the unit of the number, as text for the head of a column. */
 bool question_measure(const struct question *question, const struct query *query, struct quantity *value,
                       char unit[UNIT_TEXT], struct problem *problem);
 
@@ -59,52 +56,12 @@ domq_real probe_at(struct probe *probe, domq_real value);
 /* Reports in *problem why the last evaluation gave no answer, or that it was interrupted. Returns false. */
 bool probe_report(const struct probe *probe, struct problem *problem);
 
-enum { VARIED_MOST = 2 };
-
-/* The arguments of 'solve', 'watch', 'maximize' and 'minimize'. */
-struct varied {
-    struct ranged {
-        const struct parameter *parameter;
-        domq_real from, to;
-    } range[VARIED_MOST];
-    int count;
-    const struct question *question;
-    bool verdict;          /* 'solve' searches for changes of a verdict, not for a value */
-    struct quantity value; /* the value that 'solve' seeks */
-};
-
-/* Parsers of the arguments NAME, X, ': ANSWER' and ': ANSWER = VALUE', and the function that binds them. */
-bool solve_parse_name(struct reader *reader, struct question *question);
-bool optimum_parse_names(struct reader *reader, struct question *question);
-bool varied_parse_answer(struct reader *reader, struct question *question);
-bool solve_parse_answer(struct reader *reader, struct question *question);
-bool varied_bind(const struct question *question, const struct query *query, struct arguments *given,
-                 struct problem *problem);
-
-/* ---- The commands ---- */
-
-extern const struct column growths_columns[], solve_columns[], sensitivity_columns[], optimum_columns[];
-bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);
-bool run_solve(const struct query *query, struct answer *a, struct problem *problem);
-bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem);
-bool run_maximize(const struct query *query, struct answer *a, struct problem *problem);
-bool run_minimize(const struct query *query, struct answer *a, struct problem *problem);
-bool run_assert(const struct query *query, struct answer *a, struct problem *problem);
-
-bool sensitivity_parse(struct reader *reader, struct question *question);
-bool assert_parse(struct reader *reader, struct question *question);
-
-/* Each is a names_list (see names.h). */
-const char *solve_names(const void *context, int k);   /* the parameters that 'solve' and 'watch' change */
-const char *assert_names(const void *context, int k);  /* the commands with a verdict */
-const char *optimum_names(const void *context, int k); /* the parameters of 'maximize' and 'minimize' */
-
-/* ---- Grids: "s 0.1 0.9 81 q hollow, solid friction 0 0.5 6" ---- */
+/* ---- Grids: "s 0.1 0.9 81 q hollow, solid friction 0 0.5 6", and ranges: "s 0.1 0.9, r" ---- */
 
 /* The values of one parameter, or of the first argument of one effect. */
 struct axis {
     const struct parameter *parameter;
-    size_t count;
+    size_t count; /* 0 for a range */
     domq_real from, to;
     bool logarithmic; /* true if neighbouring values have a constant ratio instead of a constant difference */
     const domq_real *list; /* the values of a list, or NULL */
@@ -121,23 +78,48 @@ domq_real axis_value(const struct axis *axis, size_t k);
 
 struct cell axis_cell(const struct axis *axis, domq_real value);
 
-/* ---- Sweeps ---- */
-
+/* The arguments of 'sweep', 'solve', 'watch', 'maximize' and 'minimize'. */
 struct sweep {
     struct grid grid;
     const struct question *answer; /* what is evaluated at each point */
     size_t answers;                /* if there are several answers, each is one number and has one column */
     const char *typed;             /* the answers as they were typed */
+    bool verdict;                  /* 'solve' searches for changes of a verdict, not for a value */
+    struct quantity value;         /* the value that 'solve' seeks */
 };
 
-/* Callbacks of the arguments GRID and ': ANSWER'. They parse the grid, parse the list of requested answers
- * after the ':', and bind both to a struct sweep. */
+/* Parsers of the first argument: a grid, up to so many parameters with or without a range, or names alone. */
 bool sweep_parse_grid(struct reader *reader, struct question *question);
+bool range_parse_one(struct reader *reader, struct question *question);
+bool range_parse_two(struct reader *reader, struct question *question);
+bool range_parse_names(struct reader *reader, struct question *question, int most);
+const char *varied_names(const void *context, int k); /* a names_list of what can have a range */
+
+/* Parsers of the second argument: ": ANSWER, ANSWER ...", ": ANSWER", and ": ANSWER = VALUE" or, for a
+ * verdict, ": COMMAND". */
 bool sweep_parse_answers(struct reader *reader, struct question *question);
+bool answer_parse_number(struct reader *reader, struct question *question);
+bool answer_parse_value(struct reader *reader, struct question *question);
+
+/* Binds all of them to a struct sweep. */
 bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
                 struct problem *problem);
 /* The argument N of 'curve FROM TO N', which is a sweep over s. */
 bool curve_bind(const struct question *question, const struct query *query, struct arguments *given,
                 struct problem *problem);
+
+/* ---- The commands ---- */
+
+extern const struct column growths_columns[], solve_columns[], sensitivity_columns[], optimum_columns[];
+bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);
+bool run_solve(const struct query *query, struct answer *a, struct problem *problem);
+bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem);
+bool run_maximize(const struct query *query, struct answer *a, struct problem *problem);
+bool run_minimize(const struct query *query, struct answer *a, struct problem *problem);
+bool run_assert(const struct query *query, struct answer *a, struct problem *problem);
+
+bool sensitivity_parse(struct reader *reader, struct question *question);
+bool assert_parse(struct reader *reader, struct question *question);
+const char *assert_names(const void *context, int k); /* a names_list of the commands with a verdict */
 
 #endif

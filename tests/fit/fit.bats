@@ -50,7 +50,7 @@ END
     for words in 'Measured against fitted' 'measured = fitted' 'fitted speed in m/s'; do grep -q "$words" picture || same plot "$words" "$(cat picture)"; done
     same 'its data' "$(csv 'fit friction errors.csv')" "$(csv 'plot fit friction errors.csv')"
     wrong 'plot fit' "'plot fit' needs a parameter and a file of measurements, as in 'plot fit friction FILE'"
-    wrong 'plot fit mu errors.csv' "unknown thing to fit 'mu'; did you mean 'friction'\?"
+    wrong 'plot fit mu errors.csv' "unknown parameter 'mu'; did you mean 'friction'\?"
     printf 'gap (mm), speed (m/s)\n9, 2\n15, 2\n' >fast.csv
     run -0 "$DOMINO" -e 'fit friction fast.csv'
     grep -q '^The best fit is friction 0, which is the limit of its range\.$' <<<"$output"
@@ -70,7 +70,7 @@ END
     wrong 'fit friction front.csv' "front.csv:1:1: the column 'speed' is missing; the first line must name gap"
     wrong 'fit friction none.csv' "cannot read 'none.csv': No such file"
     wrong 'fit friction' 'FILE is missing; usage: fit NAME FILE \[FPS\]'
-    wrong 'fit mu one.csv' "unknown thing to fit 'mu'; did you mean 'friction'\?"
+    wrong 'fit mu one.csv' "unknown parameter 'mu'; did you mean 'friction'\?"
     wrong 'fit friction push one.csv' "a comma is missing before 'push'"
     wrong 'fit friction, friction one.csv' "'friction' is named twice"
     wrong 'fit friction, push, slope, q, d one.csv' 'at most 4 parameters'

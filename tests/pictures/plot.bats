@@ -182,7 +182,7 @@ END
 @test "what cannot be plotted: an error in one line that says what to do, and no file" {
     wrong 'plot energy rmax' "'plot energy' takes no arguments"
     wrong 'plot sweep' "needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'"
-    wrong 'plot sweep s 0.1 0.3 3' "':' and a command are missing"
+    wrong 'plot sweep s 0.1 0.3 3' "':' and an answer are missing"
     wrong 'effect row 3; plot sweep s 0.1 0.3 3 : fall > a.svg' "'fall' answers with a table, but a picture needs one number for each point"
     wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.3 3 q 3, 4 : rmax' 'one or two parameters, but this grid has 3'
     wrong 'plot sweep fuel exact, paper : rmax' "the values of 'fuel' are words, but a curve needs numbers"

@@ -163,10 +163,10 @@ END
 }
 
 @test "no optimum, and errors in the line" {
-    wrong 'maximize s : 3' 'does not depend on s: it is 3 everywhere in s = 0.02 .. 1'
+    wrong 'maximize s : 3' '3 does not change: it is 3 everywhere in s = 0.02 .. 1'
     wrong 'maximize s 0.2 0.3 : sqrt(s-1)' 'has no answer for any s = 0.2 .. 0.3: .*sqrt of a negative'
     wrong 'maximize s, s : rmax' "'s' is named twice"
-    wrong 'maximize s, r, d : rmax' 'at most two parameters'
+    wrong 'maximize s, r, d : rmax' 'at most 2 parameters'
     wrong 'maximize' 'X is missing'
     wrong 'maximize : rmax' 'the name of a parameter is missing'
     wrong 'maximize s' "':' and an answer are missing; enter, for example, 'maximize s : duration.speed'"

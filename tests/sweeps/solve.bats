@@ -86,7 +86,7 @@ END
     grep -qE '^rmax is never 1\.1 for s = 0\.3 \.\. 0\.5: the smallest value is 1\.5' <<<"$output"
     same csv 'value,answer,branch,reason' "$("$DOMINO" -e 'set output csv; solve d : rmax = 5' | head -n 1)"
     [[ $("$DOMINO" -e 'set d 0.207; solve r : count(5 m) = 96.7') == 'count(5 m) is never 96.7 for r = 1 .. 4: it jumps over this value at r = 1.049'* ]]
-    wrong 'solve g : rmax = 1.5' "rmax does not depend on g: it is 1.64.*'sensitivity' shows"
+    wrong 'solve g : rmax = 1.5' "rmax does not change: it is 1.64.* everywhere in g = .*'sensitivity' shows"
     wrong 'solve h : duration.speed = 1 m' 'duration.speed is in m s\^-1, but VALUE is a length'
     wrong 'solve d 0.3 0.2 : rmax = 1.5' 'FROM must be less than TO'
     wrong 'solve d 0.3 : rmax = 1.5' 'TO is missing; enter, for example,'
@@ -110,6 +110,6 @@ END
 
 # bats test_tags=rows
 @test "solve: no value of the range makes a verdict true" {
-    same push 'verdict: no push from 0 to 30 rad/s makes it true that all dominoes fall.' \
+    same push 'verdict: for no push = 0 .. 30 rad/s is it true that all dominoes fall.' \
         "$("$DOMINO" -e 'set s 0.2; set row 12; solve push : verdict')"
 }

@@ -159,9 +159,9 @@ END
 # bats test_tags=rows,chance,pictures,explain
 @test "an error in a line gives one message and no row" {
     wrong_line 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
-    wrong_line 'sweep : rmax' 'the grid is missing; for each parameter, enter NAME FROM TO N'
-    wrong_line 'sweep s 0.1 0.9 9' "':' and a command are missing after the grid; enter, for example,"
-    wrong_line 'sweep s 0.1 0.9 9 :' "the command after ':' is missing; enter, for example,"
+    wrong_line 'sweep : rmax' 'the name of a parameter is missing; enter, for example,'
+    wrong_line 'sweep s 0.1 0.9 9' "':' and an answer are missing; enter, for example,"
+    wrong_line 'sweep s 0.1 0.9 9 :' "the answer is missing after ':'; enter, for example,"
     wrong_line 'sweep s 0.1 0.9 : rmax' ':17: .*s: N, the number of values, is missing'
     wrong_line 'sweep z 0.1 0.9 9 : rmax' ":7: sweep: unknown parameter 'z'"
     wrong_line 'sweep output 1 2 3 : rmax' "'output' is a setting of the calculator"
@@ -169,7 +169,7 @@ END
     wrong_line 'sweep r 1 1.5 3, s 0.3 0.5 3 : thetac' "',' separates values, not parameters"
     wrong_line 'sweep s 0.1 2 9 : rmax' 's = 2 is out of range'
     wrong_line 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is not a count'
-    wrong_line 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' is in the grid twice"
+    wrong_line 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' is named twice"
     wrong_line 'sweep fuel exact paper 2 : rmax' "the values of fuel are words; list them, as in 'sweep fuel exact, paper : rmax'"
     wrong_line 'sweep seed 1 10 5 : rmax' 'seed takes whole numbers'
     wrong_line 'sweep mass 0 1 3 log : rmax' "with 'log', FROM and TO must be above 0"
@@ -240,7 +240,7 @@ END
     same 'with' "$("$DOMINO" -n -e "$csv : print rmax with q hollow" | cut -d, -f2 | sed 1d)" \
         "$("$DOMINO" -n -e "$csv : rmax with q hollow, rmax" | cut -d, -f2 | sed 1d)"
     wrong 'sweep r 1 2 3 : rmax, fall' "'fall' gives several numbers"
-    wrong 'sweep r 1 2 3 : rmax,' "the answer after ',' is missing"
+    wrong 'sweep r 1 2 3 : rmax,' "the answer is missing after ','"
     wrong 'sweep r 1 2 3 : rmax, foo' "'foo' has no value"
 }
 

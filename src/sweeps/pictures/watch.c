@@ -19,7 +19,7 @@ enum {
 };
 
 struct watch {
-    const struct varied *varied;
+    const struct sweep *varied;
     struct probe probe;
     double from, to;
     double curve[STEPS / COARSE + 1]; /* the answers along the curve, or NaN if there is no answer */
@@ -36,7 +36,7 @@ static double watch_x(const struct watch *w, int step)
 /* Computes the curve and puts the point at the parameter's value. Fails if the curve has no points. */
 static bool watch_begin(struct watch *w, struct problem *problem)
 {
-    const struct parameter *p = w->varied->range->parameter;
+    const struct parameter *p = w->varied->grid.axis->parameter;
     int answers = 0;
     for (int i = 0; i <= STEPS / COARSE; i++) {
         w->curve[i] = (double)probe_at(&w->probe, (domq_real)watch_x(w, COARSE * i));
@@ -64,16 +64,16 @@ static void watch_draw(struct watch *w, FILE *out)
     chart_point(&chart, point, x, y);
     chart.x.low = w->from;
     chart.x.high = w->to;
-    snprintf(chart.x.label, sizeof chart.x.label, "%s", w->varied->range->parameter->name);
+    snprintf(chart.x.label, sizeof chart.x.label, "%s", w->varied->grid.axis->parameter->name);
     chart_prepare(&chart); /* an empty chart is shown if there are no points */
     fputs("\033[H\033[J", out);
     char answer[160];
     if (isfinite(y))
-        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->varied->question->name, y,
+        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->varied->answer->name, y,
                  expression_unit_text(w->probe.unit));
     else
         snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
-    fprintf(out, "%s = %.6g: %.*s\n", w->varied->range->parameter->name, x, width > 24 ? width - 20 : 4,
+    fprintf(out, "%s = %.6g: %.*s\n", w->varied->grid.axis->parameter->name, x, width > 24 ? width - 20 : 4,
             answer);
     if (height >= 8 && width >= 34) /* a smaller window has no room for a chart */
         chart_text(&chart, display_of(out), width - 1, height - 3, out);
@@ -130,13 +130,14 @@ static bool watch_possible(const struct session *session, struct problem *proble
 static bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
                       struct problem *problem)
 {
-    const struct varied *varied = given->bound;
+    const struct sweep *varied = given->bound;
     const struct query query = session_query(session);
-    struct watch w = {.varied = varied, .from = (double)varied->range->from, .to = (double)varied->range->to};
+    struct watch w = {
+        .varied = varied, .from = (double)varied->grid.axis->from, .to = (double)varied->grid.axis->to};
     w.probe = (struct probe){.query = &query,
                              .command = problem->command,
-                             .question = varied->question,
-                             .parameter = varied->range->parameter};
+                             .question = varied->answer,
+                             .parameter = varied->grid.axis->parameter};
     if (!watch_possible(session, problem))
         return false;
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
@@ -150,10 +151,10 @@ static bool run_watch(struct session *session, const struct arguments *given, st
     gsl_set_error_handler(handler);
     domq_real value = w.x;
     if (w.state == WATCH_KEEP &&
-        !parameter_set(&session->state, varied->range->parameter, &value, 1, NULL, problem))
+        !parameter_set(&session->state, varied->grid.axis->parameter, &value, 1, NULL, problem))
         return false;
     if (begun)
-        answer_say(a, "%s %s %.6g", varied->range->parameter->name,
+        answer_say(a, "%s %s %.6g", varied->grid.axis->parameter->name,
                    w.state == WATCH_KEEP ? "is now" : "stays as it was; the point was at", w.x);
     return begun;
 }
@@ -161,11 +162,11 @@ static bool run_watch(struct session *session, const struct arguments *given, st
 static const struct command watch_commands[] = {
     {.name = "watch",
      .synonyms = "interactive slider live keys explore",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_name, .choices = solve_names},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = range_parse_one, .choices = varied_names},
                   {.name = ": ANSWER",
                    .kind = ARGUMENT_COMMAND,
-                   .parse = varied_parse_answer,
-                   .bind = varied_bind,
+                   .parse = answer_parse_number,
+                   .bind = sweep_bind,
                    .choices = question_names}},
      .summary = "vary a parameter with the arrow keys, and see ANSWER on a curve",
      .help =
