@@ -7,18 +7,16 @@
 #include "prompt/input.h"
 #include <errno.h>
 #include <getopt.h>
-#include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 enum { EXIT_USAGE = 2 };
 
 static const char usage[] =
-    "usage: domino [-in] [--bail | --keep-going] [--safe] [-e COMMANDS | -f FILE | FILE] ...\n";
+    "usage: domino [-i] [--bail | --keep-going] [--safe] [-e COMMANDS | -f FILE | FILE] ...\n";
 
 static const char help[] =
     "\n"
@@ -31,7 +29,6 @@ static const char help[] =
     "  -e, --execute COMMANDS  run these commands, separated by ';'\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
     "  -i, --interactive       after -e, -f and FILE, read commands from standard input\n"
-    "  -n, --no-init           do not run the start-up file, $XDG_CONFIG_HOME/domino/init.dom\n"
     "      --bail              stop at the first error, also in input from a pipe\n"
     "      --keep-going        go on after errors, even in -e, -f and FILE\n"
     "      --safe              commands may not read or write files\n"
@@ -41,6 +38,7 @@ static const char help[] =
     "Exit status: 0 if there were no errors, 1 if a command failed, 2 if an option is invalid.\n"
     "The command 'help' lists the commands: domino -e help\n";
 
+/* -n has no effect: it is for scripts of versions that had a start-up file. */
 static const struct option options[] = {
     {"execute", required_argument, NULL, 'e'}, {"file", required_argument, NULL, 'f'},
     {"no-init", no_argument, NULL, 'n'},       {"bail", no_argument, NULL, 'b'},
@@ -57,7 +55,7 @@ struct plan {
         const char *text;
     } * typed;
     int sources;
-    bool init, prompt;
+    bool prompt;
     bool reads;      /* commands are read from standard input: without sources, after a row, and with -i */
     bool keep_going; /* continue after an error in -e, -f and FILE */
 };
@@ -123,7 +121,6 @@ static bool options_read(int argc, char **argv, struct session *session, struct 
             session->bail = option == 'b';
             plan->keep_going = option == 'k';
         }
-        plan->init = plan->init && option != 'n';
         session->run_context.safe = session->run_context.safe || option == 's';
         stays = stays || option == 'i';
         if (option == 'V')
@@ -186,20 +183,6 @@ static void run_sources(struct session *session, const struct plan *plan)
         }
     session->quit = session->quit || (!plan->prompt && is_over(session));
     session->bail = bails;
-    session->state.scene.listed.saved = true; /* changes that these files make need not be saved */
-}
-
-/* Runs the start-up file. This happens only at the prompt, so that scripts do not depend on the file. */
-static void run_init(struct session *session)
-{
-    char path[PATH_MAX];
-    struct stat status;
-    if (!line_path("XDG_CONFIG_HOME", ".config", "init.dom", path, sizeof path) || stat(path, &status) != 0)
-        return;
-    if (S_ISFIFO(status.st_mode)) /* reading a FIFO might block for ever */
-        session_error(session, "domino: the start-up file %s is not a regular file", path);
-    else
-        run_file(session, path);
 }
 
 /* Closes standard output. If output was lost, prints a message and returns false. If standard output is a
@@ -221,7 +204,7 @@ static bool output_close(FILE *out, bool ignores_pipe)
 int main(int argc, char **argv)
 {
     struct session session;
-    struct plan plan = {.typed = calloc((size_t)argc + 1, sizeof *plan.typed), .init = true, .reads = true};
+    struct plan plan = {.typed = calloc((size_t)argc + 1, sizeof *plan.typed), .reads = true};
     io_begin();
     /* By default, SIGPIPE and SIGXFSZ would end the program when a pipe has no reader or a file gets too
      * large. They are ignored, so that write(2) fails instead. */
@@ -235,8 +218,6 @@ int main(int argc, char **argv)
     plan.prompt = plan.reads && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
     sigint_ends = !plan.prompt;
     signals_begin();
-    if (plan.prompt && plan.init)
-        run_init(&session);
     if (plan.sources > 0)
         run_sources(&session, &plan);
     if (plan.prompt)

@@ -88,8 +88,6 @@ bool row_list(const struct query *query, size_t only, struct answer *a, struct p
         a->csv.extra = NULL;
         if (!scene_walls_fit(query->scene, &scene, &no_room) && answer_for_people(a))
             answer_say(a, "This row has no answer yet: %s.", no_room.text);
-        if (query->next && a->path && only == 0)
-            query->next->scene.listed.saved = true;
     }
     free(others);
     free(scene.domino);

@@ -130,7 +130,6 @@ static bool edit_end(struct scene *scene, struct listed_row *next, bool good, st
     struct problem ignored = {.kind = PROBLEM_NONE};
     struct listed_row before = scene->listed;
     const bool fitted = good && walls_fit(scene, &ignored);
-    next->saved = false;
     scene->listed = *next;
     good = good && (!fitted || walls_fit(scene, problem));
     if (good)

@@ -27,8 +27,6 @@ load common
     prompt interrupt_terminal 'source /dev/tty'
 }
 
-@test "a FIFO as the start-up file is reported, and the session opens" { prompt startup_fifo; }
-
 @test "FIFOs, pipes and devices are read and written like files" {
     answer=$("$DOMINO" -e fuel)
     mkfifo fifo

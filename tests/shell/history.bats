@@ -14,11 +14,9 @@ load common
 @test "history: an empty DOMINO_HISTORY means no history" { prompt history_none; }
 @test "history: it survives a signal and a lost terminal" { prompt history_signal; }
 @test "history: a file that cannot be written is reported as such" { prompt history_cannot; }
-@test "history and start-up file: not used in pipes" {
-    export XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
+@test "history: not used in pipes" {
+    export XDG_STATE_HOME=$BATS_TEST_TMPDIR/state
     export HOME=$BATS_TEST_TMPDIR DOMINO_HISTORY=$BATS_TEST_TMPDIR/own
-    mkdir -p "$XDG_CONFIG_HOME/domino"
-    echo 'set s 0.3' >"$XDG_CONFIG_HOME/domino/init.dom"
     for way in -e stdin -f; do
         run --separate-stderr session "$way" 'print s'
         [ "$status" -eq 0 ]

@@ -44,15 +44,11 @@ same_at_the_prompt() { # FORMAT
 @test "lesson: it waits for each command, and q, ^C, ^D and quit leave it" {
     TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
 }
-@test "leaving with unsaved gaps needs a confirmation" { prompt unsaved; }
 
 @test "the prompt opens with a row from a file, and after a file with -i" { prompt opened; }
 @test "^C in a file before the prompt ends the file, and the prompt opens" { prompt interrupt_opened; }
-@test "start-up file: it runs, -n skips it; an error says where it is, and the session opens" { prompt init_file; }
 @test "inputrc: \$if Domino" { prompt inputrc; }
 @test "letters: ASCII in an ASCII locale" { prompt ascii; }
-@test "colour: on terminals with colours, but not in pipes" { prompt colour; }
-@test "colour: off with NO_COLOR, TERM=dumb, and without TERM" { prompt no_colour; }
 @test "progress: for a terminal only" { prompt progress; }
 @test "lines of 4000 letters" { prompt long_line; }
 @test "watch works only at the prompt, and says so" {

@@ -111,10 +111,9 @@ bool answer_has_error(const struct answer *a, int i)
 static void terminal_look(struct answer *a)
 {
     a->layout.on_terminal = terminal_shows(a->out);
-    if (a->layout.on_terminal) {
+    if (a->layout.on_terminal) { /* otherwise the rest of an answer keeps the width of the answer */
         a->layout.width = terminal_width(a->out);
         a->layout.letters = a->layout.width && terminal_utf8();
-        a->layout.bold = terminal_colour(a->out);
     }
 }
 
@@ -223,7 +222,7 @@ static void rest_copy(const struct answer *a, struct rest *rest)
     rest->answer->details.rest = NULL;
     rest->answer->errors.reference = NULL; /* the cells have been compared already */
     rest->answer->progress.is_open = true;
-    rest->answer->layout.letters = rest->answer->layout.bold = false; /* 'details > FILE' is plain text */
+    rest->answer->layout.letters = false; /* 'details > FILE' is plain text */
     rest->answer->progress.has_rows = false;
 }
 

@@ -34,7 +34,6 @@ struct layout {
     bool is_planned;
     bool on_terminal;
     bool letters; /* the terminal can show Greek letters */
-    bool bold;    /* the terminal has colours */
     int width;    /* the width of the terminal in columns, or 0 if there is no terminal */
     /* Bit i is set if column i shows errors. In csv and json, the errors are written in an additional column.
      */

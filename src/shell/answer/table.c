@@ -71,13 +71,6 @@ static void field(FILE *out, const char *text, int width)
         putc_unlocked(' ', out);
 }
 
-static void key_field(const struct answer *a, const char *key, int width)
-{
-    fputs(a->layout.bold ? "\033[36m" : "", a->out);
-    field(a->out, key, width);
-    fputs(a->layout.bold ? "\033[m" : "", a->out);
-}
-
 /* ---- A table of rows ---- */
 
 /* Chooses digits and column widths so that all columns fit into the terminal if possible. */
@@ -136,10 +129,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
         bool ends_line = is_left && !c[2].key && words < 0; /* no blanks follow the last word */
         int wide = a->layout.column[i], width = ends_line ? 0 : is_left ? -wide : wide;
         fputs(i ? "  " : "", a->out);
-        if (line == KEYS)
-            key_field(a, shown[i], width);
-        else
-            field(a->out, shown[i], width);
+        field(a->out, shown[i], width);
     }
     putc('\n', a->out);
 }
@@ -150,7 +140,6 @@ static void row_lines(struct answer *a, const struct cell *cells)
 {
     char text[CELL_TEXT];
     int key_width = 0, unit_width = 0, digits = table_digits(a), number = number_width(a, digits);
-    const char *bold = a->layout.bold ? "\033[1m" : "", *end = a->layout.bold ? "\033[m" : "";
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         if (cells[i].kind == CELL_NONE)
@@ -165,13 +154,13 @@ static void row_lines(struct answer *a, const struct cell *cells)
         struct measure measure = measure_of(c->unit, cells[i].number);
         if (cells[i].kind == CELL_NONE)
             continue;
-        key_field(a, c->key, -key_width);
-        fprintf(a->out, "  %s", bold);
+        field(a->out, c->key, -key_width);
+        fputs("  ", a->out);
         const char *value = table_text(a, measure, cells[i], digits, text);
         const int columns = utf8_columns(value), width = columns > number ? columns : number;
         field(a->out, value, width);
         const char *unit = column_unit(a, c, measure, text);
-        fprintf(a->out, "%s%s", end, *unit || *c->meaning ? " " : ""); /* no blanks end the line */
+        fputs(*unit || *c->meaning ? " " : "", a->out); /* no blanks end the line */
         field(a->out, unit, *c->meaning ? -unit_width - 2 : 0);
         write_wrapped(a->out, c->meaning, key_width + width + unit_width + 5, a->layout.width);
         putc('\n', a->out);

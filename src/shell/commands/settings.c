@@ -317,8 +317,6 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
         }
         wrong = output_pop(&file, true);
     }
-    if (query->next && !wrong)
-        query->next->scene.listed.saved = true;
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 

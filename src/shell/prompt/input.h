@@ -20,12 +20,4 @@ char *line_edit(struct session *session, const char *prompt);
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
 
-/*
- * Writes the path of one of the user's files:
- * - If the environment variable `variable` is an absolute path, the file is $variable/domino/name.
- * - Otherwise the file is $HOME/fallback/domino/name.
- * Returns false if there is no $HOME for the second case, or if the path does not fit into `size` bytes.
- */
-bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size);
-
 #endif

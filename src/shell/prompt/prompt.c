@@ -34,30 +34,23 @@ enum { HISTORY_LINES = 2000 };
 /* The path of the history file, or "" if no history is kept. */
 static char history_file[PATH_MAX];
 
-bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size)
-{
-    const char *base = getenv(variable), *home = getenv("HOME");
-    int length = -1;
-    if (base && *base == '/')
-        length = snprintf(path, size, "%s/domino/%s", base, name);
-    else if (home && *home)
-        length = snprintf(path, size, "%s/%s/domino/%s", home, fallback, name);
-    return length > 0 && (size_t)length < size;
-}
-
 /* Loads the history. The environment variable DOMINO_HISTORY names the file. If it is not set, the file is
  * $XDG_STATE_HOME/domino/history, or else ~/.local/state/domino/history. If it is empty, or not a regular
  * file, the history ends with the session. */
 static void history_load(void)
 {
-    const char *chosen = getenv("DOMINO_HISTORY");
+    const char *chosen = getenv("DOMINO_HISTORY"), *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
     struct stat status;
+    int length = -1;
     using_history();
     stifle_history(HISTORY_LINES);
-    const bool is_known =
-        chosen ? snprintf(history_file, PATH_MAX, "%s", chosen) < PATH_MAX
-               : line_path("XDG_STATE_HOME", ".local/state", "history", history_file, PATH_MAX);
-    if (!is_known || (stat(history_file, &status) == 0 && !S_ISREG(status.st_mode)))
+    if (chosen)
+        length = snprintf(history_file, PATH_MAX, "%s", chosen);
+    else if (state && *state == '/')
+        length = snprintf(history_file, PATH_MAX, "%s/domino/history", state);
+    else if (home && *home)
+        length = snprintf(history_file, PATH_MAX, "%s/.local/state/domino/history", home);
+    if (length < 0 || length >= PATH_MAX || (stat(history_file, &status) == 0 && !S_ISREG(status.st_mode)))
         *history_file = '\0';
     else if (read_history(history_file) == 0 && history_base + history_length > 2 * HISTORY_LINES) {
         char *real = realpath(history_file, NULL); /* a link must stay a link */
@@ -246,16 +239,6 @@ char *line_edit(struct session *session, const char *prompt)
 
 /* ---- Lines ---- */
 
-/* Readline expects \001 and \002 around bytes that take no space on the screen. */
-static const char *prompt_text(struct session *session, char *text, size_t size)
-{
-    const char *mark = terminal_utf8() ? "❯" : ">";
-    bool colour = terminal_colour(session->output->out);
-    snprintf(text, size, colour ? "\001\033[1m\002domino%s\001\033[m\002 " : "domino%s ", mark);
-    session->source.prompt_width = (int)strlen("domino> ");
-    return text;
-}
-
 /* Runs a typed line, or the lines of a pasted text. */
 static void lines_run(struct session *session, char *text)
 {
@@ -269,16 +252,16 @@ static void lines_run(struct session *session, char *text)
 
 void line_prompt(struct session *session, volatile sig_atomic_t *raised)
 {
-    char prompt[64];
-    bool has_warned = false; /* The user has been warned that unsaved changes will be lost. */
+    const char *prompt = terminal_utf8() ? "domino❯ " : "domino> ";
     prompt_session = session;
     session->source.name = NULL;
+    session->source.prompt_width = utf8_columns(prompt);
     history_load();
     fprintf(session->output->out,
             "domino " DOM_VERSION ": how far can a domino row grow? Try 'count 112', 'lesson' or 'help'.\n");
     while (!session->quit && (*raised == 0 || *raised == SIGINT)) {
         *raised = 0;
-        char *line = line_read(session, prompt_text(session, prompt, sizeof prompt));
+        char *line = line_read(session, prompt);
         if (*raised) { /* ^C discards what was typed */
             fputs(was_empty ? "'quit' or ^D leaves\n" : "", rl_outstream);
             fflush(rl_outstream);
@@ -288,14 +271,6 @@ void line_prompt(struct session *session, volatile sig_atomic_t *raised)
             putc('\n', session->output->out);
             session->quit = true;
         }
-        /* With unsaved changes to the row, the first attempt to leave only warns. */
-        const bool warns = session->quit && !has_warned && row_unsaved(&session->state.scene);
-        if (warns)
-            session_note(session,
-                         "the changes to the row are not saved; 'save FILE' or 'row > FILE.csv' saves them; "
-                         "to leave without saving, enter 'quit' or press ^D once more");
-        session->quit = session->quit && !warns;
-        has_warned = warns;
         free(line);
     }
     session->source.prompt_width = 0;

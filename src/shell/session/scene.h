@@ -92,7 +92,6 @@ struct listed_row {
     char *others;
     struct changed_domino *change; /* all dominoes of the row, or NULL if nothing has been changed */
     size_t changes;                /* the number of elements of `change` */
-    bool saved;                    /* the changes have been saved to a file */
     /* the reference count of `domino`, `path` and `others`; NULL if these are NULL */
     size_t *holders;
 };
@@ -158,12 +157,6 @@ void effects_apply(struct scene *scene);
 static inline domq_real effect_value(const struct scene *scene, int effect, int i)
 {
     return scene->effect[effect].on ? scene->effect[effect].value[i] : 0;
-}
-
-/* Returns true if the row has been changed since it was last saved. */
-static inline bool row_unsaved(const struct scene *scene)
-{
-    return scene->listed.changes > 0 && !scene->listed.saved;
 }
 
 /* Returns the number of dominoes in the row of the file or of 'set row N', before any are removed or

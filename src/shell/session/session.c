@@ -102,11 +102,8 @@ static void session_write(struct session *session, const struct problem *problem
         format->failed(session->standard.out, &failure);
         output_flush(&session->standard);
     }
-    FILE *out = stderr;
-    bool colour = terminal_colour(stderr) && !session->source.name;
-    fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
-    write_wrapped(out, text, 0, terminal_width(stderr));
-    fputs(colour ? "\033[m\n" : "\n", out);
+    write_wrapped(stderr, text, 0, terminal_width(stderr));
+    putc('\n', stderr);
     session->is_last = false;
 }
 
