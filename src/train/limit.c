@@ -262,9 +262,7 @@ const struct command limit_commands[] = {
              "row would fall. 'goes_on' tells whether an endless train that is already moving keeps falling. "
              "'r_start' is the largest growth at which a "
              "row starts and keeps falling. Each gap of the row is s times the height, even if the session "
-             "has another row. H can also be the name of a tower ('landmarks' lists them). If an effect that "
-             "needs the rigid-body engine is on, the "
-             "engine runs the row.",
+             "has another row. If an effect that needs the rigid-body engine is on, the engine runs the row.",
      .example = "count 112 m 2",
      .see = "fewest rmax best landmarks",
      .sweep.echo = "r",

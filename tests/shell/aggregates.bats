@@ -24,6 +24,7 @@ set tol 1e-4; set precision quad; set tol 1e-20
 END
 }
 
+# bats test_tags=landmarks
 @test "aggregates are those of the columns in csv, computed by awk" {
     csv 'chain 0.2' >chain.csv
     awks() { awk -F, "NR > 1 { $1 } END { printf \"%.17g\", $2 }" chain.csv; }
@@ -68,6 +69,7 @@ END
 }
 
 # bats test_tags=rows
+# bats test_tags=landmarks
 @test "no column, no number, no row, or columns of different lengths: an error of one line" {
     all_wrong <<'END'
 7|print chain(0).weight|'chain' has no value: its answer is a table; .* as in 'sum.chain.0..weight.'

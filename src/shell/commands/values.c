@@ -2,7 +2,6 @@
 /* The commands 'print' and 'let'. */
 #include "commands/tables.h"
 #include "interpreter/question.h"
-#include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include <ctype.h>
@@ -95,26 +94,6 @@ static bool run_print(const struct query *query, struct answer *a, struct proble
         answer_row(a, ROW({.kind = CELL_NONE}, cell_word(unit)), reason);
     } else
         answer_cells(a, cell, cell_word(unit));
-    return true;
-}
-
-/* ---- landmarks ---- */
-
-static const struct column landmarks_columns[] = {
-    {"name", "", "the name, for expressions and for 'count'", 20},
-    {"height", "m", "the height", 0},
-    {"what", "", "where the landmark is, and for which year or state the height holds", 42},
-    {"source", "", "who publishes the height", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-static bool run_landmarks(const struct query *query, struct answer *a, struct problem *problem)
-{
-    (void)query;
-    (void)problem;
-    for (const struct landmark *l = landmarks; l->name; l++)
-        answer_cells(a, cell_word(l->name), cell_without_error(quad_read(l->height, NULL)),
-                     cell_word(l->what), cell_word(l->source));
     return true;
 }
 
@@ -231,7 +210,7 @@ const struct command value_commands[] = {
          "angles; 3/8 in is "
          "(3/8) in. The functions are "
          "sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max. A name "
-         "is a parameter, something that 'let' has defined, or one of the 'landmarks'. 'ans' is the last "
+         "is a parameter, or something that 'let' has defined. 'ans' is the last "
          "value, and 'ans.KEY' is a "
          "number of the last answer. A command stands for one number of its answer, and a key chooses "
          "another: rmax, rmax(0.3).r_max_paper. 'sum', 'min', 'max' and 'count' make a number of a table: "
@@ -264,17 +243,5 @@ const struct command value_commands[] = {
      .see = "print set show",
      .access.changes = true,
      .run = run_let},
-    {.name = "landmarks",
-     .synonyms = "buildings monuments monument building landmark",
-     .summary = "list the towers and other landmarks whose heights have names",
-     .help =
-         "A name in this list stands for the height, in 'count big_ben' and in every expression: "
-         "'eiffel/h'. Blanks may stand for '_', so 'count big ben' works, too. A height "
-         "holds for the year or the state in the list. If 'let' defines the same name, that value counts.",
-     .example = "count big ben; print domtoren / 5 cm; landmarks details",
-     .see = "count print let",
-     .rows = true,
-     .brief = "name height what",
-     ANSWER(landmarks)},
     {.name = NULL},
 };

@@ -1,93 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The values of arguments. */
 #include "interpreter/command.h"
-#include "interpreter/expression.h"
-#include "language/landmarks.h"
 #include "language/quad.h"
-#include "language/text.h"
 #include "session/parameters.h"
 #include "session/row.h"
 #include <string.h>
-
-const char *topic_names(const void *context, int k)
-{
-    const int commands = command_count();
-    if (k < commands)
-        return command_names(context, k);
-    /* Some names belong to both a command and a parameter, such as 'fuel'. They have been listed already. */
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (!command_find(p->name) && k-- == commands)
-            return p->name;
-    return NULL;
-}
-
-const char *topic_by_synonym(const char *word, int k)
-{
-    const struct parameter *one = parameter_by_synonym(word, false);
-    one = one ? one : parameter_by_value(word, NULL);
-    if (one)
-        return k == 0 ? one->name : NULL;
-    const char *topic;
-    for (int i = 0; (topic = topic_names(NULL, i)) != NULL; i++) {
-        const struct command *c = command_find(topic);
-        const struct parameter *p = parameter_find(topic);
-        if (((c && names_index(c->synonyms, ' ', word) >= 0) ||
-             (p && names_index(p->synonyms, ' ', word) >= 0) ||
-             (p && !p->effect && names_exact(parameter_words, p, word) >= 0)) &&
-            k-- == 0)
-            return topic;
-    }
-    return NULL;
-}
-
-const char *value_names(const void *context, int k)
-{
-    const struct state *state = context;
-    for (int n = 0; expression_names(NULL, n); n++)
-        if (k-- == 0)
-            return expression_names(NULL, n);
-    int count = state ? (int)state->variables.count : 0;
-    if (state && k-- == 0)
-        return "sum";
-    if (state && k < LANDMARKS)
-        return landmark_names(NULL, k);
-    k -= state ? LANDMARKS : 0;
-    return k == 0                ? "ans"
-           : state && k <= count ? state->variables.list[k - 1].name
-                                 : topic_names(NULL, k - 1 - count);
-}
-
-const char *answer_keys(const void *command, int k)
-{
-    const struct column *columns = ((const struct command *)command)->columns;
-    return columns ? columns[k].key : NULL;
-}
-
-const char *command_keys(const void *command, int k)
-{
-    const struct command *c = command;
-    const char *key = answer_keys(c, k);
-    return key && c->sweep.slow_column && strcmp(key, c->sweep.slow_column) == 0 ? NULL : key;
-}
-
-int command_principal(const struct command *c)
-{
-    return names_exact(command_keys, c, c->principal);
-}
-
-const char *command_usage_write(const struct command *c, char usage[USAGE_SIZE])
-{
-    snprintf(usage, USAGE_SIZE, "%s", c->typed.phrase ? c->typed.phrase : c->name);
-    bool inside = false; /* a '[' has been written, but not yet its ']' */
-    for (const struct argument *a = c->argument, *end = a + ARGUMENTS_MAX; a < end && a->kind; a++) {
-        const bool more = a->kind == ARGUMENT_VALUE && a + 1 < end && a[1].kind == ARGUMENT_VALUE;
-        text_add(usage, USAGE_SIZE, " %s%s%s", a->optional && !inside ? "[" : "", a->name,
-                 a->optional && !more ? "]" : "");
-        inside = a->optional && more;
-    }
-    return usage;
-}
-
-/* ---- Values of arguments ---- */
 
 struct quantity argument_unit(const struct argument *a)
 {
@@ -192,38 +109,6 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
     default:
         return true;
     }
-}
-
-/* ---- Commands in expressions ---- */
-
-int command_values(const struct command *c, int *fewest)
-{
-    int most = 0;
-    *fewest = 0;
-    for (int i = 0; i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
-        const struct argument *a = &c->argument[i];
-        /* an argument can be given in an expression if it and all arguments before it are values that need no
-         * function of their own */
-        bool is_value = a->kind >= ARGUMENT_TILT && a->kind <= ARGUMENT_PLACE && most == i && !a->bind;
-        if (!is_value && !a->optional)
-            return -1;
-        most += is_value;
-        *fewest += is_value && !a->optional;
-    }
-    return most;
-}
-
-int command_arity(const struct command *c, int *fewest)
-{
-    const int most = command_values(c, fewest);
-    return c->columns && c->principal ? most : -1;
-}
-
-bool command_is_table(const struct command *c)
-{
-    int fewest;
-    return c && c->rows && !c->principal && c->columns && c->columns->key && c->run && !c->writes &&
-           !c->access.changes && command_values(c, &fewest) >= 0;
 }
 
 struct answer answer_kept(const struct query *query, const struct command *c, struct cell kept[ANSWER_CELLS])

@@ -180,9 +180,10 @@ const char *topic_names(const void *context, int k);  /* all commands and parame
 const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
 const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
-/* A names_list of the names that are known in expressions: the built-in names, 'sum', landmarks, 'ans', the
- * variables of the state `context`, and all commands and parameters, even those without a value. If `context`
- * is NULL, the list has no variables, nor 'sum' and landmarks, which a variable may hide. */
+/* A names_list of the names that are known in expressions: the built-in names, 'sum', the names of features
+ * such as landmarks, 'ans', the variables of the state `context`, and all commands and parameters, even those
+ * without a value. If `context` is NULL, the list has no variables, nor 'sum' and names of features, which a
+ * variable may hide. */
 const char *value_names(const void *context, int k);
 
 /* Returns the name of topic number k, counted from 0, among those with this synonym, or NULL after the last.

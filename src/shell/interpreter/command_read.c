@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/feature.h"
 #include "interpreter/question.h"
-#include "language/landmarks.h"
 #include "session/parameters.h"
 #include <ctype.h>
 #include <string.h>
@@ -74,7 +74,8 @@ bool goes_on(const char *c)
 /* Returns true if the line is meant as an expression, even one with errors. */
 static bool is_expression(const struct state *state, const struct head *h, bool is_variable)
 {
-    const char *c = h->begin, *end;
+    const char *c = h->begin, *end, *name;
+    struct quantity value;
     int fewest;
     if (h->end == c)
         return *c && (isdigit((unsigned char)*c) || strchr("(.+-", *c));
@@ -84,7 +85,7 @@ static bool is_expression(const struct state *state, const struct head *h, bool 
         return command_arity(h->command, &fewest) >= 0 && goes_on(h->next);
     if (strcmp(h->name, "not") == 0)
         return h->next > h->end;
-    if (!is_variable && landmark_scan(h->begin, &end)) {
+    if (!is_variable && feature_value(h->begin, &name, &end, &value)) {
         end = skip_blanks(end);
         return command_ends(end) || *end == '>' || goes_on(end);
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parses expressions by recursive descent. */
+#include "interpreter/feature.h"
 #include "interpreter/reader.h"
-#include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "language/variables.h"
@@ -147,19 +147,18 @@ static bool parse_arguments(struct reader *r, struct tree *name)
 
 static struct tree *parse_name(struct reader *r)
 {
-    const char *at = r->at, *end;
+    const char *at = r->at, *end, *name;
+    struct quantity value;
     char first[NAME_SIZE];
     size_t length = name_length(at);
     if (!name_copy(at, length, first, sizeof first))
         return parse_fail(r, "this name is too long");
-    /* a landmark whose name contains blanks, as in "big ben", unless its first word is a variable */
-    const struct landmark *l = landmark_scan(at, &end);
-    if (end <= at + length || (r->query && variable_find(&r->query->state->variables, first)))
-        l = NULL;
-    else
-        length = (size_t)(end - at);
+    /* a name that contains blanks, as in "big ben", unless its first word is a variable */
+    const bool has_blanks = r->query && feature_value(at, &name, &end, &value) && end > at + length &&
+                            !variable_find(&r->query->state->variables, first);
+    length = has_blanks ? (size_t)(end - at) : length;
     struct tree *t = make_node(r, TREE_NAME, at);
-    if (!t || !(t->name = l ? l->name : arena_text(r->arena, at, length)))
+    if (!t || !(t->name = has_blanks ? name : arena_text(r->arena, at, length)))
         return parse_fail(r, "out of memory");
     r->at += length;
     if (*r->at == '(' && !parse_arguments(r, t))

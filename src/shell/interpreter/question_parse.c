@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/feature.h"
 #include "interpreter/question.h"
-#include "language/landmarks.h"
 #include "session/parameters.h"
 #include <ctype.h>
 #include <limits.h>
@@ -83,6 +83,8 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
 static bool topic_parse(struct reader *r, const struct argument *a, struct question *q, int i)
 {
     char message[NAMES_MESSAGE];
+    const char *name;
+    struct quantity value;
     const char *outer = r->stops;
     bool is_topic = a->kind == ARGUMENT_TOPIC,
          has_value = i + 1 < ARGUMENTS_MAX && a[1].kind == ARGUMENT_VALUE;
@@ -104,8 +106,9 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     if (v)
         return true;
     int k = is_topic && group_named(word) ? -1 : parameter_search(a->choices, a->noun, word, message);
-    if (k < 0 && is_topic && landmark_find(word))
-        k = names_exact(a->choices, NULL, "landmarks");
+    const struct feature *f = k < 0 && is_topic ? feature_value(word, &name, &next, &value) : NULL;
+    if (f && !*next)
+        k = names_exact(a->choices, NULL, f->name);
     if (k < 0 && is_topic &&
         (is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0)) /* such as sin or cm */
         k = names_exact(a->choices, NULL, "print");

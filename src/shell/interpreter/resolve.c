@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/feature.h"
 #include "interpreter/question.h"
-#include "language/landmarks.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
@@ -179,9 +179,6 @@ static bool unknown(struct reader *r, const struct tree *t)
     if (parameter_by_value(t->name, message))
         return fail(r, t, "%s", message);
     const char *close = names_closest(value_names, state, t->name);
-    for (int k = 0; !close && t->name[1] && landmark_names(NULL, k); k++)
-        if (strncmp(landmark_names(NULL, k), t->name, strlen(t->name)) == 0)
-            close = landmark_names(NULL, k);
     const struct parameter *suggested = parameter_by_synonym(t->name, !close);
     if (suggested && is_value_name(state, suggested->name))
         close = suggested->name;
@@ -235,8 +232,9 @@ bool name_resolve(struct reader *r, struct tree *t)
         return index >= 0 && symbol(t, SYMBOL_ANS, r->query->ans->command, index);
     }
     const struct command *c = command_find(t->name);
-    const struct landmark *l = c || !is_bare ? NULL : landmark_find(t->name);
-    if (l)
-        return number(t, (struct quantity){.value = quad_read(l->height, NULL), .length = 1});
+    struct quantity value;
+    const char *end, *name;
+    if (!c && is_bare && feature_value(t->name, &name, &end, &value) && !*end)
+        return number(t, value);
     return c ? command_resolve(r, t, c) : unknown(r, t);
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Completion. The parser reports what may follow at the cursor, and also decides whether a candidate is
  * valid. */
+#include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "io/escape.h"
-#include "language/landmarks.h"
 #include "prompt/input.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -54,8 +54,8 @@ static void emit_values(const struct completion *c)
                has_row = c->session->state.scene.effect[DOM_EFFECT_row].on;
     const char *name;
     int fewest;
-    const bool has_landmarks = is_any ? *c->name != '\0' : a->kind == ARGUMENT_HEIGHT;
-    for (int i = 0; has_landmarks && (name = landmark_names(NULL, i)) != NULL; i++)
+    const bool has_names = is_any ? *c->name != '\0' : a->kind == ARGUMENT_HEIGHT;
+    for (int i = 0; has_names && (name = feature_names(NULL, i)) != NULL; i++)
         emit_name(c, name, "", !is_any);
     if (!is_any && !*c->name)
         return;

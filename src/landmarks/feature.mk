@@ -1,0 +1,2 @@
+# Names of heights need the shell alone.
+NEEDS_landmarks :=
