@@ -32,69 +32,54 @@ struct seen {
     int count;
 };
 
-#define KEEP(member) seen->number[seen->count++] = (domq_real)from->member;
+#define KEEP(member) seen->number[seen->count++] = from->member;
 
-/* Runs a row by the library's functions with the prefix P, and by the shell's in that precision.
- */
-#define ROWS(P)                                                                                              \
-    static bool P##_fall_seen(const struct P##_fall *from, void *context)                                    \
-    {                                                                                                        \
-        struct seen *seen = context;                                                                         \
-        DOM_MEMBERS_fall(KEEP, NONE, NONE, KEEP) return true;                                                \
-    }                                                                                                        \
-    static void P##_rows(const double p[3], bool lean, const struct any_compute *compute)                    \
-    {                                                                                                        \
-        struct P##_domino own_domino[ROW];                                                                   \
-        struct domq_domino domino[ROW];                                                                      \
-        struct P##_row own_row = P##_row_default();                                                          \
-        struct domq_row row = domq_row_default();                                                            \
-        struct P##_compute own_compute = P##_compute_default();                                              \
-        struct domq_train train = domq_train_default();                                                      \
-        const struct domq_scale scale = domq_scale_default();                                                \
-        train.r = p[0];                                                                                      \
-        domq_row_of_train(&train, &scale, 1, domino, ROW);                                                   \
-        for (int k = 0; k < ROW; k++) {                                                                      \
-            domino[k].lean = lean && k % 2 ? k * 0.015625 : 0;                                               \
-            own_domino[k] = (struct P##_domino){(P##_real)domino[k].height, (P##_real)domino[k].thickness,   \
-                                                (P##_real)domino[k].gap,    (P##_real)domino[k].mass,        \
-                                                (P##_real)domino[k].radius, (P##_real)domino[k].lean,        \
-                                                (P##_real)domino[k].width};                                  \
-        }                                                                                                    \
-        row.domino = domino, own_row.domino = own_domino;                                                    \
-        row.count = own_row.count = ROW;                                                                     \
-        row.push = p[1], own_row.push = (P##_real)p[1];                                                      \
-        row.mu = p[2], own_row.mu = (P##_real)p[2];                                                          \
-        own_compute.tol = (P##_real)compute->tol;                                                            \
-        struct seen of_own = {.count = 0}, of_wide = {.count = 0};                                           \
-        struct P##_verdict own = {0};                                                                        \
-        struct domq_verdict wide = {0};                                                                      \
-        assert_status(P##_row_run(&own_row, &own_compute, true, P##_fall_seen, &of_own, &own), DOM_OK);      \
-        assert_status(any_row_run(&row, compute, true, domq_fall_seen, &of_wide, &wide), DOM_OK);            \
-        DOM_MEMBERS_verdict(NUMBER, NONE, NONE, OTHER)                                                       \
-            assert_true(of_own.count > 8 && of_own.count == of_wide.count);                                 \
-        for (int k = 0; k < of_own.count; k++)                                                               \
-            same("a visitor's number", of_wide.number[k], of_own.number[k]);                                 \
-    }
-ROWS(domq)
-ROWS(dom)
-ROWS(domf)
+static bool domf_fall_seen(const struct domf_fall *from, void *context)
+{
+    struct seen *seen = context;
+    DOM_MEMBERS_fall(KEEP, NONE, NONE, KEEP) return true;
+}
 
+static bool domq_fall_seen(const struct domq_fall *from, void *context)
+{
+    struct seen *seen = context;
+    DOM_MEMBERS_fall(KEEP, NONE, NONE, KEEP) return true;
+}
+
+/* Runs rows by the library's function for float, and by the shell's in this precision. */
 TEST(rows)
 {
-    static const double some[][3] = {{1.1, NAN, 0}, {1.3, 5, 0}, {1.9, NAN, 0}, {1.05, 8, 0.2}, {1, 0.5, 0}};
-    struct any_compute compute = any_compute_default();
-    for (size_t i = 0; i < sizeof some / sizeof *some; i++)
-        for (int lean = 0; lean < 2; lean++) {
-            compute.precision = IN_FLOAT;
-            compute.tol = 1e-5;
-            domf_rows(some[i], lean, &compute);
-            compute.precision = IN_DOUBLE;
-            compute.tol = 1e-11;
-            dom_rows(some[i], lean, &compute);
-            compute.precision = IN_QUAD;
-            if (any_arithmetic(IN_QUAD).bits > 0)
-                domq_rows(some[i], lean, &compute);
+    static const float some[][3] = {
+        {1.1F, NAN, 0}, {1.3F, 5, 0}, {1.9F, NAN, 0}, {1.05F, 8, 0.2F}, {1, 0.5F, 0}};
+    const struct domf_compute compute = {.tol = 1e-5F};
+    const struct any_compute any = {.tol = compute.tol, .precision = IN_FLOAT};
+    const struct domf_scale scale = domf_scale_default();
+    for (size_t i = 0; i < 2 * sizeof some / sizeof *some; i++) {
+        const float *p = some[i / 2];
+        struct domf_domino domino[ROW];
+        struct domq_domino wide_domino[ROW];
+        struct domf_train train = domf_train_default();
+        train.r = p[0];
+        domf_row_of_train(&train, &scale, 1, domino, ROW);
+        for (int k = 0; k < ROW; k++) {
+            domino[k].lean = i % 2 && k % 2 ? (float)k * 0.015625F : 0;
+            const struct domf_domino *d = &domino[k];
+            wide_domino[k] =
+                (struct domq_domino){d->height, d->thickness, d->gap, d->mass, d->radius, d->lean, d->width};
         }
+        const struct domf_row row = {.domino = domino, .count = ROW, .g = 9.81F, .push = p[1], .mu = p[2]};
+        const struct domq_row wide_row = {
+            .domino = wide_domino, .count = ROW, .g = row.g, .push = row.push, .mu = row.mu};
+        struct seen of_own = {.count = 0}, of_wide = {.count = 0};
+        struct domf_verdict own = {0};
+        struct domq_verdict wide = {0};
+        assert_status(domf_row_run(&row, &compute, true, domf_fall_seen, &of_own, &own), DOM_OK);
+        assert_status(any_row_run(&wide_row, &any, true, domq_fall_seen, &of_wide, &wide), DOM_OK);
+        DOM_MEMBERS_verdict(NUMBER, NONE, NONE, OTHER)
+            assert_true(of_own.count > 8 && of_own.count == of_wide.count);
+        for (int k = 0; k < of_own.count; k++)
+            same("a visitor's number", of_wide.number[k], of_own.number[k]);
+    }
 }
 
 /* ---- Studies ---- */

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: pictures */
 /*
  * Times, tops and verdicts of a cycle in difficult cases: near the launch, near the stop, with a barrier of
  * 0, and with a tolerance so rough that it hides the sign of the margin.
@@ -269,7 +270,8 @@ TEST(small_margins_keep_their_digits)
 struct seen {
     const struct setup *train;
     int rows, events;
-    double before;
+    double before, whole; /* `whole` is the time of the last event */
+    bool by_time;
 };
 
 static bool state_seen(const struct domq_state *s, const struct domq_event *event, void *context)
@@ -285,10 +287,13 @@ static bool state_seen(const struct domq_state *s, const struct domq_event *even
     seen->before = (double)s->time;
     seen->events += event != NULL;
     seen->rows += !event;
+    if (!event && seen->by_time)
+        assert_near("steps of equal time", s->time, seen->rows * seen->whole / 6, 1e-9);
     return true;
 }
 
-/* Checks that the table of a cycle has the same times and tilts as single answers. */
+/* Checks that the table of a cycle has the same times and tilts as single answers, that the times are evenly
+ * spaced, and that the last one is the duration. */
 TEST(tables_and_answers)
 {
     uint64_t seed = 85;
@@ -302,11 +307,15 @@ TEST(tables_and_answers)
         train.r = fmax(fmin((double)train.r, within_reach(&train)), 1);
         train.mu = i % 3 ? 0 : random_log(&seed, 1e-3, 1);
         enum dom_status expected = ask_cycle_events(&train, events, &n);
-        struct seen seen = {.train = &train};
+        const bool by_time = i % 2 == 0, ends = expected == DOM_OK || expected == DOM_STOPS;
+        struct seen seen = {&train, 0, 0, 0, ends ? (double)events[n - 1].time : 0, by_time};
+        domq_real duration;
         enum dom_status status =
-            ask_cycle_walk(&train, 7, i % 2 ? DOM_BY_TILT : DOM_BY_TIME, state_seen, &seen);
+            ask_cycle_walk(&train, 7, by_time ? DOM_BY_TIME : DOM_BY_TILT, state_seen, &seen);
         assert_status(status, expected);
-        if (expected != DOM_OK && expected != DOM_STOPS)
+        if (expected == DOM_OK && ask_cycle_duration(&train, &duration) == DOM_OK)
+            assert_near("duration", duration, seen.whole, 1e-9);
+        if (!ends)
             continue;
         assert_int_equal(seen.events, n);
         assert_true(seen.rows >= 5 - n);
@@ -315,11 +324,11 @@ TEST(tables_and_answers)
     assert_true(tables > 50);
 }
 
-static bool force_seen(const struct domq_force *f, void *context)
+static bool force_seen(const struct dom_force *f, void *context)
 {
     double *least = context;
     if (f->per_weight < *least)
-        *least = (double)f->per_weight;
+        *least = f->per_weight;
     return true;
 }
 
