@@ -99,8 +99,8 @@ TEST(the_far_tail_is_within_its_bound)
                     continue;
                 for (double z = fmin(far->radius * 0.49, half_of_tilt(geometry.inf)); z > far->radius / 64;
                      z /= 2) {
-                    struct link a = link_head(&geometry, tilt_off(&geometry, z / 2)),
-                                b = link_head(&geometry, tilt_off(&geometry, z));
+                    struct link a = link_head(&geometry, tilt_off(&geometry, z / 2), false),
+                                b = link_head(&geometry, tilt_off(&geometry, z), false);
                     struct sums whole, between;
                     double t = (z / 2) / (1 + z * z / 2), share = far_share(far, z);
                     struct geometry plain = geometry;

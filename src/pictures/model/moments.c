@@ -37,20 +37,20 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
     enum dom_status status = geometry_tilt(&st->geometry, theta, &tilt);
     if (status != DOM_OK)
         return status;
-    struct walk k = walk_begin(&st->geometry, tilt, st->geometry.rolls);
+    struct link k = link_head(&st->geometry, tilt, st->geometry.rolls);
     w->moving = st->geometry.n;
     for (;;) {
-        w->tilt[head - k.link.i] = k.link.i == 0 ? theta : tilt_angle(k.link.tilt);
-        w->omega[head - k.link.i] = k.link.slope * omega;
-        if (k.link.i + 1 >= st->geometry.n)
+        w->tilt[head - k.i] = k.i == 0 ? theta : tilt_angle(k.tilt);
+        w->omega[head - k.i] = k.slope * omega;
+        if (k.i + 1 >= st->geometry.n)
             return DOM_OK;
         /* All n dominoes lean on each other, so `leads` should be true. Only a rounding error at the end of a
          * passage can make it false. */
-        if (!k.link.leads) {
-            walk_touch(&k);
-            k.link.contact.slope = 0;
+        if (!k.leads) {
+            link_touch(&k);
+            k.contact.slope = 0;
         }
-        walk_on(&k);
+        link_on(&k);
     }
 }
 

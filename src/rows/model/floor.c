@@ -56,7 +56,7 @@ static real foot_needs(const struct loaded *k, const struct loaded *leader, cons
                up = (shape->tall * self->tilt.y + shape->wide * self->tilt.x) / 2, high = up + shape->rho;
     /* the angular acceleration and the square of the angular velocity, or the change of the angular velocity
      */
-    const real turn = !hit     ? self->slope * motion->acceleration + k->second_derivative * motion->omegasq
+    const real turn = !hit ? self->slope * motion->acceleration + self->second_derivative * motion->omegasq
                       : leader ? -self->slope * motion->omega_lost
                                : motion->omega,
                omegasq = hit ? 0 : self->slope * self->slope * motion->omegasq, gravity = hit ? 0 : mass;

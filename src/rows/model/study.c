@@ -137,22 +137,22 @@ static bool glide_done(struct glide *g, const struct link *a, real shrink, real 
 static bool row_glides(const struct run *run, const struct geometry *head, struct start *at)
 {
     const real tol = TAIL_SHARE * head->tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
-    struct walk walk_a = {.link = link_head(head, head->c)}, walk_b = {.link = link_head(head, standing)};
-    struct link *const a = &walk_a.link, *const b = &walk_b.link;
+    struct link a_link = link_head(head, head->c, false), b_link = link_head(head, standing, false);
+    struct link *const a = &a_link, *const b = &b_link;
     struct glide g = {.t = half_of_tilt(head->c)};
     for (;;) {
         glide_add(&g, a, b);
         if (a->i + 1 == run->moving)
             break;
-        if (!(a->tilt.v < a->geometry->leave.v) || !contact_pushes(&walk_a, &walk_b, PUSHES_HALVINGS))
+        if (!(a->tilt.v < a->geometry->leave.v) || !contact_pushes(a, b, PUSHES_HALVINGS))
             return false;
         const real shrink = pair_shrink(a, b, g.t);
         if (glide_done(&g, a, shrink, tol))
             break;
         g.t *= shrink;
         glide_next(&g, a, b);
-        link_next(b);
-        link_next(a);
+        link_next(b, false, false);
+        link_next(a, false, false);
     }
     *at = (struct start){.from = head->c, .J = g.J, .omegasq = (kinetic - g.dH) / g.J};
     return glide_clears(&g, head, kinetic);

@@ -23,8 +23,8 @@ KERNEL enum dom_status dynamics_inertia_ratio(const struct geometry *next, const
         return *inertia_ratio > 0 ? DOM_OK : DOM_UNDERFLOW;
     }
     struct equation_of_motion at_hit;
-    const struct link rest = walk_begin(next, geometry_rest(next), next->rolls).link;
-    const struct arms arms = walk_arms(&rest, next->rolls);
+    const struct link rest = link_head(next, geometry_rest(next), next->rolls);
+    const struct arms arms = link_arms(&rest, next->rolls);
     *inertia_ratio = 0;
     if (next->mu != 0 && !(arms.a > 0))
         return DOM_LOCKS;

@@ -14,28 +14,27 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
     *leaves = false;
     if (!geometry->detaches)
         return DOM_OK;
-    struct walk walk = walk_begin(geometry, standing, geometry->rolls);
-    const struct link *b = &walk.link;
-    /* The part of the torque on domino b->i that reaches the head. Without friction, this is theta_i'. */
+    struct link b = link_head(geometry, standing, geometry->rolls);
+    /* The part of the torque on domino b.i that reaches the head. Without friction, this is theta_i'. */
     real passed = 1;
-    while (b->leads) {
-        enum dom_status status = chain_watch(geometry, b->i);
+    while (b.leads) {
+        enum dom_status status = chain_watch(geometry, b.i);
         if (status != DOM_OK)
             return status;
         /* A domino that contributes less than the rounding errors does not matter, even if it detaches. */
-        if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
+        if (b.i + 1 >= geometry->n || b.weight * fmax(b.slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
-        const struct arms arms = walk_arms(b, geometry->rolls);
+        const struct arms arms = link_arms(&b, geometry->rolls);
         passed *= fabs(arms.a / arms.b);
-        walk_on(&walk);
+        link_on(&b);
     }
-    /* When the head is upright, the follower of domino b->i is already detached. The next domino to detach is
-     * b->i itself. This happens when the leader of b->i reaches theta_leave. */
+    /* When the head is upright, the follower of domino b.i is already detached. The next domino to detach is
+     * b.i itself. This happens when the leader of b.i reaches theta_leave. */
     *head = geometry->leave;
-    for (size_t i = b->i; i > 1; i--)
+    for (size_t i = b.i; i > 1; i--)
         *head = geometry_leader(geometry, *head);
     if (domino)
-        *domino = b->i;
+        *domino = b.i;
     *leaves = true;
     return DOM_OK;
 }
@@ -83,7 +82,7 @@ static struct dom_link link_public(const struct geometry *geometry, const struct
         .theta = tilt_angle(k->tilt),
         .slope = k->slope,
         .arm_a = k->leads ? k->contact.arm / geometry->r : REAL_NAN, /* (table 1) */
-        .arm_b = k->leads ? walk_arms(k, geometry->rolls).b / geometry->r : REAL_NAN,
+        .arm_b = k->leads ? link_arms(k, geometry->rolls).b / geometry->r : REAL_NAN,
         .weight = k->weight,
     };
 }
@@ -99,15 +98,14 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
         status = chain_sum(&geometry, head, &sums);
     if (status != DOM_OK)
         return status;
-    struct walk walk = walk_begin(&geometry, head, geometry.rolls);
-    const struct link *k = &walk.link;
+    struct link k = link_head(&geometry, head, geometry.rolls);
     for (;;) {
         if (dom_interrupted(geometry.interrupt)) /* checked at every domino, since the callback may be slow */
             return DOM_INTERRUPTED;
-        struct dom_link link = link_public(&geometry, k);
-        if (!visit(&link, context) || !k->leads || k->i + 1 >= sums.n)
+        struct dom_link link = link_public(&geometry, &k);
+        if (!visit(&link, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;
-        walk_on(&walk);
+        link_on(&k);
     }
 }
 
@@ -118,15 +116,14 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
     enum dom_status status = train_tilted(train, theta, &geometry, &head);
     if (status != DOM_OK)
         return status;
-    struct walk walk = walk_begin(&geometry, head, geometry.rolls);
-    const struct link *k = &walk.link;
-    struct dom_link link = link_public(&geometry, k);
+    struct link k = link_head(&geometry, head, geometry.rolls);
+    struct dom_link link = link_public(&geometry, &k);
     *contact =
         (struct dom_contact){.theta_1 = tilt_angle(geometry.f), .arm_a = link.arm_a, .arm_b = link.arm_b};
-    if (k->leads) {
-        walk_on(&walk);
-        contact->theta_1 = tilt_angle(k->tilt);
-        contact->slope = k->slope;
+    if (k.leads) {
+        link_on(&k);
+        contact->theta_1 = tilt_angle(k.tilt);
+        contact->slope = k.slope;
     }
     return DOM_OK;
 }

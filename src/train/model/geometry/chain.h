@@ -154,7 +154,7 @@ KERNEL enum dom_status chain_acceleration(const struct geometry *geometry, struc
  * most `halvings` times in succession.
  */
 enum { PUSHES_HALVINGS = 4 };
-KERNEL_SHARED bool contact_pushes(const struct walk *a, const struct walk *b, int halvings);
+KERNEL_SHARED bool contact_pushes(const struct link *a, const struct link *b, int halvings);
 
 /*
  * Finds the tilt of the head at which a domino detaches. At most one domino detaches while the head moves

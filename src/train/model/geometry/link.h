@@ -63,6 +63,15 @@ struct link {
     real weight;            /* r^-(q i) */
     real inertia;           /* r^-((q+1) i) */
     bool leads;             /* true if a follower leans on this domino */
+    real second_derivative; /* theta_i'' */
+    real curve;             /* d2 theta_1 / d theta2 of the contact */
+    /* Only with rounded edges: the tilt of the domino as an angle, the lever arm of the contact force on the
+     * follower, and the turn from the domino to its follower, theta_1 - theta, as an angle and as a tilt. */
+    real theta, b;
+    struct turn {
+        real angle;
+        struct tilt tilt;
+    } turn;
 };
 
 /* Returns false if the follower of this domino has detached. A domino that is still upright has only just
@@ -70,40 +79,6 @@ struct link {
 KERNEL_LOOP bool link_leads(const struct link *k)
 {
     return !k->geometry->detaches || k->tilt.v < k->geometry->leave.v || k->tilt.x == 0;
-}
-
-KERNEL_LOOP struct link link_head(const struct geometry *geometry, struct tilt head)
-{
-    struct link k = {.geometry = geometry, .i = 0, .tilt = head, .slope = 1, .weight = 1, .inertia = 1};
-    k.leads = link_leads(&k);
-    if (k.leads)
-        k.contact = geometry_contact(geometry, head);
-    return k;
-}
-
-KERNEL_LOOP void link_next(struct link *k)
-{
-    const struct geometry *geometry = k->geometry;
-    const struct tilt leader = k->tilt;
-    k->i++;
-    k->tilt = tilt_follower(leader, k->contact); /* (31; A6) */
-    k->slope *= k->contact.slope;                /* (35; A11) */
-    k->weight *= geometry->weight;
-    k->inertia *= geometry->inertia;
-    if (geometry->follower) {
-        if (leader.x < 0)
-            k->tilt = tilt_follower_back(leader, k->contact);
-        k->geometry = geometry->follower;
-    }
-    k->leads = link_leads(k);
-    if (k->leads)
-        k->contact = geometry_contact(k->geometry, k->tilt);
-}
-
-/* Returns the follower's theta'' (35; A11), from `curve` of the contact and theta'' of the leader. */
-KERNEL_LOOP real link_second_derivative(const struct link *leader, real curve, real second_derivative)
-{
-    return leader->contact.slope * second_derivative + curve * leader->slope * leader->slope;
 }
 
 /*
@@ -132,93 +107,98 @@ struct arms {
     real ratio;   /* a / b: the part of a torque that the follower passes on to its leader */
 };
 
-/* ---- A walk down a chain, domino by domino, with sharp or rounded edges ---- */
-
-/* The current domino of a walk down a chain. */
-struct walk {
-    struct link link;
-    real second_derivative; /* theta_i'' */
-    real curve;             /* d2 theta_1 / d theta2 */
-    /* Only with rounded edges: the turn from a domino to its follower, theta_1 - theta, as an angle and as a
-     * tilt. */
-    struct turn {
-        real angle;
-        struct tilt tilt;
-    } turn;
-    real b;     /* lever arm of the contact force on the follower */
-    real theta; /* the tilt of the domino as an angle */
-};
+/* ---- A walk down a chain, domino by domino ---- */
 
 /*
- * The step from a domino with rounded edges to its follower. rounded_step moves on to the follower, and finds
- * the turn to the next follower. If only tilts are needed, this function is enough. rounded_levers finds the
- * lever arms and the derivatives of the new contact. If two chains are walked down side by side, call each
- * function for both chains before you call the next one. The processor can then work on both turns at once.
+ * The steps with rounded edges. rounded_step moves on to the follower, and finds the turn to the next one. If
+ * only tilts are needed, this function is enough. rounded_levers finds the lever arms and the derivatives of
+ * the new contact. If two chains are walked down side by side, call each function for both chains before you
+ * call the next one. The processor can then work on both turns at once. rounded_touch finds the contact, even
+ * if the follower counts as detached.
  */
-KERNEL_SHARED struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
-KERNEL_SHARED void rounded_next(struct walk *walk);
-KERNEL void rounded_step(struct walk *walk);
-KERNEL void rounded_levers(struct walk *walk);
-KERNEL_SHARED struct arms rounded_arms(const struct link *link);
-/* Finds the contact with the follower. */
-KERNEL_SHARED void rounded_touch(struct walk *walk);
+KERNEL_SHARED struct link rounded_head(const struct geometry *geometry, struct tilt head);
+KERNEL_SHARED void rounded_step(struct link *k);
+KERNEL_SHARED void rounded_levers(struct link *k);
+KERNEL_SHARED void rounded_touch(struct link *k);
+KERNEL_SHARED struct arms rounded_arms(const struct link *k);
 
-/* In the loops of passes, `rolls` (of the geometry) is a constant, so the compiler makes a loop for sharp
- * edges that knows nothing of rounded ones. */
-KERNEL_LOOP struct walk walk_begin(const struct geometry *geometry, struct tilt head, const bool rolls)
+/* Returns the head of a chain. In the loops of passes, `rolls` (of the geometry) is a constant, so the
+ * compiler makes a loop for sharp edges that knows nothing of rounded ones. */
+KERNEL_LOOP struct link link_head(const struct geometry *geometry, struct tilt head, const bool rolls)
 {
-    return rolls ? rounded_begin(geometry, head) : (struct walk){.link = link_head(geometry, head)};
+    if (rolls)
+        return rounded_head(geometry, head);
+    struct link k = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1};
+    k.leads = link_leads(&k);
+    if (k.leads)
+        k.contact = geometry_contact(geometry, head);
+    return k;
 }
 
 /* Finds theta_1'' of the contact with the follower: the derivative of equation (14; b10). The formula avoids
  * the follower's cosine Y y - X x, since this subtraction loses digits near pi/2. With rounded edges,
- * rounded_next has found theta_1''. */
-KERNEL_LOOP void walk_bend(struct walk *k, const bool rolls)
+ * rounded_levers has found theta_1''. */
+KERNEL_LOOP void link_bend(struct link *k, const bool rolls)
 {
-    const struct link *link = &k->link;
-    const real X = link->contact.X, Y = link->contact.Y;
+    const real X = k->contact.X, Y = k->contact.Y;
     if (!rolls)
-        k->curve = link->tilt.x == 0 && Y == 0
-                       ? 0
-                       : -link->geometry->rL *
-                             (Y * link->tilt.y - (1 - link->contact.slope) * link->tilt.x * X) / (Y * Y);
+        k->curve =
+            k->tilt.x == 0 && Y == 0
+                ? 0
+                : -k->geometry->rL * (Y * k->tilt.y - (1 - k->contact.slope) * k->tilt.x * X) / (Y * Y);
 }
 
-/* Moves on to the follower. With sharp edges, theta_i'' is found only if `bends` is true, after walk_bend. */
-KERNEL_LOOP void walk_next(struct walk *k, const bool rolls, const bool bends)
+/* Moves on to the follower. With sharp edges, theta_i'' is found only if `bends` is true, after link_bend. */
+KERNEL_LOOP void link_next(struct link *k, const bool rolls, const bool bends)
 {
+    const struct geometry *geometry = k->geometry;
+    const struct tilt leader = k->tilt;
+    if (rolls || bends) /* (35; A11) */
+        k->second_derivative = k->contact.slope * k->second_derivative + k->curve * k->slope * k->slope;
+    k->slope *= k->contact.slope; /* (35; A11) */
+    k->weight *= geometry->weight;
+    k->inertia *= geometry->inertia;
     if (rolls) {
-        rounded_next(k);
+        rounded_step(k);
+        if (k->leads)
+            rounded_levers(k);
         return;
     }
-    if (bends)
-        k->second_derivative = link_second_derivative(&k->link, k->curve, k->second_derivative);
-    link_next(&k->link);
+    k->i++;
+    k->tilt = tilt_follower(leader, k->contact); /* (31; A6) */
+    if (geometry->follower) {
+        if (leader.x < 0)
+            k->tilt = tilt_follower_back(leader, k->contact);
+        k->geometry = geometry->follower;
+    }
+    k->leads = link_leads(k);
+    if (k->leads)
+        k->contact = geometry_contact(k->geometry, k->tilt);
 }
 
 /* Moves on to the follower, with all derivatives. */
-KERNEL void walk_on(struct walk *k)
+KERNEL void link_on(struct link *k)
 {
-    const bool rolls = k->link.geometry->rolls;
-    walk_bend(k, rolls);
-    walk_next(k, rolls, true);
+    const bool rolls = k->geometry->rolls;
+    link_bend(k, rolls);
+    link_next(k, rolls, true);
 }
 
 /* Finds the contact with the follower, even if the follower counts as detached. */
-KERNEL void walk_touch(struct walk *k)
+KERNEL void link_touch(struct link *k)
 {
-    if (k->link.geometry->rolls)
+    if (k->geometry->rolls)
         rounded_touch(k);
     else
-        k->link.contact = geometry_contact(k->link.geometry, k->link.tilt);
+        k->contact = geometry_contact(k->geometry, k->tilt);
 }
 
-KERNEL_LOOP struct arms walk_arms(const struct link *link, const bool rolls)
+KERNEL_LOOP struct arms link_arms(const struct link *k, const bool rolls)
 {
     if (rolls)
-        return rounded_arms(link);
-    const struct contact *contact = &link->contact;
-    const real mu = link->geometry->mu, a = contact->arm - mu * link->geometry->r * link->geometry->d,
+        return rounded_arms(k);
+    const struct contact *contact = &k->contact;
+    const real mu = k->geometry->mu, a = contact->arm - mu * k->geometry->r * k->geometry->d,
                b = contact->Y + mu * contact->X;
     /* without friction the ratio is the slope (14; b10) */
     return (struct arms){.a = a, .b = b, .b_plain = contact->Y, .ratio = mu != 0 ? a / b : contact->slope};

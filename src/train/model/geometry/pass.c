@@ -2,7 +2,7 @@
 /*
  * The passes down a chain. Each pass visits the dominoes from the head down. There is one set of passes:
  * `rolls` says whether the edges are rounded. It is a constant in every call below. The step from a domino to
- * its follower is walk_next (geometry/link.h).
+ * its follower is link_next (geometry/link.h).
  */
 #include "geometry/chain.h"
 #include "geometry/far.h"
@@ -86,9 +86,9 @@ KERNEL_LOOP enum dom_status sum_by(const struct geometry *geometry, struct tilt 
     /* a tail of at most 7/8 of the sum cannot change its sign */
     const real tol_H1 = sign ? (real)0.875 / TAIL_SHARE : geometry->tol;
     struct sum_state a = {0};
-    struct walk k = walk_begin(geometry, head, rolls);
-    const struct link *link = &k.link;
-    for (;; walk_next(&k, rolls, false)) {
+    struct link k = link_head(geometry, head, rolls);
+    const struct link *link = &k;
+    for (;; link_next(&k, rolls, false)) {
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
@@ -130,14 +130,14 @@ KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct 
                                         struct equation_of_motion *equation)
 {
     struct series A = {0}, B = {0}, C = {0};
-    struct walk k = walk_begin(geometry, head, rolls);
-    const struct link *link = &k.link;
+    struct link k = link_head(geometry, head, rolls);
+    const struct link *link = &k;
     /* The rounding error of S, in units of the unit roundoff, is at most `noise` S. It grows if X < 0, since
      * digits then cancel in the arm b. With rounded edges an arm takes more operations; 8 is a choice, with
      * which 12,000 random trains in float are solved. */
     real S = 1, noise = rolls ? 8 : 1;
     bool wrong_side = false; /* true if b <= 0: a contact force passes on the wrong side of a hinge */
-    for (;; walk_next(&k, rolls, true)) {
+    for (;; link_next(&k, rolls, true)) {
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
@@ -150,8 +150,8 @@ KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct 
         series_add(&C, -link->weight * S * lift_of(link, rolls) / 2);
         if (link->i + 1 >= geometry->n || !link->leads)
             break;
-        const struct arms arms = walk_arms(link, rolls);
-        walk_bend(&k, rolls);
+        const struct arms arms = link_arms(link, rolls);
+        link_bend(&k, rolls);
         const real size = fabs(S), passed = fabs(arms.ratio),
                    bends = fabs(k.second_derivative) + slope * slope * (fabs(k.curve) + 1 + self->drag),
                    next = fmax(self->inertia * passed, fmax(self->decay, self->decay_J));
@@ -268,11 +268,11 @@ KERNEL_LOOP real energy_left(const struct geometry *geometry, struct tilt now, c
  * 2 tan(D/2) - D, called `excess`, is computed from that subtraction, by a power series unless D is large. If
  * D is small, this term is about D^3/12, so its error does not matter.
  */
-KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
+KERNEL_LOOP struct apart apart_next(const struct link *a, const struct link *b, struct apart apart)
 {
-    const struct geometry *geometry = a->link.geometry;
+    const struct geometry *geometry = a->geometry;
     const struct rounded *of = &geometry->rounded;
-    struct tilt A = a->link.tilt, B = b->link.tilt;
+    struct tilt A = a->tilt, B = b->tilt;
     real by = apart.by, t = apart.t, sines = t * (A.x + B.x), cosines = t * (A.y + B.y);
     real D = a->turn.angle - b->turn.angle, square = D * D;
     real excess = square * square * square * square * square > 65536 * ROUNDOFF
@@ -293,31 +293,31 @@ KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, 
 
 /* Returns the difference between the tilts of the followers of a and b. If `shifted`, b is the leader of a,
  * and the difference is the turn from a to its follower. */
-KERNEL_LOOP struct apart followers_apart(const struct walk *a, const struct walk *b, struct apart apart,
+KERNEL_LOOP struct apart followers_apart(const struct link *a, const struct link *b, struct apart apart,
                                          const bool shifted, const bool rolls)
 {
     if (shifted) {
         /* Near theta_inf, the turn has only rounding errors, which would go on for ever. The slope decreases
          * with the tilt, so it bounds the turn. */
-        const struct apart most = {apart.by * b->link.contact.slope, apart.t * b->link.contact.slope};
-        const real t = rolls ? half_of_tilt(a->turn.tilt) : a->link.contact.X / (1 + a->link.contact.Y);
+        const struct apart most = {apart.by * b->contact.slope, apart.t * b->contact.slope};
+        const real t = rolls ? half_of_tilt(a->turn.tilt) : a->contact.X / (1 + a->contact.Y);
         return fabs(t) > most.t ? most : (struct apart){rolls ? a->turn.angle : 2 * t, t};
     }
     if (rolls)
         return apart_next(a, b, apart);
-    const real t = apart.t * pair_shrink(&a->link, &b->link, apart.t);
+    const real t = apart.t * pair_shrink(a, b, apart.t);
     return (struct apart){2 * t, t};
 }
 
 /* Moves on to the follower in chain b, of which only the tilts are needed. */
-KERNEL_LOOP void other_next(struct walk *b, const struct walk *a, const bool shifted, const bool rolls)
+KERNEL_LOOP void other_next(struct link *b, const struct link *a, const bool shifted, const bool rolls)
 {
     if (shifted)
         *b = *a;
     else if (rolls)
         rounded_step(b);
     else
-        link_next(&b->link);
+        link_next(b, false, false);
 }
 
 /*
@@ -337,8 +337,8 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
 {
     const bool bends = pass == PASS_SECOND_DERIVATIVE, shifted = pass == PASS_FUEL;
     struct sum_state sum = {0};
-    struct walk a = walk_begin(geometry, head, rolls), b = walk_begin(geometry, from, rolls);
-    const struct link *link = &a.link;
+    struct link a = link_head(geometry, head, rolls), b = link_head(geometry, from, rolls);
+    const struct link *link = &a;
     struct apart apart = !rolls        ? (struct apart){2 * t, t}
                          : from.x == 0 ? (struct apart){a.theta, t}
                                        : apart_by(t);
@@ -350,9 +350,9 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        if (closes && far_suffices(geometry, &sum, link, &b.link, apart.t, !shifted)) {
+        if (closes && far_suffices(geometry, &sum, link, &b, apart.t, !shifted)) {
             const struct far_tail rest = far_tail(&geometry->far, far_variable(geometry, link->tilt),
-                                                  far_variable(geometry, b.link.tilt), apart.t);
+                                                  far_variable(geometry, b.tilt), apart.t);
             series_add(&sum.dH, link->weight * rest.dH);
             series_add(&sum.H1, link->weight * link->slope * rest.first);
             series_add(&sum.J, link->inertia * link->slope * link->slope * rest.J);
@@ -364,17 +364,16 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
         add_J(&sum, link, rolls);
         if (!shifted)
             add_H1(&sum, link, rolls);
-        series_add(&sum.dH,
-                   link->weight * energy_change(link->geometry, link->tilt, b.link.tilt, apart, rolls));
+        series_add(&sum.dH, link->weight * energy_change(link->geometry, link->tilt, b.tilt, apart, rolls));
         if (bends)
             H2 += link->weight * (a.second_derivative * lift_of(link, rolls) -
                                   link->slope * link->slope * geometry_height(link->geometry, link->tilt));
-        if (link->i + 1 >= geometry->n || !b.link.leads)
+        if (link->i + 1 >= geometry->n || !b.leads)
             break;
         if (!link->leads) {
-            const struct link leader = b.link;
+            const struct link leader = b;
             other_next(&b, &a, shifted, rolls);
-            sum.left = link->weight * geometry->weight * energy_left(geometry, b.link.tilt, &leader, rolls);
+            sum.left = link->weight * geometry->weight * energy_left(geometry, b.tilt, &leader, rolls);
             series_add(&sum.dH, sum.left);
             break;
         }
@@ -391,8 +390,8 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
         apart = next;
         other_next(&b, &a, shifted, rolls);
         if (bends)
-            walk_bend(&a, rolls);
-        walk_next(&a, rolls, bends);
+            link_bend(&a, rolls);
+        link_next(&a, rolls, bends);
     }
     const enum dom_status status = pass_result(geometry, sum, H2, link->i + 1, sums);
     sums->pushes = pushes;

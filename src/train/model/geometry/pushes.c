@@ -50,21 +50,20 @@ static real least_product(real a, real lo, real hi)
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x]
  *           - R roll_1 + theta_1' roll.
  */
-KERNEL_LOOP bool pushes_by(const struct walk *a, const struct walk *b, const bool rolls)
+KERNEL_LOOP bool pushes_by(const struct link *a, const struct link *b, const bool rolls)
 {
-    const struct geometry *self = a->link.geometry, *next = self->follower ? self->follower : self;
-    const struct tilt A = a->link.tilt, B = b->link.tilt, A_1 = tilt_follower(A, a->link.contact);
-    const real X = a->link.contact.X, less = fmin(X, 0), Y = fmin(a->link.contact.Y, b->link.contact.Y),
-               Y_most = X < 0 ? 1 : a->link.contact.Y, slope = a->link.contact.slope,
-               slope_most = b->link.contact.slope;
+    const struct geometry *self = a->geometry, *next = self->follower ? self->follower : self;
+    const struct tilt A = a->tilt, B = b->tilt, A_1 = tilt_follower(A, a->contact);
+    const real X = a->contact.X, less = fmin(X, 0), Y = fmin(a->contact.Y, b->contact.Y),
+               Y_most = X < 0 ? 1 : a->contact.Y, slope = a->contact.slope, slope_most = b->contact.slope;
     real R = self->weight / self->inertia, R_most = R, rest = 0;
-    const struct arms arms = walk_arms(&a->link, rolls);
+    const struct arms arms = link_arms(a, rolls);
     if (!(B.x >= 0 && A.y >= 0 && A_1.y >= 0 && Y + self->mu * less > 0 && arms.a >= 0 && self->h.y > 0 &&
           next->h.y > 0))
         return false;
     if (rolls) {
         const struct rounded *of = &self->rounded, *by = &next->rounded;
-        const struct tilt B_1 = tilt_follower(B, b->link.contact);
+        const struct tilt B_1 = tilt_follower(B, b->contact);
         const real Q = self->L - of->rho_1 * fmax(b->turn.angle, 0), more = of->rho - of->rho_1,
                    M = Q - fmax(more, 0), low = self->d / 2, arm_most = of->tall_1 + of->rho_1,
                    far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
@@ -82,24 +81,24 @@ KERNEL_LOOP bool pushes_by(const struct walk *a, const struct walk *b, const boo
         R *= i / (by->i.c + by->i.x + by->i.y);
         rest = least_product(-by->roll, R, R_most) + least_product(of->roll, slope, slope_most);
     }
-    const real of_x = least_product(next->h.y * Y + fmin(next->h.x * X, next->h.x * b->link.contact.X), R,
-                                    R_most) -
-                      slope_most * self->h.y,
+    const real of_x =
+                   least_product(next->h.y * Y + fmin(next->h.x * X, next->h.x * b->contact.X), R, R_most) -
+                   slope_most * self->h.y,
                of_y = least_product(next->h.y * X - fmax(next->h.x * Y, next->h.x * Y_most), R, R_most) +
                       least_product(self->h.x, slope, slope_most);
     return least_product(of_x, B.x, A.x) + least_product(of_y, A.y, B.y) + rest >= 0;
 }
 
-KERNEL_SHARED bool contact_pushes(const struct walk *a, const struct walk *b, int halvings)
+KERNEL_SHARED bool contact_pushes(const struct link *a, const struct link *b, int halvings)
 {
-    if (a->link.geometry->rolls ? pushes_by(a, b, true) : pushes_by(a, b, false))
+    if (a->geometry->rolls ? pushes_by(a, b, true) : pushes_by(a, b, false))
         return true;
-    const real x = a->link.tilt.x + b->link.tilt.x, y = a->link.tilt.y + b->link.tilt.y, size = hypot(x, y);
+    const real x = a->tilt.x + b->tilt.x, y = a->tilt.y + b->tilt.y, size = hypot(x, y);
     if (halvings == 0 || !(size > 0))
         return false;
-    struct walk middle = *a;
-    middle.link.tilt = tilt_make(x / size, y / size);
+    struct link middle = *a;
+    middle.tilt = tilt_make(x / size, y / size);
     middle.theta = (a->theta + b->theta) / 2;
-    walk_touch(&middle);
+    link_touch(&middle);
     return contact_pushes(&middle, b, halvings - 1) && contact_pushes(a, &middle, halvings - 1);
 }

@@ -19,7 +19,7 @@ struct request {
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_fuel fuel;
     dom_real effect[DOM_DYNAMICS_COUNT]; /* indexed by enum dom_effect_name; 0 means off */
-    dom_real near; /* r_max as found in double, or 0 if there is none */
+    dom_real near;                       /* r_max as found in double, or 0 if there is none */
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };

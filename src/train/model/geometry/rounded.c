@@ -121,11 +121,11 @@ static real tilt_theta(struct tilt t)
 /* If G is at least this fraction of l + c, the turn is near pi/2, and turn_near_reach finds it. */
 #define TURN_NEAR ((real)15 / 16)
 
-static void rounded_turn(struct walk *k)
+static void rounded_turn(struct link *k)
 {
-    const struct geometry *geometry = k->link.geometry;
+    const struct geometry *geometry = k->geometry;
     const struct rounded *of = &geometry->rounded;
-    const struct tilt leader = k->link.tilt;
+    const struct tilt leader = k->tilt;
     const real c = of->rho_1 * leader.y,
                G = geometry->s - geometry->L * leader.v + (of->rho - of->rho_1) * unequal(leader, k->theta);
     if (G < TURN_NEAR * (of->tall_1 + c)) {
@@ -138,32 +138,32 @@ static void rounded_turn(struct walk *k)
     k->turn = turn_near_reach(of->tall_1, c, E);
 }
 
-KERNEL void rounded_levers(struct walk *k)
+KERNEL_SHARED void rounded_levers(struct link *k)
 {
-    const struct geometry *geometry = k->link.geometry;
+    const struct geometry *geometry = k->geometry;
     const struct rounded *of = &geometry->rounded;
-    const struct tilt leader = k->link.tilt;
+    const struct tilt leader = k->tilt;
     const real x = k->turn.tilt.x, y = k->turn.tilt.y, turn = k->turn.angle, more = of->rho - of->rho_1;
     /* With x = sin theta, the derivative of the contact equation is b turn' = x (rho_1 turn - M). */
     const real c = of->rho_1 * leader.y, M = geometry->L - more * (1 - k->theta), b = of->tall_1 * y + c,
                arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
-    k->link.contact = (struct contact){.X = x, .Y = y, .arm = geometry->r * arm, .slope = slope};
+    k->contact = (struct contact){.X = x, .Y = y, .arm = geometry->r * arm, .slope = slope};
     k->b = b;
     k->curve = (of->tall_1 * x * part * part + 2 * of->rho_1 * leader.x * part + c * turn - leader.y * M -
                 leader.x * more) /
                b;
 }
 
-KERNEL_SHARED void rounded_touch(struct walk *k)
+KERNEL_SHARED void rounded_touch(struct link *k)
 {
     rounded_turn(k);
     rounded_levers(k);
 }
 
 /* Returns a domino that leans by theta, and its contact with its follower. */
-static struct walk rounded_at(const struct geometry *geometry, real theta)
+static struct link rounded_at(const struct geometry *geometry, real theta)
 {
-    struct walk k = {.link = {.geometry = geometry, .tilt = tilt_of(theta)}, .theta = theta};
+    struct link k = {.geometry = geometry, .tilt = tilt_of(theta), .theta = theta};
     rounded_touch(&k);
     return k;
 }
@@ -172,50 +172,35 @@ static struct walk rounded_at(const struct geometry *geometry, real theta)
 
 /* Sets `leads` to true if a follower leans on the domino. If so, also computes the turn from the domino to
  * the follower. */
-static void rounded_follower(struct walk *k)
+static void rounded_follower(struct link *k)
 {
-    struct link *link = &k->link;
-    const struct geometry *geometry = link->geometry;
     /* geometry->n counts from the head in a train, but from this domino in a row. */
-    const size_t before = geometry->follower ? 0 : link->i;
-    link->leads = before + 1 < geometry->n && link_leads(link);
-    if (link->leads)
+    const size_t before = k->geometry->follower ? 0 : k->i;
+    k->leads = before + 1 < k->geometry->n && link_leads(k);
+    if (k->leads)
         rounded_turn(k);
 }
 
-KERNEL_SHARED struct walk rounded_begin(const struct geometry *geometry, struct tilt head)
+KERNEL_SHARED struct link rounded_head(const struct geometry *geometry, struct tilt head)
 {
-    struct walk k = {.link = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1},
-                     .theta = tilt_theta(head)};
+    struct link k = {
+        .geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1, .theta = tilt_theta(head)};
     rounded_follower(&k);
-    if (k.link.leads)
+    if (k.leads)
         rounded_levers(&k);
     return k;
 }
 
-KERNEL void rounded_step(struct walk *k)
+KERNEL_SHARED void rounded_step(struct link *k)
 {
-    struct link *link = &k->link;
-    const struct tilt leader = link->tilt, turn = k->turn.tilt;
+    const struct tilt leader = k->tilt, turn = k->turn.tilt;
     const real v = turn.v + (turn.y * leader.v + turn.x * leader.x);
-    link->i++;
-    link->tilt = (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
+    k->i++;
+    k->tilt = (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
     k->theta += k->turn.angle;
-    if (link->geometry->follower)
-        link->geometry = link->geometry->follower;
+    if (k->geometry->follower)
+        k->geometry = k->geometry->follower;
     rounded_follower(k);
-}
-
-KERNEL_SHARED void rounded_next(struct walk *k)
-{
-    struct link *link = &k->link;
-    k->second_derivative = link_second_derivative(link, k->curve, k->second_derivative);
-    link->slope *= link->contact.slope;
-    link->weight *= link->geometry->weight;
-    link->inertia *= link->geometry->inertia;
-    rounded_step(k);
-    if (link->leads)
-        rounded_levers(k);
 }
 
 KERNEL_SHARED struct arms rounded_arms(const struct link *k)
@@ -261,7 +246,7 @@ static struct tilt rounded_inf(const struct geometry *geometry, real *theta, rea
 /* Returns the slope of the contact at a tilt, or -1 if there is no contact. */
 static real slope_at(real theta, void *geometry)
 {
-    const real slope = rounded_at(geometry, theta).link.contact.slope;
+    const real slope = rounded_at(geometry, theta).contact.slope;
     return isnan(slope) ? -1 : slope;
 }
 

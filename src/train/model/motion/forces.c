@@ -15,18 +15,19 @@
 /* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
 static size_t forces_list(const struct geometry *geometry, struct tilt head, struct loaded *k, size_t room)
 {
-    struct walk walk = walk_begin(geometry, head, geometry->rolls);
+    struct link link = link_head(geometry, head, geometry->rolls);
     real size = 1;
     for (size_t n = 0;; k++) {
-        *k = (struct loaded){.link = walk.link, .second_derivative = walk.second_derivative, .size = size};
+        k->link = link;
+        k->size = size;
+        k->leaned = false;
         k->force = k->impulse = REAL_NAN;
-        if (k->link.leads)
-            k->arms = walk_arms(&k->link, geometry->rolls);
+        k->arms = link.leads ? link_arms(&link, geometry->rolls) : (struct arms){.a = 0};
         if (++n == room || n == geometry->n || !k->link.leads)
             return n;
         k->leaned = true;
         size /= k->link.geometry->r;
-        walk_on(&walk);
+        link_on(&link);
     }
 }
 
@@ -45,7 +46,8 @@ static void forces_push(const struct geometry *geometry, const struct kinematics
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *self = &k[j].link, *leader = &k[j - 1].link;
-        real theta_2 = self->slope * kinematics->acceleration + k[j].second_derivative * kinematics->omegasq;
+        real theta_2 =
+            self->slope * kinematics->acceleration + k[j].link.second_derivative * kinematics->omegasq;
         real gravity = -self->weight * geometry_lift(self->geometry, self->tilt) / 2;
         real torque_share = self->leads ? k[j].arms.ratio : 0;
         real inertia = self->inertia * geometry_inertia(self->geometry, self->tilt),

@@ -131,11 +131,10 @@ struct kinematics {
  * the head. */
 struct loaded {
     struct link link;
-    real second_derivative; /* theta_i'' */
-    real size;              /* height / height of the head */
-    struct arms arms;       /* arms of the contact with the follower, if there is one */
-    bool leaned;            /* true if a follower leans on this domino */
-    real force, impulse;    /* of the follower, normal to the back face; NaN if none leans on this domino */
+    real size;           /* height / height of the head */
+    struct arms arms;    /* arms of the contact with the follower, if there is one */
+    bool leaned;         /* true if a follower leans on this domino */
+    real force, impulse; /* of the follower, normal to the back face; NaN if none leans on this domino */
 };
 
 /* Finds the motion of a chain at a tilt of its head. */

@@ -30,8 +30,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
         enum dom_status status = geometry_tilt(geometry, st->hi, &head);
         if (status != DOM_OK)
             return status;
-        struct walk k = walk_begin(geometry, head, geometry->rolls);
-        const struct link *link = &k.link;
+        struct link k = link_head(geometry, head, geometry->rolls);
+        const struct link *link = &k;
         /* The first search ends at a domino whose motion is smaller than the rounding errors. A later search
          * visits all dominoes up to the one that detaches at hi. */
         bool last = false, all = *moving < geometry->n;
@@ -39,7 +39,7 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
                          link->tilt.v < link->geometry->leave.v)) {
             last = link->i + 1 >= geometry->n || (!all && link->slope < REAL_EPSILON * REAL_EPSILON);
             if (!last)
-                walk_on(&k);
+                link_on(&k);
         }
         if (last || link->i + 1 >= geometry->n)
             return DOM_OK;
