@@ -131,9 +131,9 @@ TEST(rows_again_end_like_whole_rows)
 /* Returns the tilt of follower i at a tilt of the head. */
 static double follower_tilt(const struct geometry *head, size_t i, double theta)
 {
-    struct link link = link_head(head, tilt_make(sin(theta), cos(theta)));
+    struct link link = link_head(head, tilt_make(sin(theta), cos(theta)), false);
     while (link.i < i)
-        link_next(&link);
+        link_next(&link, false, false);
     return tilt_angle(link.tilt);
 }
 
