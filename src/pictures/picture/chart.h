@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts with two axes. They show curves, points or a map. A command fills a chart with data, and
- * chart_show (picture.c) then draws the chart to the destination of the answer. */
+ * chart_show then draws the chart to the destination of the answer. */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
 
-#include "pictures/picture/canvas.h"
 #include "pictures/picture/picture.h"
 
 enum chart_kind {
@@ -22,7 +21,7 @@ struct chart_curve {
     char title[96]; /* the title in the legend, or "" for a curve that is not in the legend */
     enum chart_kind kind;
     enum ink ink;
-    int dash; /* the dash pattern (see DASHES in canvas.h), or 0 for an unbroken line */
+    int dash; /* the dash pattern (see DASHES in picture.h), or 0 for an unbroken line */
     struct chart_point *point;
     size_t count, room;
 };

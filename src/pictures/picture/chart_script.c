@@ -134,17 +134,22 @@ static void map_script(const struct chart *c, FILE *out)
             number_script(value, out);
             putc('\n', out);
         }
-    fprintf(out, "END\nset palette defined (");
-    for (int k = 0; k <= 8; k++)
-        fprintf(out, "%s%d '#%06x'", k ? ", " : "", k, (unsigned)shade_colour(k / 8.0));
-    fprintf(out, ")\nunset grid\nunset key\nplot $map using %s notitle\n",
+    /* the palette viridis, whose brightness increases steadily */
+    fprintf(out,
+            "END\nset palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', 5 "
+            "'#27ad81', 6 '#5cc863', 7 '#aadc32', 8 '#fde725')\nunset grid\nunset key\nplot $map using %s "
+            "notitle\n",
             image ? "1:2:3 with image"
                   : "(($1+$2)/2):(($3+$4)/2):1:2:3:4:5 with boxxyerror fs solid noborder lc palette z");
 }
 
 static void curve_script(const struct chart *c, int k, FILE *out)
 {
-    static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
+    static const struct {
+        int rgb, point;
+    } inks[INKS] = {[INK_TEXT] = {0, 7},         [INK_BLUE] = {0x0072b2, 6},   [INK_RED] = {0xd55e00, 7},
+                    [INK_GREEN] = {0x009e73, 4}, [INK_PURPLE] = {0xcc79a7, 8}, [INK_ORANGE] = {0xe69f00, 5},
+                    [INK_SKY] = {0x56b4e9, 9},   [INK_GREY] = {0x777777, 1}};
     static const struct {
         const char *how;
         double size; /* the size of the points, or 0 for no points */
@@ -158,11 +163,11 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     char title[ROOM];
     const bool is_thin = curve->ink == INK_GREY || curve->kind == CHART_POINTS;
     fprintf(out, "%s$curve%d using 1:2 with %s lc rgb '#%06x' lw %g", k ? ", " : "plot ", k,
-            styles[curve->kind].how, (unsigned)ink_colour(curve->ink), is_thin ? 1.5 : 2.5);
+            styles[curve->kind].how, (unsigned)inks[curve->ink].rgb, is_thin ? 1.5 : 2.5);
     if (curve->kind != CHART_POINTS)
         fprintf(out, " dt %d", curve->dash + 1);
     if (styles[curve->kind].size > 0)
-        fprintf(out, " pt %d ps %g", points[curve->ink], styles[curve->kind].size);
+        fprintf(out, " pt %d ps %g", inks[curve->ink].point, styles[curve->kind].size);
     lines_make(curve->title, TITLE, title);
     text_script(out, " title ", title);
 }

@@ -77,16 +77,6 @@ static struct point touch(const struct drawn *follower, const struct drawn *lead
     return along(centre, follower->radius, face.y, -face.x);
 }
 
-int drawn_name(const struct drawn *k, char name[DRAWN_NAME])
-{
-    return k->number >= 0 ? snprintf(name, DRAWN_NAME, "%d", k->number)
-                          : snprintf(name, DRAWN_NAME,
-                                     k->number == NUMBER_NEXT     ? "next"
-                                     : k->number == NUMBER_TOWER  ? "tower"
-                                     : k->number == NUMBER_PERSON ? "person"
-                                                                  : "");
-}
-
 bool drawn_locked(const struct drawn *k)
 {
     return k->touched && !isfinite(k->of_own);
@@ -111,6 +101,35 @@ const struct drawn *stage_front(const struct stage *stage, size_t k)
     return &stage->domino[is_first ? k : stage->count - 1 - k];
 }
 
+int stage_names(const struct stage *stage, double letter, double apart, bool snaps, double left, double right,
+                struct drawn_name name[NAMES])
+{
+    static const char *const words[] = {
+        [-NUMBER_NEXT] = "next", [-NUMBER_TOWER] = "tower", [-NUMBER_PERSON] = "person"};
+    int count = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t k = 0; k < stage->count && count < NAMES; k++) {
+            const struct drawn *d = stage_front(stage, k);
+            struct drawn_name *own = &name[count];
+            const double middle = d->foot - d->thickness / 2;
+            if (drawn_marked(d) != (pass == 0) || !(middle >= left && middle <= right))
+                continue;
+            const int letters = d->number >= 0
+                                    ? snprintf(own->text, sizeof own->text, "%d", d->number)
+                                    : snprintf(own->text, sizeof own->text, "%s", words[-d->number]);
+            own->from = fmax(fmin(middle - letters * letter / 2, right - letters * letter), left);
+            if (snaps)
+                own->from = left + letter * round((own->from - left) / letter);
+            own->to = own->from + letters * letter;
+            own->is_weakest = d->part == WEAKEST;
+            bool fits = true;
+            for (const struct drawn_name *other = name; other < own && fits; other++)
+                fits = own->to + apart <= other->from || own->from - apart >= other->to;
+            count += fits;
+        }
+    return count;
+}
+
 struct axis_unit stage_unit(const struct stage *stage, double across)
 {
     return stage->unit ? (struct axis_unit){stage->unit, 1} : measure_axis(across);
@@ -118,57 +137,56 @@ struct axis_unit stage_unit(const struct stage *stage, double across)
 
 /* ---- The train ---- */
 
-/* Used while the dominoes of a train are added to a stage, from the front to the back. */
-struct filling {
-    struct stage *stage;
-    double s, r, d, rho;
-    bool leans; /* the next follower leans on the domino that was added last */
+/* The tilts of the head and its followers, and whether a follower leans on each of them. */
+struct tilts {
+    size_t count;
+    double theta[DOMINOES];
+    bool has_leaning[DOMINOES];
 };
 
-static void train_add(struct filling *f, double height, double foot, double theta)
+static bool tilt_take(const struct domq_link *link, void *context)
 {
-    struct stage *stage = f->stage;
-    int number = (int)stage->count - 1;
-    struct drawn *domino = &stage->domino[stage->count++];
-    *domino = (struct drawn){.number = number,
-                             .part = number < 0    ? STANDS
-                                     : number == 0 ? HEAD
-                                                   : FALLS,
-                             .height = height,
-                             .thickness = f->d * height,
-                             .foot = foot,
-                             .theta = theta,
-                             .radius = f->rho * height,
-                             .contact = {(double)NAN, (double)NAN},
-                             .force = (double)NAN,
-                             .of_own = (double)NAN};
-    drawn_corners(domino);
+    struct tilts *t = context;
+    t->theta[t->count] = (double)link->theta;
+    t->has_leaning[t->count++] = isfinite(link->arm_a);
+    return t->count < DOMINOES;
 }
 
-static void train_follow(struct filling *f, double theta)
+/* Adds dominoes from the front to the back, until they are too small or too far away to be seen. Those beyond
+ * the known tilts are drawn at the limiting tilt theta_f; the difference is too small to see. */
+static void train_fill(struct stage *stage, const struct domq_train *train, const struct tilts *tilts,
+                       const struct domq_angles *angles)
 {
-    struct drawn *leader = &f->stage->domino[f->stage->count - 1];
-    train_add(f, leader->height / f->r, leader->foot - (f->s + f->d) * leader->height, theta);
-    leader->touched = f->leans;
-    if (f->leans)
-        leader->contact = touch(leader + 1, leader);
-}
-
-static bool train_full(const struct stage *stage)
-{
-    const struct drawn *last = &stage->domino[stage->count - 1];
-    return stage->count == DOMINOES || last->height < SMALLEST || last->foot < stage->left;
-}
-
-static bool train_link(const struct domq_link *link, void *context)
-{
-    struct filling *f = context;
-    if (link->i > 0)
-        train_follow(f, (double)link->theta);
-    else
-        train_add(f, 1, 0, (double)link->theta);
-    f->leans = isfinite(link->arm_a);
-    return !train_full(f->stage);
+    const double r = (double)train->r, d = (double)train->d, pitch = (double)train->s + d;
+    double height = r, foot = pitch * r;
+    bool has_leaning = false; /* the next domino leans on this one */
+    while (stage->count < DOMINOES && (stage->count < 2 || (height >= SMALLEST && foot >= stage->left))) {
+        const size_t i = stage->count - 1; /* the number of the next domino in the chain */
+        struct drawn *domino = &stage->domino[stage->count++];
+        foot = stage->count > 1 ? foot - pitch * height : foot;
+        height = stage->count > 1 ? height / r : height;
+        *domino = (struct drawn){.number = (int)stage->count - 2,
+                                 .part = stage->count == 1   ? STANDS
+                                         : stage->count == 2 ? HEAD
+                                                             : FALLS,
+                                 .height = height,
+                                 .thickness = d * height,
+                                 .foot = foot,
+                                 .theta = stage->count == 1  ? 0
+                                          : i < tilts->count ? tilts->theta[i]
+                                                             : (double)angles->theta_f,
+                                 .radius = (double)train->rho * height,
+                                 .contact = {(double)NAN, (double)NAN},
+                                 .force = (double)NAN,
+                                 .of_own = (double)NAN};
+        drawn_corners(domino);
+        if (has_leaning) {
+            domino[-1].touched = true;
+            domino[-1].contact = touch(domino, &domino[-1]);
+        }
+        has_leaning =
+            stage->count > 1 && (i < tilts->count ? tilts->has_leaning[i] : has_leaning && !angles->detaches);
+    }
 }
 
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
@@ -176,40 +194,30 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
 {
     struct any_compute fine = *compute;
     struct domq_angles angles;
-    struct filling f = {.stage = stage,
-                        .s = (double)train->s,
-                        .r = (double)train->r,
-                        .d = (double)train->d,
-                        .rho = (double)train->rho};
-    double pitch = (f.s + f.d) * f.r, tall = f.r < TALLEST ? f.r : TALLEST, seen = 1.04 * tall;
+    struct tilts tilts = {.count = 0};
+    const double r = (double)train->r, pitch = (double)(train->s + train->d) * r,
+                 tall = r < TALLEST ? r : TALLEST, seen = 1.04 * tall;
     if (!stage_make(stage, DOMINOES))
         return DOM_NO_MEMORY;
     /* With the finest tolerance, the chain includes dominoes that are light, but large enough to be seen. */
     fine.tol = any_arithmetic(fine.precision).tol_floor;
+    enum dom_status status = any_angles_find(train, compute, &angles);
+    if (status == DOM_OK)
+        status = any_chain_walk(train, &fine, theta, tilt_take, &tilts);
+    if (status != DOM_OK)
+        return status;
     stage->unit = "h";
     stage->ruler = "x";
     stage->top = tall;
     stage->right = pitch + 0.12 * seen;
-    stage->left = stage->right - WIDEST * seen;
     /* The head must be visible, even if the next domino is far away. */
-    stage->left = stage->left > -1 ? -1 : stage->left;
-    train_add(&f, f.r, pitch, 0);
-    enum dom_status status = any_angles_find(train, compute, &angles);
-    if (status == DOM_OK)
-        status = any_chain_walk(train, &fine, theta, train_link, &f);
-    if (status != DOM_OK)
-        return status;
-    while (!train_full(stage)) {
-        /* The remaining dominoes are drawn at the limiting tilt; the difference is too small to see. */
-        train_follow(&f, (double)angles.theta_f);
-        f.leans = f.leans && !angles.detaches;
-    }
+    stage->left = fmin(stage->right - WIDEST * seen, -1);
+    train_fill(stage, train, &tilts, &angles);
     if (theta >= angles.theta_c * (1 - 4 * (domq_real)1e-10)) {
         stage->domino[0].touched = true; /* the head hits the next domino */
         stage->domino[0].contact = touch(&stage->domino[1], &stage->domino[0]);
     }
-    double end = stage->domino[stage->count - 1].foot - 0.05 * seen;
-    stage->left = end > stage->left ? end : stage->left;
+    stage->left = fmax(stage->left, stage->domino[stage->count - 1].foot - 0.05 * seen);
     return DOM_OK;
 }
 

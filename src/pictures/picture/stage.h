@@ -6,7 +6,6 @@
 #define SHELL_STAGE_H
 
 #include "answer/cell.h"
-#include "pictures/picture/canvas.h"
 #include "pictures/picture/picture.h"
 #include "precision/any.h"
 
@@ -77,9 +76,20 @@ void drawn_corners(struct drawn *domino);
 /* Writes the points of the outline of a domino. Returns the number of points. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 
-/* Stores the label of a domino: its number, "next", "tower", "person" or "". Returns the label's length. */
-enum { DRAWN_NAME = 16 };
-int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
+/* The name of a domino below it: its number, "next", "tower" or "person"; and what the name covers. */
+struct drawn_name {
+    char text[16];
+    double from, to;
+    bool is_weakest;
+};
+
+/* Finds the names for which there is room between `left` and `right`, in letters of this width, with the
+ * space `apart` between names. If `snaps` is true, each letter has a column of its own. Marked dominoes come
+ * first. Then come the dominoes at the front, where the largest ones usually are. Returns the number of
+ * names. */
+enum { NAMES = 256 };
+int stage_names(const struct stage *stage, double letter, double apart, bool snaps, double left, double right,
+                struct drawn_name name[NAMES]);
 
 /* Returns true if a domino is touched at its hinge, which happens if r s = 1. No push can turn such a domino.
  * Valid only after stage_forces. */

@@ -88,32 +88,18 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             (v->below - MARGIN_BELOW + 9) / v->height, SMALL + 1);
 }
 
-/* Writes the names of the dominoes below the ground, where there is room. Marked dominoes come first. Each
- * pass begins at the front, where the largest dominoes usually are. */
+/* Writes the names of the dominoes below the ground. */
 static void names_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {
-    enum { NAMES = 256 };
-    double from[NAMES], to[NAMES]; /* what the names cover */
-    int count = 0;
-    for (int pass = 0; pass < 2; pass++)
-        for (size_t k = 0; k < stage->count; k++) {
-            const struct drawn *d = stage_front(stage, k);
-            const double middle = d->foot - d->thickness / 2;
-            char name[DRAWN_NAME];
-            const double half = (drawn_name(d, name) * LETTER + 4) * v->dot / 2;
-            bool fits = drawn_marked(d) == (pass == 0) && *name && middle >= v->left && middle <= v->right &&
-                        count < NAMES;
-            for (int i = 0; i < count && fits; i++)
-                fits = middle + half <= from[i] || middle - half >= to[i];
-            if (!fits)
-                continue;
-            from[count] = middle - half;
-            to[count++] = middle + half;
-            fputs("set label ", script);
-            gnuplot_text(script, name);
-            fprintf(script, " at %.8g,%.8g center font ',%d' tc rgb '%s' front\n", middle,
-                    -STRIP / 2.0 * v->dot, SMALL, d->part == WEAKEST ? "#c8400c" : "#000000");
-        }
+    struct drawn_name name[NAMES];
+    const int count = stage_names(stage, LETTER * v->dot, 4 * v->dot, false, v->left, v->right, name);
+    for (int k = 0; k < count; k++) {
+        fputs("set label ", script);
+        gnuplot_text(script, name[k].text);
+        fprintf(script, " at %.8g,%.8g center font ',%d' tc rgb '%s' front\n",
+                (name[k].from + name[k].to) / 2, -STRIP / 2.0 * v->dot, SMALL,
+                name[k].is_weakest ? "#c8400c" : "#000000");
+    }
 }
 
 /* Draws each push as an arrow perpendicular to the back of its domino, with the size of the push at its
