@@ -141,12 +141,12 @@ static double follower_tilt(const struct geometry *head, size_t i, double theta)
 static void curve_check(const struct geometry *head, size_t moving)
 {
     const double end = tilt_angle(head->c), by = 1e-3 * end;
-    struct link a = link_head(head, head->c), b = link_head(head, standing);
+    struct link a = link_head(head, head->c, false), b = link_head(head, standing, false);
     struct glide g = {.t = half_of_tilt(head->c)};
     while (a.i + 1 < moving && a.i < 5 && a.tilt.v < a.geometry->leave.v) {
         glide_next(&g, &a, &b);
-        link_next(&a);
-        link_next(&b);
+        link_next(&a, false, false);
+        link_next(&b, false, false);
         for (int k = 1; k < 8; k++) {
             const double at = end * k / 8, bend = 2 * follower_tilt(head, a.i, at) -
                                                   follower_tilt(head, a.i, at - by) -
