@@ -6,13 +6,11 @@
 #include "language/quad.h"
 #include "train/train.h"
 
-enum cost_of { COST_FUEL, COST_LAUNCH, COST_BARRIER, COST_DURATION, COST_RMAX, COST_PAIR };
+enum cost_of { COST_BARRIER, COST_DURATION, COST_RMAX, COST_PAIR };
 
 static const struct {
     const char *name, *meaning;
 } measured_answers[] = {
-    [COST_FUEL] = {"fuel", "the fuel P"},
-    [COST_LAUNCH] = {"launch", "tau^2 omega(0)^2"},
     [COST_BARRIER] = {"barrier", "the margin, kinetic energy minus barrier"},
     [COST_DURATION] = {"duration", "t_f / tau"},
     [COST_RMAX] = {"rmax", "r_max"},
@@ -35,26 +33,21 @@ struct contender {
     enum precision precision;
 };
 
+/* Finds a quantity by a method for comparison. */
 static enum dom_status method_find(const struct method *method, enum cost_of which,
-                                   const struct dom_train *train, const struct dom_compute *compute,
-                                   double *value)
+                                   const struct domq_train *wide, const struct any_compute *given,
+                                   domq_real *value)
 {
-    struct dom_launch launch = {.fuel = 0};
+    const struct dom_train train = train_in_double(wide);
+    const struct dom_compute compute = compute_in_double(given);
     struct dom_barrier barrier = {.margin = 0};
     struct dom_limit limit = {.r_max = 0};
-    enum dom_status status = DOM_NO_METHOD;
-    if (which == COST_BARRIER) {
-        status = method->barrier(train, compute, &barrier);
-        *value = barrier.margin;
-    } else if (which == COST_DURATION) {
-        status = method->duration(train, compute, value);
-    } else if (which == COST_RMAX) {
-        status = method->rmax(train, compute, &limit);
-        *value = limit.r_max;
-    } else if (which != COST_PAIR && method->launch) {
-        status = method->launch(train, compute, &launch);
-        *value = which == COST_FUEL ? launch.fuel : launch.omegasq;
-    }
+    double duration = 0;
+    enum dom_status status = which == COST_BARRIER    ? method->barrier(&train, &compute, &barrier)
+                             : which == COST_DURATION ? method->duration(&train, &compute, &duration)
+                             : which == COST_RMAX     ? method->rmax(&train, &compute, &limit)
+                                                      : DOM_NO_METHOD;
+    *value = (domq_real)(barrier.margin + duration + limit.r_max); /* two of them are 0 */
     return status == DOM_STOPS && which == COST_BARRIER ? DOM_OK : status;
 }
 
@@ -63,29 +56,13 @@ static enum dom_status value_find(const struct contender *by, enum cost_of which
                                   domq_real *value)
 {
     struct any_compute compute = *given;
-    struct domq_fuels fuels;
-    struct domq_launch launch;
-    struct domq_barrier barrier;
-    struct domq_limit limit;
+    struct domq_barrier barrier = {.margin = 0};
+    struct domq_limit limit = {.r_max = 0};
     enum dom_status status;
+    if (by->method)
+        return method_find(by->method, which, train, given, value);
     compute.precision = by->precision;
-    if (by->method) {
-        const struct dom_train t = train_in_double(train);
-        const struct dom_compute c = compute_in_double(&compute);
-        double found = 0;
-        status = method_find(by->method, which, &t, &c, &found);
-        *value = (domq_real)found;
-        return status;
-    }
     switch (which) {
-    case COST_FUEL:
-        status = any_fuel_find(train, &compute, &fuels);
-        *value = train->fuel == DOM_FUEL_PAPER ? fuels.paper : fuels.exact;
-        return status;
-    case COST_LAUNCH:
-        status = any_launch_find(train, &compute, &launch);
-        *value = launch.omegasq;
-        return status;
     case COST_BARRIER:
         status = any_barrier_find(train, &compute, &barrier);
         *value = barrier.margin;
@@ -259,8 +236,7 @@ static void cost_say(struct answer *a, const struct cost *cost)
 static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)
 {
     static const double share[] = {[IN_FLOAT] = 0.02, [IN_DOUBLE] = 0.03, [IN_QUAD] = 0.8};
-    struct cost cost = {
-        .query = query, .which = (enum cost_of)query->given->number[0], .cheapest = HUGE_VAL};
+    struct cost cost = {.query = query, .which = (enum cost_of)query->given->number[0], .cheapest = HUGE_VAL};
     struct any_compute compute = query->scene->compute;
     const struct contender finest = {NULL, any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE};
     compute.tol = any_arithmetic(finest.precision).tol_floor;
@@ -291,7 +267,7 @@ const struct command cost_commands[] = {
                    .noun = "command with a tolerance",
                    .choices = cost_names}},
      .summary = "how much time each digit of an answer costs",
-     .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. "
+     .help = "COMMAND is barrier, duration, rmax or pair, with the parameters of the session. "
              "Each method computes the answer several times, with smaller and smaller tolerances. Our method "
              "is measured in every precision, the others only in double. The error in the table is the true "
              "error, which includes the effect of rounding the parameters.",

@@ -5,20 +5,6 @@
 #include "train/train.h"
 #include <ctype.h>
 
-/* Returns a message that explains why a cycle releases no energy. */
-static const char *no_fuel(const struct query *query)
-{
-    struct domq_fuels fuels;
-    if (domq_law(&query->scene->train)->dissipates)
-        return "no domino effect: losses and the larger dominoes take up all the energy that a cycle "
-               "releases; 'rmax' shows how large r may be";
-    if (any_fuel_find(&query->scene->train, &query->scene->compute, &fuels) == DOM_OK && fuels.paper > 0)
-        return "no domino effect: at this growth r the fuel P is not positive, because the smaller dominoes "
-               "release less energy than the head takes up; 'rmax' shows how large r may be";
-    return "no domino effect: the fuel P is not positive, because a fallen domino has as much potential "
-           "energy as an upright one (s is too small for this d)";
-}
-
 static const struct column thetac_columns[] = {
     {"theta_c", "rad", "the head hits the next domino: sin theta_c = r s (2; a2)", 0},
     {"theta_u", "rad", "a single domino just tips over: tan theta_u = d (4; b1)", 0},
@@ -142,39 +128,17 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     const char *reason = has_paper ? NULL
                                    : "fuel_paper has no value: the paper's closed form is for sharp edges on "
                                      "a level floor";
-    return answer_row(a, ROW(used, exact, paper), used.number > 0 ? reason : no_fuel(query));
+    return answer_row(a, ROW(used, exact, paper), used.number > 0 ? reason : verdict_reason(DOM_NO_FUEL));
 }
 
-static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
-{
-    struct domq_barrier b;
-    char place[64] = "";
-    struct answer_style style = state_style(query->state);
-    int digits = (int)fmin((double)style.digits, style_tol_digits(&style));
-    if (any_barrier_find(&query->scene->train, &query->scene->compute, &b) == DOM_STOPS && isfinite(b.stop))
-        snprintf(place, sizeof place, " at theta = %s %s,", quad_text(style_angle(&style, b.stop), digits),
-                 style_angle_unit(&style));
-    snprintf(reason, ANSWER_REASON,
-             "no domino effect: the train has too little energy and stops%s before the top of the barrier",
-             place);
-}
-
-/* Looks up why numbers are missing after a computation that ended with `status`. If a cycle releases no
- * energy, if the train stops, or if friction locks a collision, there is still an answer, and *why points to
- * the reason for its missing numbers; a text that depends on the train is stored in the buffer `reason`. For
+/* If the status is a verdict, there is still an answer, and *why is the reason for its missing numbers. For
  * every other status, *why is NULL. Returns false, and sets *problem, if there is no answer. */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
-                            char reason[ANSWER_REASON], const char **why)
+                            const char **why)
 {
-    *why = status == DOM_NO_FUEL ? no_fuel(query)
-           : status == DOM_STOPS ? reason
-           : status == DOM_LOCKS
-               ? "no domino effect: friction locks the collision, because the force on the struck domino "
-                 "passes its hinge on the wrong side; make r or s smaller, or use less friction"
-               : NULL;
-    if (status == DOM_STOPS)
-        stop_reason(query, reason);
-    return status == DOM_OK || *why || query_status(query, problem, status);
+    const bool is_verdict = status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_LOCKS;
+    *why = is_verdict ? verdict_reason(status) : NULL;
+    return is_verdict || query_status(query, problem, status);
 }
 
 static const struct column launch_columns[] = {
@@ -192,10 +156,9 @@ static bool run_launch(const struct query *query, struct answer *a, struct probl
                             .velocity_ratio = DOMQ_NAN,
                             .omegasq = DOMQ_NAN,
                             .kinetic = DOMQ_NAN};
-    char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = any_launch_find(&query->scene->train, query_compute(query), &l);
-    if (!missing_explain(query, status, problem, reason, &why))
+    if (!missing_explain(query, status, problem, &why))
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     return answer_row(a,
@@ -215,10 +178,9 @@ static bool run_omega(const struct query *query, struct answer *a, struct proble
 {
     domq_real theta = query->given->number[0];
     domq_real omegasq;
-    char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = any_cycle_omegasq(&query->scene->train, query_compute(query), theta, &omegasq);
-    if (!missing_explain(query, status, problem, reason, &why))
+    if (!missing_explain(query, status, problem, &why))
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     return answer_row(a, ROW(cell_real(theta), cell_computed(omegasq), cell_omega(omegasq, tau)), why);
@@ -237,10 +199,9 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
 {
     struct domq_barrier b = {
         .theta_m = DOMQ_NAN, .barrier = DOMQ_NAN, .kinetic = DOMQ_NAN, .margin = DOMQ_NAN};
-    char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = any_barrier_find(&query->scene->train, query_compute(query), &b);
-    if (!missing_explain(query, status, problem, reason, &why))
+    if (!missing_explain(query, status, problem, &why))
         return false;
     answer_set_verdict(a, status == DOM_OK);
     verdict_train_say(query, a, status, &b);
@@ -265,15 +226,101 @@ static bool run_duration(const struct query *query, struct answer *a, struct pro
 {
     domq_real duration = DOMQ_NAN;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
-    char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = any_cycle_duration(&query->scene->train, query_compute(query), &duration);
-    if (!missing_explain(query, status, problem, reason, &why))
+    if (!missing_explain(query, status, problem, &why))
         return false;
     domq_real speed = why ? DOMQ_NAN : domq_scale_speed(&query->scene->scale, &query->scene->train, duration);
     return answer_row(
         a, ROW(cell_computed(duration), cell_real(tau), cell_computed(duration * tau), cell_computed(speed)),
         why);
+}
+
+/* ---- The table of a cycle ---- */
+
+static const struct column cycle_columns[] = {
+    {"event", "", "launch, fall, top, stop or hit: see 'step'", 6},
+    {"t", "s", "time since the launch", 0},
+    {"theta", "rad", "tilt of the head", 7},
+    {"theta_1", "rad", "tilt of the first follower (12; b8)", 7},
+    {"theta_2", "rad", "tilt of the second follower", 7},
+    {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
+    {"kinetic", "mgh/2", "kinetic energy of the train", 0},
+    {"potential", "mgh/2", "potential energy of the train, H(theta) - H(0)", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* A callback of any_chain_walk, which stores the tilts of the head and of its first two followers. */
+static bool follower_add(const struct domq_link *k, void *context)
+{
+    domq_real *theta = context;
+    theta[k->i] = k->theta;
+    return k->i < 2;
+}
+
+/* Four digits, for a narrow column. */
+static struct cell cell_angle(domq_real theta)
+{
+    struct cell cell = cell_real(theta);
+    cell.digits = 4;
+    return cell;
+}
+
+struct cycle_table {
+    const struct query *query;
+    struct answer *answer;
+    struct domq_angles angles;
+    struct domq_state last;
+    enum dom_status status;
+};
+
+static bool cycle_row(const struct domq_state *s, const struct domq_event *event, void *context)
+{
+    struct cycle_table *table = context;
+    const struct query *query = table->query;
+    struct walk_units u = walk_units(query, 1);
+    /* any_chain_walk does not visit detached dominoes, which rest at theta_f. */
+    domq_real theta[] = {s->theta, table->angles.theta_f, table->angles.theta_f};
+    table->status =
+        any_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, theta);
+    if (table->status != DOM_OK)
+        return false;
+    answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
+                 cell_computed(s->time * u.tau), cell_angle(s->theta), cell_angle(theta[1]),
+                 cell_angle(theta[2]), cell_omega(s->omegasq, u.tau), cell_computed(s->kinetic * u.energy),
+                 cell_computed(s->climbed * u.energy));
+    table->last = *s;
+    return !answer_lost(table->answer);
+}
+
+static const char *cycle_by(const void *context, int k)
+{
+    static const char *const names[] = {[DOM_BY_TIME] = "time", [DOM_BY_TILT] = "tilt", NULL};
+    (void)context;
+    return names[k];
+}
+
+static bool run_cycle(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct cycle_table table = {.query = query, .answer = a};
+    size_t rows = query->given->count > 0 ? (size_t)query->given->number[0] : 12;
+    enum dom_spacing by = query->given->count > 1 ? (enum dom_spacing)query->given->number[1] : DOM_BY_TIME;
+    walk_columns_in(query, a);
+    enum dom_status verdict = any_angles_find(&query->scene->train, &query->scene->compute, &table.angles);
+    if (verdict == DOM_OK)
+        verdict = any_cycle_walk(&query->scene->train, query_compute(query), rows, by, cycle_row, &table);
+    if (verdict == DOM_NO_FUEL)
+        return answer_row(a, (const struct cell[ANSWER_COLUMNS]){cell_word("")}, verdict_reason(verdict));
+    if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
+        return query_status(query, problem, table.status != DOM_OK ? table.status : verdict);
+    if (domq_law(&query->scene->train)->dissipates)
+        answer_detail(a, "Energy lost to %s since the launch: %.4g %s.", losses_of(&query->scene->train),
+                      (double)(table.last.friction_work * walk_units(query, 1).energy),
+                      walk_units(query, 1).energy_unit);
+    if (verdict == DOM_STOPS)
+        answer_say(a,
+                   "The train stops, because it has too little energy to keep falling; 'why' explains it.");
+    return true;
 }
 
 #define TILT .name = "T", .kind = ARGUMENT_TILT
@@ -380,5 +427,24 @@ const struct command cycle_commands[] = {
      .see = "omega",
      .principal = "duration",
      ANSWER(duration)},
+    {.name = "cycle",
+     .in_joules = scene_has_mass,
+     TRAIN_COMMAND,
+     .synonyms = "table time trace",
+     .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true},
+                  {.name = "BY",
+                   .kind = ARGUMENT_CHOICE,
+                   .noun = "way to space rows",
+                   .choices = cycle_by,
+                   .optional = true}},
+     .summary = "a table of one cycle, in N equal steps of time or tilt",
+     .equation = "(12; b8) (21; c3)",
+     .help = "By default N is 12. BY is 'time', which is the default, or 'tilt'. The table also has a line "
+             "for each event. Energies are in J if 'mass' or 'density' is set.",
+     .example = "cycle 5 tilt",
+     .see = "step omega duration",
+     .rows = true,
+     .brief = "*",
+     ANSWER(cycle)},
     {.name = NULL},
 };

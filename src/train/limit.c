@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands that find how much dominoes can grow from one to the next: rmax, pair and best. */
+/* How much dominoes can grow from one to the next: rmax, pair and best. How many topple a given height:
+ * count. */
 #include "language/quad.h"
 #include "train/falling.h"
 #include "train/row_start.h"
 #include "train/train.h"
+#include <ctype.h>
 #include <math.h>
 
 static domq_real argument_or(const struct arguments *call, int i, domq_real fallback)
@@ -11,18 +13,15 @@ static domq_real argument_or(const struct arguments *call, int i, domq_real fall
     return i < call->count ? call->number[i] : fallback;
 }
 
-static const char *no_growth(struct domq_limit limit)
+/* Writes why no growth is possible. Returns NULL if one is. */
+static const char *no_growth(const struct domq_limit *limit, char reason[START_TEXT])
 {
-    return limit.ends != DOM_END_NONE ? NULL
-           : limit.why == DOM_NO_FUEL
-               ? "no growth possible: at this s and d even equal dominoes (r = 1) "
-                 "release no energy, because a fallen domino has as much potential energy as an upright one"
-           : limit.why == DOM_LOCKS ? "no growth possible: friction locks even equal dominoes (r = 1)"
-           : limit.why == DOM_OUT_OF_REACH
-               ? "no growth possible: the edges are so round that even equal dominoes (r = 1) fall past each "
-                 "other at this s; use a smaller s"
-               : "no growth possible: at this s and d even equal dominoes (r = "
-                 "1) have too little energy to keep falling";
+    if (limit->ends != DOM_END_NONE)
+        return NULL;
+    snprintf(reason, START_TEXT, "no growth possible: even with equal dominoes (r = 1), %s%s",
+             verdict_reason(limit->why),
+             limit->why == DOM_OUT_OF_REACH ? ", because the edges are so round; use a smaller s" : "");
+    return reason;
 }
 
 enum dom_status limits_find(struct domq_train train, const struct any_compute *compute,
@@ -47,57 +46,33 @@ static const struct column rmax_columns[] = {
     {"ends_by", "",
      "what limits the growth: barrier (too little energy), reach (misses the next domino) or none", 7},
     {"r_max_exact", "", "r_max if the fuel is computed from the energy balance", 0},
-    {"r_max_paper", "", "r_max if the fuel is computed with the paper's closed form", 0},
+    {"r_max_paper", "", "r_max with the paper's closed form of the fuel, which knows no effects (25; c7)", 0},
     {"r_start", "", "the largest growth at which a row starts and keeps falling, to nine digits", 0},
     {NULL, NULL, NULL, 0},
 };
 
-static void rmax_fuels_detail(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
-                              const struct domq_limit *exact, const struct domq_limit *paper)
+/* A moving train can have a larger growth than a row that starts from rest. Finds the limit for a row, and
+ * prints it if it is smaller. If there is none, returns the reason. */
+static bool rmax_start(const struct query *query, struct answer *a, const struct domq_train *train,
+                       domq_real r_max, struct start_growths *growths, char reason[START_TEXT],
+                       struct problem *problem)
 {
-    if (domq_first_effect(train))
-        answer_detail(a, "r_max_paper has no value: the paper's closed form of the fuel does not include %s.",
-                      domq_first_effect(train)->name);
-    else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
-        answer_detail(a, "r_max_exact and r_max_paper are both limited by the reach, r = 1/s, which does not "
-                         "depend on the fuel.");
-    else if (used->ends != DOM_END_NONE)
-        answer_detail(a, "r_max_exact and r_max_paper differ because the paper's closed form of the fuel "
-                         "leaves out the weights r^(-q i) (25; c7).");
-}
-
-/* A moving train can have a larger growth than a row that starts from rest. If the limit for a row is
- * smaller, prints it. The growth of the session may lie between the two limits. Then the row needs a push,
- * which takes 100 times as long to find as both limits. */
-static void rmax_start_say(const struct query *query, struct answer *a, const struct domq_train *train,
-                           const struct domq_limit *used, const struct start_growths *growths)
-{
-    const domq_real r_start = growths->r_max;
-    if (used->ends == DOM_END_NONE || growths->is_too_slow || r_start >= used->r_max)
-        return;
-    if (!isnan(r_start))
-        answer_say(a, "A row that starts from rest can have a growth of up to %s %s.",
-                   limit_words(r_start, 6).text, start_words(query).text);
-    else
+    if (!start_growths_find(query, train, r_max, growths, problem))
+        return false;
+    if (growths->is_too_slow)
+        snprintf(reason, START_TEXT,
+                 "r_start has no value, because with the rigid-body engine the search would take too long; "
+                 "'rowmax' finds the largest growth of a row");
+    else if (isnan(growths->r_max) && answer_for_people(a))
         answer_say(a, "This train is already moving: from rest, no row falls %s, whatever its growth.",
                    start_words(query).text);
-    if (train->r <= used->r_max && !(train->r <= r_start))
-        answer_detail(a,
-                      "At a growth of %.6g, such a row does not fall; 'count' looks for a push that is "
-                      "enough.",
-                      (double)train->r);
-}
-
-/* Returns the reason why r_start has no value, or NULL if rmax_start_say will print the reason. */
-static const char *start_missing(const struct query *query, const struct answer *a,
-                                 const struct start_growths *growths, char reason[START_TEXT])
-{
-    if (growths->is_too_slow)
-        return "r_start has no value, because with the rigid-body engine the search would take too long; "
-               "'rowmax' finds the largest growth of a row";
-    snprintf(reason, START_TEXT, "r_start has no value: no row falls %s, whatever its growth",
-             start_words(query).text);
-    return answer_for_people(a) ? NULL : reason;
+    else if (isnan(growths->r_max))
+        snprintf(reason, START_TEXT, "r_start has no value: from rest, no row falls %s, whatever its growth",
+                 start_words(query).text);
+    else if (growths->r_max < r_max)
+        answer_say(a, "A row that starts from rest can have a growth of up to %s %s.",
+                   limit_words(growths->r_max, 6).text, start_words(query).text);
+    return true;
 }
 
 static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
@@ -108,17 +83,10 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     const enum dom_status status = limits_find(train, query_compute(query), &exact, &paper);
     if (status != DOM_OK)
         return problem_limit(problem, query->scene, status, isnan(paper.open) ? &exact : &paper);
-    struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    const struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct start_growths growths = {.r_max = DOMQ_NAN};
-    const char *missing = no_growth(used);
-    char reason[START_TEXT];
-    if (a->out && !a->sink.take) {
-        if (!missing && !start_growths_find(query, &train, used.r_max, &growths, problem))
-            return false;
-        if (!missing && isnan(growths.r_max))
-            missing = start_missing(query, a, &growths, reason);
-    }
-    if (used.ends == DOM_END_NONE)
+    char reason[START_TEXT] = "";
+    if (no_growth(&used, reason))
         answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.");
     else
         answer_say(a,
@@ -127,17 +95,16 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
                    (double)train.s, dominoes_words(train.q, "dominoes").text, limit_words(used.r_max, 6).text,
                    used.ends == DOM_END_REACH ? "a domino falls past the next one without touching it"
                                               : "the train has too little energy to keep falling");
-    answer_row(a,
-               ROW(cell_real(train.s), cell_limit(cell_uncertain(used.r_max, used.uncertainty)),
-                   cell_word(dom_end_text(used.ends)),
-                   cell_limit(cell_uncertain(exact.r_max, exact.uncertainty)),
-                   cell_limit(cell_uncertain(paper.r_max, paper.uncertainty)),
-                   cell_limit(cell_within(growths.r_max, growths.uncertainty))),
-               missing);
-    rmax_fuels_detail(a, &train, &used, &exact, &paper);
-    if (answer_for_people(a))
-        rmax_start_say(query, a, &train, &used, &growths);
-    return true;
+    if (!*reason && a->out && !a->sink.take &&
+        !rmax_start(query, a, &train, used.r_max, &growths, reason, problem))
+        return false;
+    return answer_row(a,
+                      ROW(cell_real(train.s), cell_limit(cell_uncertain(used.r_max, used.uncertainty)),
+                          cell_word(dom_end_text(used.ends)),
+                          cell_limit(cell_uncertain(exact.r_max, exact.uncertainty)),
+                          cell_limit(cell_uncertain(paper.r_max, paper.uncertainty)),
+                          cell_limit(cell_within(growths.r_max, growths.uncertainty))),
+                      *reason ? reason : NULL);
 }
 
 static const struct column pair_columns[] = {
@@ -199,6 +166,169 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
                       status == DOM_OK
                           ? NULL
                           : "no growth possible: dominoes this thick do not topple larger ones at any s");
+}
+
+/* ---- count ---- */
+
+static const struct column count_columns[] = {
+    {"height", "m", "the height H of the domino to topple", 0},
+    {"r", "", "growth: the size of each domino relative to the one before", 0},
+    {"dominoes", "", "the number of dominoes needed: the smallest n with first_height r^n >= height", 0},
+    {"exact", "", "n before it is rounded up: ln(height / first_height) / ln r", 0},
+    {"first_height", "m", "height of the first domino", 0},
+    {"last_height", "m", "height of the tallest domino that this row can topple, first_height r^n", 0},
+    {"feasible", "", "whether such a row falls when its first domino is let go or pushed", 8},
+    {"goes_on", "", "whether an endless train with this growth keeps falling once it is moving", 7},
+    {"stops_at", "", "the domino at which the fall ends, if not all dominoes fall", 8},
+    {"push", "rad/s", "the weakest push with which such a row would fall, to four digits", 0},
+    {"r_start", "", "the largest growth at which such a row starts and keeps falling, to nine digits", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* What is known about a row that is to topple a domino of a given height. */
+struct tower {
+    domq_real height, first; /* heights of the domino to topple and of the first domino, in m */
+    struct domq_train train;
+    struct domq_count count;
+    const char *stops;           /* why the endless train stops, or NULL */
+    struct domq_limit limit;     /* the largest growth of a moving train */
+    struct start_growths growth; /* the largest growth at which a row starts from rest */
+    struct start start;          /* the result of running the row, whose last domino is the one to topple */
+    bool falls;
+};
+
+static bool tower_find(const struct query *query, struct tower *t, struct problem *problem)
+{
+    struct domq_barrier barrier;
+    enum dom_status status = any_barrier_find(&t->train, &query->scene->compute, &barrier);
+    t->stops = verdict_reason(status);
+    if (!t->stops && !query_status(query, problem, status))
+        return false;
+    status = any_limit_rmax(&t->train, &query->scene->compute, &t->limit);
+    t->growth = (struct start_growths){.r_max = DOMQ_NAN};
+    if (status != DOM_OK)
+        return problem_limit(problem, query->scene, status, &t->limit);
+    if ((t->limit.ends != DOM_END_NONE &&
+         !start_growths_find(query, &t->train, t->limit.r_max, &t->growth, problem)) ||
+        !start_find(query, &t->train, t->count.dominoes + 1, &t->start, problem))
+        return false;
+    t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > t->count.dominoes);
+    return true;
+}
+
+/* Prints how much the dominoes can grow in a row that starts, and how many are then enough, if that helps. */
+static void growth_say(const struct query *query, struct answer *a, const struct tower *t)
+{
+    struct words name = dominoes_words(t->train.q, "dominoes");
+    struct domq_count count = {.dominoes = DOMQ_NAN};
+    /* The growth is rounded down to three digits, or to more if three would round it to 1. */
+    domq_real most = 1;
+    for (int digits = 3; digits <= 9 && t->growth.r_max > 1 && most <= 1; digits++)
+        most = round_digits(t->growth.r_max, digits, false);
+    (void)any_count_find(t->first, t->height, most, &query->scene->compute, &count);
+    const domq_real n = count.dominoes;
+    if (t->falls && !(n < t->count.dominoes) && isfinite(t->count.dominoes))
+        return;
+    if (t->limit.ends == DOM_END_NONE)
+        answer_say(a, "With these gaps not even equal dominoes keep falling.");
+    else if (isnan(t->growth.r_max) && !t->start.engine)
+        answer_say(a, "With these gaps no row of such dominoes starts %s.", start_words(query).text);
+    else if (isfinite(n) && n > 0)
+        answer_say(a, "%c%s can each be %s times as large as the one before: then %s %s enough.",
+                   toupper((unsigned char)*name.text), name.text + 1, quad_growth(most, 9),
+                   quad_text(n, WIDE_DIGITS), n == 1 ? "is" : "are");
+}
+
+/* Prints the number of dominoes, what decides whether they fall, and whether they do. */
+static void count_say(struct answer *a, const struct tower *t)
+{
+    const domq_real n = t->count.dominoes;
+    if (n == 0)
+        answer_say(a, "No other domino is needed: the first is already %s tall.",
+                   measured(t->first, "m", 6).text);
+    else
+        answer_say(
+            a,
+            "%s %s, each %s times as large as the one before, with gaps of %.6g times the height, %s one "
+            "that is %s tall. Such a row %s.",
+            quad_text(n, WIDE_DIGITS), dominoes_words(t->train.q, n == 1 ? "domino" : "dominoes").text,
+            quad_growth(t->train.r, (int)a->style.digits), (double)t->train.s,
+            !t->falls ? "would be needed to topple"
+            : n == 1  ? "topples"
+                      : "topple",
+            measured(t->height, "m", 6).text, t->falls ? "falls" : "does not fall");
+}
+
+static void count_detail(const struct query *query, struct answer *a, const struct tower *t)
+{
+    char ends[START_TEXT];
+    if (t->count.dominoes > 0)
+        answer_detail(a, "\nDomino %s is %s tall; it could topple a domino up to %s tall.",
+                      quad_text(t->count.dominoes, WIDE_DIGITS),
+                      measured(t->count.last / t->train.r, "m", 4).text,
+                      measured(t->count.last, "m", 4).text);
+    if (!t->start.falls) {
+        start_problem(query, &t->start, ends);
+        answer_detail(a, "%c%s.%s", toupper((unsigned char)*ends), ends + 1,
+                      t->stops ? "" : " A train that is already moving keeps falling.");
+    } else if (t->stops) {
+        answer_detail(a, "The first %zu dominoes fall, but a longer row stops: %s.", t->start.count,
+                      t->stops);
+    }
+    if (t->start.engine)
+        answer_detail(a, "The rigid-body engine ran the row because %s.", t->start.engine);
+}
+
+/* Returns why the row does not topple the domino, or NULL if it does. */
+static const char *count_reason(const struct query *query, const struct tower *t, char reason[START_TEXT])
+{
+    if (!isfinite(t->count.dominoes))
+        snprintf(reason, START_TEXT,
+                 "with r = 1 all dominoes are equally tall, so none of them reaches this height");
+    else if (t->falls)
+        return NULL;
+    else if (t->stops)
+        snprintf(reason, START_TEXT, "not possible at s = %.6g with %s: %s", (double)t->train.s,
+                 dominoes_words(t->train.q, "dominoes").text, t->stops);
+    else
+        start_problem(query, &t->start, reason);
+    return reason;
+}
+
+bool run_count(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct tower t = {
+        .height = query->given->number[0], .first = query->scene->scale.h, .train = query->scene->train};
+    char reason[START_TEXT];
+    t.train.r = argument_or(query->given, 1, t.train.r);
+    if (any_count_find(t.first, t.height, t.train.r, query_compute(query), &t.count) != DOM_OK)
+        return problem_no_answer(
+            problem, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
+            quad_text(t.height, 10), quad_text(t.first, 10), quad_text(t.train.r, 10),
+            any_arithmetic(query->scene->compute.precision).name);
+    if (!tower_find(query, &t, problem))
+        return false;
+    const bool people = answer_for_people(a), is_enough = isfinite(t.count.dominoes);
+    const char *why = count_reason(query, &t, reason);
+    answer_set_verdict(a, t.falls && is_enough);
+    if (is_enough)
+        count_say(a, &t);
+    answer_row(a,
+               ROW(cell_real(t.height), cell_real(t.train.r), cell_count(t.count.dominoes),
+                   cell_computed(t.count.exact), cell_real(t.first), cell_computed(t.count.last),
+                   cell_flag(t.falls), cell_flag(!t.stops),
+                   t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
+                   cell_within(t.start.push, t.start.push / 1000),
+                   cell_limit(cell_within(t.growth.r_max, t.growth.uncertainty))),
+               people && is_enough ? NULL : why);
+    if (!people)
+        return true;
+    if (t.stops && why)
+        answer_detail(a, "%s", why);
+    if (is_enough)
+        count_detail(query, a, &t);
+    growth_say(query, a, &t);
+    return true;
 }
 
 #define SEPARATION .name = "S", .kind = ARGUMENT_VALUE_OF, .parameter = "s", .optional = true

@@ -46,10 +46,6 @@ struct start_growths {
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
                         struct start_growths *growths, struct problem *problem);
 
-/* Fills in the q of the train, and of the other kinds of domino that have a name. Returns their number. */
-enum { KINDS_MOST = 8 };
-size_t kinds_find(const struct query *query, const struct domq_train *train, domq_real kind[KINDS_MOST]);
-
 /* Returns "if its first domino just tips over", or "with a push of 3 rad/s". */
 struct words start_words(const struct query *query);
 

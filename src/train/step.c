@@ -1,93 +1,240 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands 'cycle', 'step', 'back', 'goto' and 'where'. The command 'why' is in why.c. */
+/* A walk through the cycles of the train, event by event: step, back, goto and where. */
 #include "language/quad.h"
+#include "language/text.h"
 #include "train/train.h"
+#include <string.h>
 
-/* ---- cycle ---- */
-
-static const struct column cycle_columns[] = {
-    {"event", "", "launch, fall, top, stop or hit: see 'step'", 6},
-    {"t", "s", "time since the launch", 0},
-    {"theta", "rad", "tilt of the head", 7},
-    {"theta_1", "rad", "tilt of the first follower (12; b8)", 7},
-    {"theta_2", "rad", "tilt of the second follower", 7},
-    {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
-    {"kinetic", "mgh/2", "kinetic energy of the train", 0},
-    {"potential", "mgh/2", "potential energy of the train, H(theta) - H(0)", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-/* A callback of any_chain_walk, which stores the tilts of the head and of its first two followers. */
-static bool follower_add(const struct domq_link *k, void *context)
+struct walk_units walk_units(const struct query *query, int cycle)
 {
-    domq_real *theta = context;
-    theta[k->i] = k->theta;
-    return k->i < 2;
+    const struct domq_train *t = &query->scene->train;
+    domq_real mass = scene_mass(query->scene), grown = quad(pow)(t->r, (domq_real)(cycle - 1)),
+              heavier = quad(pow)(grown, t->q);
+    struct domq_scale scale = query->scene->scale;
+    scale.h *= grown;
+    bool known = mass > 0;
+    return (struct walk_units){
+        .height = scale.h,
+        .tau = domq_scale_tau(&scale, t),
+        .energy = known ? heavier * mass * scale.g * query->scene->scale.h / 2 : heavier,
+        .energy_unit = known       ? "J"
+                       : cycle > 1 ? "mgh/2 of the first head"
+                                   : "mgh/2",
+    };
 }
 
-/* Four digits, for a narrow column. */
-static struct cell cell_angle(domq_real theta)
+/* Returns true if the train has not changed since the walk began. */
+static bool walk_is_of(const struct walk *walk, const struct scene *scene)
 {
-    struct cell cell = cell_real(theta);
-    cell.digits = 4;
-    return cell;
+    const struct domq_train *a = &walk->train, *b = &scene->train;
+    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->width == b->width &&
+#define SAME(name, member, status) a->member == b->member &&
+           DOM_DYNAMICS(SAME)
+#undef SAME
+                   a->fuel == b->fuel;
 }
 
-struct cycle_table {
+const struct walk *walk_now(const struct query *query)
+{
+    const struct walk *walk = query->walk;
+    const struct any_compute *compute = query_compute(query);
+    return walk->count > 0 && walk_is_of(walk, query->scene) && walk->tol == compute->tol &&
+                   walk->compute.precision == compute->precision
+               ? walk
+               : NULL;
+}
+
+void columns_in_joules(struct answer *a)
+{
+    for (struct column *c = answer_columns(a, a->columns); c->key; c++)
+        if (strcmp(c->unit, "mgh/2") == 0)
+            c->unit = "J";
+}
+
+void walk_columns_in(const struct query *query, struct answer *a)
+{
+    if (scene_mass(query->scene) > 0)
+        columns_in_joules(a);
+}
+
+struct measured angle_text(const struct query *query, domq_real theta, int digits)
+{
+    const struct answer_style *style = &query->state->settings.style;
+    struct measured text;
+    snprintf(text.text, sizeof text.text, "%.*g %s", digits, (double)style_angle(style, theta),
+             style_angle_unit(style));
+    return text;
+}
+
+/* ---- In words ---- */
+
+/* The data for the sentences about the current position of a walk. */
+struct place {
     const struct query *query;
+    const struct walk *walk;
+    struct domq_state state;
     struct answer *answer;
-    struct domq_angles angles;
-    struct domq_state last;
-    enum dom_status status;
+    struct walk_units units;
 };
 
-static bool cycle_row(const struct domq_state *s, const struct domq_event *event, void *context)
+static struct measured angle_at(const struct place *p, domq_real theta)
 {
-    struct cycle_table *table = context;
-    const struct query *query = table->query;
-    struct walk_units u = walk_units(query, 1);
-    /* any_chain_walk does not visit detached dominoes, which rest at theta_f. */
-    domq_real theta[] = {s->theta, table->angles.theta_f, table->angles.theta_f};
-    table->status =
-        any_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, theta);
-    if (table->status != DOM_OK)
-        return false;
-    answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
-                 cell_computed(s->time * u.tau), cell_angle(s->theta), cell_angle(theta[1]),
-                 cell_angle(theta[2]), cell_omega(s->omegasq, u.tau), cell_computed(s->kinetic * u.energy),
-                 cell_computed(s->climbed * u.energy));
-    table->last = *s;
-    return !answer_lost(table->answer);
+    return angle_text(p->query, theta, 6);
 }
 
-static const char *cycle_by(const void *context, int k)
+/* Formats an angular velocity omega as text such as "10.3 rad/s". The argument is tau^2 omega^2. */
+static struct measured omega_at(const struct place *p, domq_real omegasq)
 {
-    static const char *const names[] = {[DOM_BY_TIME] = "time", [DOM_BY_TILT] = "tilt", NULL};
-    (void)context;
-    return names[k];
+    struct measured text = angle_text(p->query, quad(sqrt)(omegasq) / p->units.tau, 6);
+    text_add(text.text, sizeof text.text, "/s");
+    return text;
 }
 
-static bool run_cycle(const struct query *query, struct answer *a, struct problem *problem)
+static struct measured energy_at(const struct place *p, domq_real energy)
 {
-    struct cycle_table table = {.query = query, .answer = a};
-    size_t rows = query->given->count > 0 ? (size_t)query->given->number[0] : 12;
-    enum dom_spacing by = query->given->count > 1 ? (enum dom_spacing)query->given->number[1] : DOM_BY_TIME;
-    walk_columns_in(query, a);
-    enum dom_status verdict = any_angles_find(&query->scene->train, &query->scene->compute, &table.angles);
-    if (verdict == DOM_OK)
-        verdict = any_cycle_walk(&query->scene->train, query_compute(query), rows, by, cycle_row, &table);
-    if (verdict == DOM_NO_FUEL)
-        return answer_row(a, (const struct cell[ANSWER_COLUMNS]){cell_word("")}, walk_no_start);
-    if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
-        return query_status(query, problem, table.status != DOM_OK ? table.status : verdict);
-    if (domq_law(&query->scene->train)->dissipates)
-        answer_detail(a, "Energy lost to %s since the launch: %.4g %s.", losses_of(&query->scene->train),
-                      (double)(table.last.friction_work * walk_units(query, 1).energy),
-                      walk_units(query, 1).energy_unit);
-    if (verdict == DOM_STOPS)
-        answer_say(a,
-                   "The train stops, because it has too little energy to keep falling; 'why' explains it.");
-    return true;
+    struct measured text;
+    snprintf(text.text, sizeof text.text, "%.6g %s", (double)(energy * p->units.energy),
+             p->units.energy_unit);
+    return text;
+}
+
+static void launch_detail(const struct place *p)
+{
+    const struct walk *w = p->walk;
+    struct domq_launch l;
+    struct domq_barrier b;
+    const enum dom_status found = any_barrier_find(&w->train, &w->compute, &b);
+    if (any_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS))
+        return;
+    answer_detail(p->answer,
+                  "Domino 1 turned at %s when it hit the head, which now turns at %s. The collision has "
+                  "taken %.4g %% of the kinetic energy; %s is left (24; c6).",
+                  omega_at(p, l.omegasq / (l.velocity_ratio * l.velocity_ratio)).text,
+                  omega_at(p, l.omegasq).text, (double)(100 * p->state.lost / p->state.before),
+                  energy_at(p, l.kinetic).text);
+    if (!domq_law(&w->train)->dissipates && w->train.rho == 0)
+        answer_detail(p->answer,
+                      "J(0) omega(0) = (J(0) - 1) omega_1(theta_c), with J(0) = %.6g, so the collision takes "
+                      "the share 1/J(0) of the energy (22; c4).",
+                      (double)l.J0);
+    if (b.theta_m == 0)
+        answer_detail(p->answer, "There is no barrier: the potential energy of the train decreases "
+                                 "from the start (26; c8).");
+    else
+        answer_detail(
+            p->answer,
+            "The train has %s of the energy that it needs to pass the top of the barrier, %s at a tilt of "
+            "%s; it %s by %s (26; c8).",
+            measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
+            angle_at(p, b.theta_m).text, b.margin >= 0 ? "clears the barrier" : "fails to clear it",
+            energy_at(p, quad(fabs)(b.margin)).text);
+}
+
+/* Prints what happens at an event, with the paper's symbols and equation numbers in the details. */
+static void event_say(const struct place *p)
+{
+    const struct walk *w = p->walk;
+    const struct domq_event *e = &w->events[w->event];
+    const struct domq_state *s = &p->state;
+    const struct walk_units next = walk_units(p->query, w->cycle + 1);
+    struct domq_barrier b;
+    char at[80];
+    snprintf(at, sizeof at, "Cycle %d, event %d of %d:", w->cycle, w->event + 1, w->count);
+    switch (e->kind) {
+    case DOM_EVENT_LAUNCH:
+        answer_say(p->answer, "%s domino 1 hits the head, which is %s tall, and all move as one train.", at,
+                   measured(p->units.height, "m", 6).text);
+        launch_detail(p);
+        break;
+    case DOM_EVENT_DETACH:
+        answer_say(p->answer, "%s domino %zu detaches from domino %zu and comes to rest.", at, e->domino,
+                   e->domino - 1);
+        answer_detail(
+            p->answer,
+            "Its leader has reached theta_leave, where the lever arm of the contact force is 0. The "
+            "detached domino and all behind it stay at theta_f and no longer push; 'thetac' shows "
+            "these tilts. They have supplied %s of the energy released since the launch.",
+            energy_at(p, 0 - s->fallen).text);
+        break;
+    case DOM_EVENT_TOP:
+        answer_say(p->answer, "%s the top of the barrier; from here on the train gains energy.", at);
+        answer_detail(p->answer,
+                      "At theta_m = %s, the tilt that is hardest to pass, the potential energy has risen by "
+                      "%s, and a kinetic energy of %s is left (26; c8).",
+                      angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
+                      energy_at(p, s->kinetic).text);
+        break;
+    case DOM_EVENT_STOP:
+        answer_say(p->answer, "%s the train stops below the top of its barrier; 'why' explains it.", at);
+        if (any_barrier_find(&w->train, &w->compute, &b) == DOM_STOPS)
+            answer_detail(p->answer,
+                          "The train stops at theta = %s, where all its kinetic energy is used up. To pass "
+                          "the top of the barrier, at theta_m = %s, it would need %s more (26; c8).",
+                          angle_at(p, s->theta).text, angle_at(p, b.theta_m).text,
+                          energy_at(p, -b.margin).text);
+        break;
+    case DOM_EVENT_HIT:
+        answer_say(p->answer, "%s the head hits the next domino, which is %s tall; 'step' begins its cycle.",
+                   at, measured(next.height, "m", 6).text);
+        answer_detail(p->answer,
+                      "The head has reached theta_c = %s (2; a2) and turns at %s. The cycle has released %s "
+                      "(25; c7) and has lasted %s. The next cycle has the same angles; its lengths are r "
+                      "times as large, and it lasts sqrt(r) times as long, %s (23; c5).",
+                      angle_at(p, s->theta).text, omega_at(p, s->omegasq).text,
+                      energy_at(p, -s->climbed).text, measured(s->time * p->units.tau, "s", 6).text,
+                      measured(s->time * next.tau, "s", 6).text);
+        break;
+    }
+}
+
+/* Prints the energies of the cycle as a sum: before - lost + gained - rubbed = kinetic. The loss is written
+ * so that the sum of the printed numbers is exact. */
+static void ledger_say(const struct place *p)
+{
+    const struct domq_state *s = &p->state;
+    const domq_real open = s->before - s->lost - s->climbed - s->friction_work - s->kinetic;
+    if (quad(fabs)(open) > 100 * p->walk->compute.tol * (s->before + quad(fabs)(s->climbed))) {
+        answer_say(p->answer,
+                   "The energies are out of balance by %.4g %s, because the paper's closed form of "
+                   "the fuel does not follow from the energy balance.",
+                   (double)(open * p->units.energy), p->units.energy_unit);
+        return;
+    }
+    const double unit = (double)p->units.energy, before = (double)s->before * unit;
+    const int decimals = (int)fmax(0, 4 - floor(log10(before))); /* five digits of the first number */
+    const double step = pow(10, decimals), gained = round(-(double)s->climbed * unit * step) / step,
+                 rubbed = round((double)s->friction_work * unit * step) / step,
+                 kinetic = round((double)s->kinetic * unit * step) / step;
+    if (!(before > 0) || decimals > 15)
+        return;
+    char change[64] = "", loss[64] = "";
+    if (gained != 0)
+        snprintf(change, sizeof change, " %c %.*f", gained < 0 ? '-' : '+', decimals, fabs(gained));
+    if (rubbed != 0)
+        snprintf(loss, sizeof loss, " - %.*f", decimals, rubbed);
+    answer_say(p->answer, "Kinetic energy, before - lost%s%s: %.*f - %.*f%s%s = %.*f %s.",
+               gained < 0   ? " - climbed"
+               : gained > 0 ? " + gained"
+                            : "",
+               *loss ? " - rubbed" : "", decimals, before, decimals,
+               round(before * step) / step + gained - rubbed - kinetic, change, loss, decimals, kinetic,
+               p->units.energy_unit);
+}
+
+static void place_say(const struct place *p)
+{
+    const struct walk *w = p->walk;
+    const struct domq_event *e = &w->events[w->event];
+    if (w->theta == e->theta) {
+        event_say(p);
+    } else {
+        answer_say(p->answer, "Cycle %d, between the %s and the %s: the train %s.", w->cycle,
+                   dom_event_text(e->kind), dom_event_text(e[1].kind),
+                   p->state.acceleration < 0 ? "slows down" : "gathers speed");
+        answer_detail(p->answer, "At theta = %s the head turns at %s (21; c3).",
+                      angle_at(p, p->state.theta).text, omega_at(p, p->state.omegasq).text);
+    }
+    ledger_say(p);
 }
 
 /* ---- step, back, goto and where ---- */
@@ -143,30 +290,24 @@ static bool walk_ready(const struct query *query, struct answer *answer, struct 
 static bool walk_answer(const struct query *query, struct answer *a, struct problem *problem,
                         const struct walk *w)
 {
-    struct domq_state s;
+    struct place p = {.query = query, .walk = w, .answer = a, .units = walk_units(query, w->cycle)};
+    const struct walk_units *u = &p.units;
+    const struct domq_state *s = &p.state;
     if (!domq_law(&w->train)->dissipates)
         answer_leave_out(a, "rubbed");
     if (w->verdict == DOM_NO_FUEL)
-        return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}}, walk_no_start);
-    if (!query_status(query, problem, any_cycle_state(&w->train, &w->compute, w->theta, &s)))
+        return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},
+                          verdict_reason(w->verdict));
+    if (!query_status(query, problem, any_cycle_state(&w->train, &w->compute, w->theta, &p.state)))
         return false;
-    struct walk_units u = walk_units(query, w->cycle);
-    walk_say(query, w, &s, a);
+    place_say(&p);
     walk_columns_in(query, a);
     answer_cells(a, cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
-                 cell_real(s.theta), cell_computed(s.time * u.tau), cell_omega(s.omegasq, u.tau),
-                 cell_computed(s.before * u.energy), cell_computed(s.lost * u.energy),
-                 cell_computed((0 - s.climbed) * u.energy), cell_computed((0 - s.fallen) * u.energy),
-                 cell_computed(s.kinetic * u.energy), cell_computed(s.climbed * u.energy),
-                 cell_computed(s.friction_work * u.energy));
-    if (w->cycle > 1 && !(scene_mass(query->scene) > 0))
-        answer_detail(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
-    domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
-    if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))
-        answer_say(a,
-                   "The energies are out of balance by %.4g %s, because the paper's closed form of "
-                   "the fuel does not follow from the energy balance.",
-                   (double)(open * u.energy), u.energy_unit);
+                 cell_real(s->theta), cell_computed(s->time * u->tau), cell_omega(s->omegasq, u->tau),
+                 cell_computed(s->before * u->energy), cell_computed(s->lost * u->energy),
+                 cell_computed((0 - s->climbed) * u->energy), cell_computed((0 - s->fallen) * u->energy),
+                 cell_computed(s->kinetic * u->energy), cell_computed(s->climbed * u->energy),
+                 cell_computed(s->friction_work * u->energy));
     return true;
 }
 
@@ -291,25 +432,6 @@ static const char *event_names(const void *context, int k)
     TRAIN_COMMAND, .in_joules = scene_has_mass, .brief = "theta t omega", .columns = walk_columns
 
 const struct command walk_commands[] = {
-    {.name = "cycle",
-     .in_joules = scene_has_mass,
-     TRAIN_COMMAND,
-     .synonyms = "table time trace",
-     .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true},
-                  {.name = "BY",
-                   .kind = ARGUMENT_CHOICE,
-                   .noun = "way to space rows",
-                   .choices = cycle_by,
-                   .optional = true}},
-     .summary = "a table of one cycle, in N equal steps of time or tilt",
-     .equation = "(12; b8) (21; c3)",
-     .help = "By default N is 12. BY is 'time', which is the default, or 'tilt'. The table also has a line "
-             "for each event. Energies are in J if 'mass' or 'density' is set.",
-     .example = "cycle 5 tilt",
-     .see = "step omega duration",
-     .rows = true,
-     .brief = "*",
-     ANSWER(cycle)},
     {.name = "step",
      WALK_COMMAND,
      .synonyms = "next walk forward",

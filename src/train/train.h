@@ -12,7 +12,7 @@ extern const struct command cycle_commands[], walk_commands[], limit_commands[],
 #define TRAIN_COMMAND .precision = PRECISION_AS_SET, .train = true
 
 /* The parts of commands that are defined outside the files of their tables. */
-extern const struct column count_columns[], why_columns[];
+extern const struct column why_columns[];
 /* Finds the largest growth with each of the two formulas for the fuel. */
 enum dom_status limits_find(struct domq_train train, const struct any_compute *compute,
                             struct domq_limit *exact, struct domq_limit *paper);
@@ -23,15 +23,17 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
 /* Returns a word for the verdict about a train: "goes on", "stops", "locks" or "no fuel". */
 struct cell verdict_cell(enum dom_status verdict);
 
+/* Returns the reason why a train with this verdict does not keep falling, or NULL for any other status. */
+const char *verdict_reason(enum dom_status verdict);
+
 /* Prints whether the train keeps falling, and its energy divided by the energy that it needs. */
 void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,
                        const struct domq_barrier *barrier);
 
-/* A method that a feature adds to those that 'cost' compares. It computes in double. `launch` may be NULL. */
+/* A method that a feature adds to those that 'cost' compares. It computes in double. */
 struct method {
     const char *name;
     double share; /* roughly the fraction of the time that the method takes, for the progress display */
-    enum dom_status (*launch)(const struct dom_train *, const struct dom_compute *, struct dom_launch *);
     enum dom_status (*barrier)(const struct dom_train *, const struct dom_compute *, struct dom_barrier *);
     enum dom_status (*duration)(const struct dom_train *, const struct dom_compute *, double *);
     enum dom_status (*rmax)(const struct dom_train *, const struct dom_compute *, struct dom_limit *);
@@ -53,9 +55,6 @@ struct walk_units {
 /* Cycles are numbered from 1. */
 struct walk_units walk_units(const struct query *query, int cycle);
 
-/* Returns true if the train has not changed since the walk began. */
-bool walk_is_of(const struct walk *walk, const struct scene *scene);
-
 /* Returns the session's walk. Returns NULL if there is no walk, or if the train or the accuracy has changed
  * since the walk began. */
 const struct walk *walk_now(const struct query *query);
@@ -65,14 +64,7 @@ void columns_in_joules(struct answer *answer);
 /* Calls columns_in_joules if the mass of the dominoes is known. */
 void walk_columns_in(const struct query *query, struct answer *answer);
 
-/* The message that no cycle begins, because falling releases no energy. */
-extern const char walk_no_start[];
-
 /* Formats an angle in the session's unit for a sentence, for example as "28.65 deg" or "0.5 rad". */
 struct measured angle_text(const struct query *query, domq_real theta, int digits);
-
-/* Prints what happens at the current position of a walk, with the paper's symbols and equation numbers. */
-void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
-              struct answer *answer);
 
 #endif

@@ -23,6 +23,26 @@ struct cell verdict_cell(enum dom_status verdict)
                                             : "no fuel");
 }
 
+const char *verdict_reason(enum dom_status verdict)
+{
+    switch (verdict) {
+    case DOM_STOPS:
+        return "the train has too little energy, and stops before the top of the barrier (26; c8); 'why' "
+               "says what to change";
+    case DOM_NO_FUEL:
+        return "falling releases no energy: the fuel P is not positive (25; c7); 'why' says what to change";
+    case DOM_LOCKS:
+        return "friction locks the collision, because the force on the struck domino passes its hinge on the "
+               "wrong side";
+    case DOM_OUT_OF_REACH:
+        return "each domino falls past the next one without touching it (r s > 1)";
+    case DOM_UNDERFLOW:
+        return "r is too large for the precision";
+    default:
+        return NULL;
+    }
+}
+
 void verdict_train_say(const struct query *query, struct answer *a, enum dom_status verdict,
                        const struct domq_barrier *b)
 {

@@ -15,7 +15,7 @@ load ../shell/common
 
 # bats test_tags=explain,engine
 @test "cost: errors are as small as requested for every method that answers, down to 1e-33 for our own method" {
-    for command in rmax barrier duration launch fuel pair; do
+    for command in rmax barrier duration pair; do
         "$DOMINO" -e "set output csv; cost $command" >cost
         same "$command" method,precision,tol,error,dominoes,passes,time,times "$(head -n 1 "$PWD/cost")"
         awk -F, -v command="$command" 'NR > 1 {
@@ -38,7 +38,7 @@ load ../shell/common
 
 @test "cost: a command without a tolerance or an answer gives a one-line error" {
     run -1 "$DOMINO" --keep-going -e 'cost thetac'
-    same thetac "-e:1:6: cost: unknown command with a tolerance 'thetac'; use one of: fuel, launch, barrier, duration, rmax, pair" "$output"
+    same thetac "-e:1:6: cost: unknown command with a tolerance 'thetac'; use one of: barrier, duration, rmax, pair" "$output"
     run -1 "$DOMINO" --keep-going -e 'cost brier'
     [[ $output == *"did you mean 'barrier'?"* ]]
     run -1 "$DOMINO" --keep-going -e 'cost'
@@ -48,6 +48,6 @@ load ../shell/common
         same "$state" 1 "${#lines[@]}"
         [[ $output == *'there is no answer to measure here'* ]]
     done
-    run -1 "$DOMINO" --keep-going -e 'set r 9; cost launch'
+    run -1 "$DOMINO" --keep-going -e 'set r 9; cost barrier'
     [[ $output == *'r s = 3.6 > 1'* ]]
 }

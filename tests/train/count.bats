@@ -32,9 +32,9 @@ END
 # bats test_tags=rows
 @test "count 112 answers the quiz in the words of the quiz" {
     same 'count 112' '20 solid dominoes, each 1.5 times as large as the one before, with gaps of 0.4 times the height, topple one that is 112 m tall. Such a row falls.
-Hollow dominoes can each be 2.04 times as large as the one before: then 11 are enough.' "$("$DOMINO" -e 'count 112')"
+Solid dominoes can each be 1.59 times as large as the one before: then 17 are enough.' "$("$DOMINO" -e 'count 112')"
     answer=$("$DOMINO" -e 'count 112 details')
-    for words in '^The 20th domino is 106\.4 m tall; it could topple a domino up to 159\.6 m tall' '^last_height  *159\.612 m '; do
+    for words in '^Domino 20 is 106\.4 m tall; it could topple a domino up to 159\.6 m tall' '^last_height  *159\.612 m '; do
         grep -q "$words" <<<"$answer" || same 'count 112' "$words" "$answer"
     done
     # The toppled domino is r times as tall as the last of the 20.
@@ -45,10 +45,6 @@ Hollow dominoes can each be 2.04 times as large as the one before: then 11 are e
     for words in '^12 solid dominoes, .* would be needed .* Such a row does not fall\.$' \
         '^Solid dominoes can each be 1\.59 times as large as the one before: then 17 are enough\.$' 'not possible at s = 0\.4 with solid dominoes: the train has too little energy'; do
         grep -q "$words" <<<"$answer" || same 'count 112 2' "$words" "$answer"
-    done
-    for pair in '0.05|The first domino is 4.8 cm tall' '0.1|The 2nd domino' '0.15|The 3rd domino' '0.2|The 4th domino' \
-        '4|The 11th domino' '6|The 12th domino' '9|The 13th domino' '200|The 21st domino'; do
-        [[ $("$DOMINO" -e "count ${pair%|*} details") == *"${pair#*|}"* ]] || same "$pair" "${pair#*|}" "$("$DOMINO" -e "count ${pair%|*} details")"
     done
     same 'tall enough' 'No other domino is needed: the first is already 4.8 cm tall.' "$("$DOMINO" -e 'count 1 cm')"
     # A train that misses the next domino is also a "no", and the number is still printed.
@@ -107,7 +103,7 @@ END
     done
     answer=$("$DOMINO" -e 'set q hollow; set s 0.1; count 112 m 1.2 details')
     grep -q 'ends at domino 1: the first domino touches the second before it tips over' <<<"$answer"
-    grep -q '^With these gaps no row of such dominoes starts by itself\.$' <<<"$answer"
+    grep -q '^With these gaps no row of such dominoes starts if its first domino just tips over\.$' <<<"$answer"
     # The largest growth at which a row starts agrees with 'rowmax', and json has the reason.
     close r_start "$(json 'effect row 24; rowmax' | values r_max)" "$(json 'count 112' | values r_start)" 1e-8
     json 'count 112 m 1.64' | grep -q '"reason":"if its first domino just tips over, the fall ends at domino 2'

@@ -13,9 +13,7 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
     struct domq_barrier b = {.stop = DOMQ_NAN};
     enum dom_status status = any_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
-        return problem_error(problem,
-                             "no domino effect: the fuel P is not positive, so nothing moves; 'fuel' "
-                             "explains why, and 'rmax' shows how large r may be");
+        return problem_error(problem, "%s", verdict_reason(status));
     if (status == DOM_STOPS)
         status = any_barrier_find(&query->scene->train, &query->scene->compute, &b);
     if (status != DOM_OK && status != DOM_STOPS)
