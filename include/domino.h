@@ -24,14 +24,13 @@
  * it. They have the numbers 1, 2, ..., counted backwards from the head.
  *
  * Statuses: a function that can fail returns a status. DOM_BAD_... names the parameter that is outside its
- * range. With any status other than DOM_OK, the result is not written, unless the comment of the function
- * says otherwise.
+ * range. With any status but DOM_OK, the result is not written, unless the function's comment says otherwise.
  *
  * Precision: the functions in this header compute in double. <domino_float.h> and <domino_quad.h> declare
- * its functions, structures and macros again, except those at its end, for float and for the widest
- * floating-point type of the machine. Their names begin with domf_ and domq_ instead of dom_. The widest type
- * is __float128 if the machine has it, otherwise long double. If that is no wider than double, the functions
- * return DOM_NO_PRECISION.
+ * its functions, structures and macros again, for float and for the widest floating-point type of the
+ * machine. Their names begin with domf_ and domq_ instead of dom_. The widest type is __float128 if the
+ * machine has it, otherwise long double. If that is no wider than double, the functions return
+ * DOM_NO_PRECISION.
  *
  * Errors: to learn how accurate a number is, compute it again with a function of <domino_quad.h> and the
  * tolerance 1e-30. The two numbers differ by the error of the first one.
@@ -59,7 +58,7 @@ extern "C" {
 /* The version of this header. */
 #define DOM_VERSION "2.0"
 
-/* Returns the version of the library. A shared library may be newer than this header. */
+/* Returns the version of the library, which may be newer than this header. */
 const char *dom_version(void);
 
 /* ==== From here on everything is also in <domino_float.h> and <domino_quad.h> ==== */
@@ -90,20 +89,17 @@ dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 /*
  * A self-similar train. Start from dom_train_default() and change the members that differ. These are the
  * effects of DOM_DYNAMICS, which are off at 0:
- * - mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. The equation of motion is
- *   then solved in place of equations (21; c3) and (24; c6).
+ * - mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST.
  * - alpha: the slope of the floor in radians, -1.5 ... 1.5, positive if the floor slopes down in the
  *   direction of the train. DOM_NO_STAND if no domino can stand upright on that slope.
- * - walls: the thickness of the walls of hollow boxes divided by the height, 1e-9 ... 1. Walls increase tau
- *   and the friction that the floor must supply, and nothing else. The width counts only together with walls
- *   or air. DOM_NO_ROOM if the walls do not fit.
+ * - walls: the thickness of the walls of hollow boxes divided by the height, 1e-9 ... 1. The width counts
+ *   only together with walls or air. DOM_NO_ROOM if the walls do not fit.
  * - rho: the radius of the edges divided by the height, 0 ... 0.49. DOM_NO_ROUND if rho is more than d/2.
- * - air: the density of the air divided by that of the dominoes, 0 ... 100. Air brakes dominoes and adds to
- *   their inertia, and so to tau. DOM_NO_AIR unless q is 4, because other trains are not self-similar in air.
- *   drag is the drag coefficient, 0.001 ... 100, where 0 stands for 1.2.
+ * - air: the density of the air divided by that of the dominoes, 0 ... 100. DOM_NO_AIR unless q is 4,
+ *   because other trains are not self-similar in air. drag is the drag coefficient, 0.001 ... 100, where 0
+ *   stands for 1.2.
  *
- * If mu, alpha, rho or air is not 0, the status is DOM_NO_METHOD for DOM_FUEL_PAPER if the answer depends on
- * the fuel.
+ * With mu, alpha, rho or air, answers that depend on the fuel return DOM_NO_METHOD for DOM_FUEL_PAPER.
  */
 struct dom_train {
     dom_real s, r, d, q, width; /* see DOM_TRAIN_PARAMETERS */
@@ -263,23 +259,18 @@ struct dom_barrier {
     dom_real stop;
 };
 
-/*
- * Determines whether the train keeps falling. The status is the verdict:
+/* Determines whether the train keeps falling. The status is the verdict:
  * - DOM_OK: the train keeps falling (margin >= 0).
  * - DOM_STOPS: the train stops. All members are written.
  * - DOM_NO_FUEL: a cycle releases no energy. Only theta_m and barrier are computed.
- *
- * All functions that compute a cycle give the same verdict. If the tolerance is too coarse for it, they
- * compute with a finer one.
- */
+ * All functions that compute a cycle give the same verdict, with a finer tolerance if that needs one. */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
 
 /* ---- One cycle ---- */
 
-/* Finds tau^2 omega(theta)^2, the square of the angular velocity of the head when it leans at theta
- * (21; c3). It is NaN unless the status is DOM_OK. The status is DOM_NO_FUEL if there is no cycle, and
- * DOM_STOPS if the train stops before theta. */
+/* Finds tau^2 omega^2 of the head at theta (21; c3), or NaN. The status is DOM_NO_FUEL if there is no cycle,
+ * and DOM_STOPS if the train stops before theta. */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, dom_real *omegasq);
 
@@ -360,19 +351,13 @@ struct dom_limit {
     dom_real open; /* with DOM_OPEN, a growth below r_max that may be the limit; otherwise NaN */
 };
 
-/*
- * Finds the largest growth of a train: the first growth r >= 1 at which the margin falls to 0, or
+/* Finds the largest growth of a train: the first growth r >= 1 at which the margin falls to 0, or
  * dom_train_reach if there is none. If even equal dominoes do not keep falling, the status is DOM_OK and
- * `ends` is DOM_END_NONE. Does not use train->r.
- *
- * The margin can dip below 0 and rise again. The search samples the margin, with more samples where it is
- * curved, and finds the minimum of each dip. Only a dip that leaves no trace in the samples can be missed. If
- * rounding errors hide the sign of a minimum, even in quad precision, the status is DOM_OPEN. The largest
- * growth is then either `open`, the growth of this minimum, or `r_max`, a later root.
- *
- * This function and the next two return DOM_TOO_LONG if the computation would take more than a second or two
- * in double precision.
- */
+ * `ends` is DOM_END_NONE. Does not use train->r. Only a dip of the margin that leaves no trace in the samples
+ * of the search can be missed. If rounding errors hide the sign of a minimum, even in quad precision, the
+ * status is DOM_OPEN: the largest growth is then either `open`, the growth of this minimum, or `r_max`, a
+ * later root. This function and the next two return DOM_TOO_LONG if the computation would take more than a
+ * second or two in double precision. */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
@@ -392,9 +377,8 @@ struct dom_best {
 };
 
 /* Finds the separation that allows the largest growth. Does not use train->s and train->r. The status is
- * DOM_NO_GROWTH if no separation allows r > 1. The search samples r_max(s), with more samples where a larger
- * value may hide between two of them. Often r_max jumps at the best separation, because a dip of the margin
- * touches 0 there. Then s is on the side of the jump where the train passes the dip. */
+ * DOM_NO_GROWTH if no separation allows r > 1. Often r_max jumps at the best separation, because a dip of the
+ * margin touches 0 there. Then s is on the side of the jump where the train passes the dip. */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
 
@@ -437,16 +421,14 @@ extern const struct dom_effect dom_effect_friction, dom_effect_slope, dom_effect
     dom_effect_placement, dom_effect_floor;
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
-/* Returns the first effect that is on in a train and changes anything besides tau, or NULL if there is
- * none. */
+/* Returns the first effect that is on in a train and changes anything besides tau, or NULL. */
 const struct dom_effect *dom_first_effect(const struct dom_train *train);
 
 /* The two laws of motion. With dom_energy_balance, energy is conserved between collisions. With
  * dom_equation_of_motion, dominoes lose energy while they move. */
 extern const struct dom_effect dom_energy_balance, dom_equation_of_motion;
 
-/* Returns the law of motion of a train: dom_equation_of_motion if an effect that dissipates energy is on,
- * otherwise dom_energy_balance. */
+/* Returns the law of motion of a train. */
 const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
@@ -479,77 +461,12 @@ struct dom_count {
     dom_real last;  /* first * r^n, in the unit of `first`; NaN if n is infinite */
 };
 
-/*
- * Finds how many dominoes it takes to topple one that is at least `height` tall, if the first domino has the
- * height `first`, in the same unit, and each is r times as tall as the one before.
- *
- * Because of rounding, first * r^n counts as equal to `height` if the two differ by at most 2 + n/2 units in
- * the last place, and their relative difference is at most a millionth of ln r.
- *
- * The status is DOM_BAD_HEIGHT if a height is not a finite number > 0, or if n or height / first is too large
- * or too small for the precision. It is DOM_BAD_R if r is not a finite number >= 1.
- */
+/* Finds how many dominoes it takes to topple one that is at least `height` tall, if the first domino has the
+ * height `first`, in the same unit, and each is r times as tall as the one before. first * r^n counts as
+ * equal to `height` if the two differ by at most 2 + n/2 units in the last place, and relatively by at most a
+ * millionth of ln r. The status is DOM_BAD_HEIGHT if a height is not a finite number > 0, or if n or height /
+ * first is too large or too small for the precision, and DOM_BAD_R if r is not a finite number >= 1. */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count);
-
-/* ==== From here on everything exists only in double, with dom_ ==== */
-
-/* ---- Forces of a cycle ---- */
-
-/* The contact force and the impulse between domino i and its follower. The two stay in contact while the
- * force is > 0 (section 5 of the paper). */
-struct dom_force {
-    size_t i;
-    /* contact force divided by the weight m g of the head; NaN if domino i has no follower */
-    double force;
-    double per_weight; /* the force divided by the weight of domino i */
-    double impulse;    /* impulse of the collision, divided by the head's m g tau; NaN if theta > 0 */
-};
-
-/* Visits the dominoes from the head to the last that contributes, while the head leans at theta. The statuses
- * are those of dom_cycle_state. */
-typedef bool dom_force_visit(const struct dom_force *force, void *context);
-enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
-                                 double theta, dom_force_visit *visit, void *context);
-
-/* The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z, where R is
- * the force of the floor on a foot. It is infinite if a domino would be lifted off the floor. */
-struct dom_floor {
-    double motion, theta; /* the coefficient during the motion, and the tilt of the head */
-    size_t domino;        /* the domino whose foot needs it, 0 = head */
-    double hit;           /* the coefficient in the collision, where R is an impulse */
-    size_t hit_domino;    /* the domino whose foot needs it */
-};
-
-/* Finds the friction that the floor needs during the cycle, or until the train stops. Dominoes slower than a
- * thousandth of the speed of the head are left out. Where |R_x| / R_z is smooth around its maximum, the
- * relative error is at most a millionth. The status is DOM_NO_FUEL if there is no cycle. */
-enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
-                                struct dom_floor *floor);
-
-/* ---- Many trains at once ---- */
-
-/* The questions that dom_trains_ask can ask, each with the function that answers it for one train. */
-enum dom_question {
-    DOM_ASK_ANGLES,   /* dom_angles_find fills a struct dom_angles */
-    DOM_ASK_CONTACT,  /* dom_contact_find fills a struct dom_contact; needs a tilt */
-    DOM_ASK_ENERGY,   /* dom_energy_find fills a struct dom_energy; needs a tilt */
-    DOM_ASK_FUEL,     /* dom_fuel_find fills a struct dom_fuels */
-    DOM_ASK_LAUNCH,   /* dom_launch_find fills a struct dom_launch */
-    DOM_ASK_BARRIER,  /* dom_barrier_find fills a struct dom_barrier */
-    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq fills a double; needs a tilt */
-    DOM_ASK_DURATION, /* dom_cycle_duration fills a double */
-    DOM_ASK_RMAX,     /* dom_limit_rmax fills a struct dom_limit */
-    DOM_ASK_PAIR,     /* dom_limit_pair fills a struct dom_limit */
-    DOM_ASK_BEST      /* dom_limit_best fills a struct dom_best */
-};
-
-/* Answers the same question about `count` trains, so that slow languages such as Python need no loop.
- * `answers` is an array of the type that enum dom_question names, and `statuses` has a status for each train.
- * `tilts` may be NULL if the question needs no tilt. Returns DOM_OK, or DOM_NO_METHOD if the question is not
- * in the enumeration. After an interrupt, returns DOM_INTERRUPTED, also for all remaining trains. */
-enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
-                               const double *tilts, size_t count, const struct dom_compute *compute,
-                               void *answers, enum dom_status *statuses);
 
 #ifdef __cplusplus
 }

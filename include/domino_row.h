@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finite rows of dominoes of any sizes, and how they fall. <domino_study.h> has more questions about rows,
- * and <domino.h> the introduction. */
+/* Finite rows of dominoes of any sizes, how they fall, and forces. <domino_study.h> has more questions about
+ * rows, and <domino.h> the introduction. */
 #ifndef DOMINO_ROW_H
 #define DOMINO_ROW_H
 
@@ -144,6 +144,41 @@ struct dom_engine {
     dom_row_runner *run;
     void *context;
 };
+
+/* ---- Forces in the cycle of a train ---- */
+
+/* The contact force and the impulse between domino i and its follower. The two stay in contact while the
+ * force is > 0 (section 5 of the paper). */
+struct dom_force {
+    size_t i;
+    /* contact force divided by the weight m g of the head; NaN if domino i has no follower */
+    double force;
+    double per_weight; /* the force divided by the weight of domino i */
+    double impulse;    /* impulse of the collision, divided by the head's m g tau; NaN if theta > 0 */
+};
+
+/* Visits the dominoes from the head to the last that contributes, while the head leans at theta. The statuses
+ * are those of dom_cycle_state. */
+typedef bool dom_force_visit(const struct dom_force *force, void *context);
+enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
+                                 double theta, dom_force_visit *visit, void *context);
+
+/* The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z, where R is
+ * the force of the floor on a foot. It is infinite if a domino would be lifted off the floor. */
+struct dom_floor {
+    double motion, theta; /* the coefficient during the motion, and the tilt of the head */
+    size_t domino;        /* the domino whose foot needs it, 0 = head */
+    double hit;           /* the coefficient in the collision, where R is an impulse */
+    size_t hit_domino;    /* the domino whose foot needs it */
+};
+
+/* Finds the friction that the floor needs during the cycle, or until the train stops. Dominoes slower than a
+ * thousandth of the speed of the head are left out. Where |R_x| / R_z is smooth around its maximum, the
+ * relative error is at most a millionth. The status is DOM_NO_FUEL if there is no cycle. */
+enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_floor *floor);
+
+/* ---- Rows ---- */
 
 /* The state of a row at one moment. */
 struct dom_moment {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Studies of rows, in double: how to mend a row that stops, how precisely a row must be set up, how reliably
- * it falls, and how to design one. */
+/* Many trains at once, and studies of rows, in double: how to mend a row that stops, how precisely a row must
+ * be set up, how reliably it falls, and how to design one. */
 #ifndef DOMINO_STUDY_H
 #define DOMINO_STUDY_H
 
@@ -13,6 +13,31 @@ extern "C" {
 /* A callback that reports the progress of a long computation: `done` parts of `of` are complete. It may be
  * NULL. */
 typedef void dom_progress(size_t done, size_t of, void *context);
+
+/* ---- Many trains at once ---- */
+
+/* The questions that dom_trains_ask can ask, each with the function that answers it for one train. */
+enum dom_question {
+    DOM_ASK_ANGLES,   /* dom_angles_find fills a struct dom_angles */
+    DOM_ASK_CONTACT,  /* dom_contact_find fills a struct dom_contact; needs a tilt */
+    DOM_ASK_ENERGY,   /* dom_energy_find fills a struct dom_energy; needs a tilt */
+    DOM_ASK_FUEL,     /* dom_fuel_find fills a struct dom_fuels */
+    DOM_ASK_LAUNCH,   /* dom_launch_find fills a struct dom_launch */
+    DOM_ASK_BARRIER,  /* dom_barrier_find fills a struct dom_barrier */
+    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq fills a double; needs a tilt */
+    DOM_ASK_DURATION, /* dom_cycle_duration fills a double */
+    DOM_ASK_RMAX,     /* dom_limit_rmax fills a struct dom_limit */
+    DOM_ASK_PAIR,     /* dom_limit_pair fills a struct dom_limit */
+    DOM_ASK_BEST      /* dom_limit_best fills a struct dom_best */
+};
+
+/* Answers the same question about `count` trains, so that slow languages such as Python need no loop.
+ * `answers` is an array of the type that enum dom_question names, and `statuses` has a status for each train.
+ * `tilts` may be NULL if the question needs no tilt. Returns DOM_OK, or DOM_NO_METHOD if the question is not
+ * in the enumeration. After an interrupt, returns DOM_INTERRUPTED, also for all remaining trains. */
+enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
+                               const double *tilts, size_t count, const struct dom_compute *compute,
+                               void *answers, enum dom_status *statuses);
 
 /* ---- The largest growth ---- */
 

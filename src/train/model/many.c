@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The same question about many trains. */
-#include "geometry/request.h"
+#pragma GCC visibility push(default) /* precision/shared.awk */
+#include "domino_study.h"
+#pragma GCC visibility pop
+#include "numerics/interrupt.h"
 
 /* X(QUESTION, function, structure), and AT for the questions that need a tilt. */
 #define QUESTIONS(X, AT)                                                                                     \
