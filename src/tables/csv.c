@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tables/csv.h"
-#include "interpreter/feature.h"
 #include "io/escape.h"
-#include "io/io.h"
 #include "language/text.h"
 #include "language/units.h"
 #include <ctype.h>
@@ -193,39 +191,23 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
     return good && !empty;
 }
 
-/* ---- Files ---- */
+/* ---- Decimal marks ---- */
 
-struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
-                            const char *name, const struct csv_kind *kind, struct problem *problem)
+bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
 {
-    const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
-    char *path = path_beside(run_context, name);
-    FILE *in = path ? io_open_read(path, interrupt) : NULL;
-    struct csv_table *csv = in ? csv_open(in, path, kind) : NULL;
-    if (csv)
-        csv->interrupt = interrupt;
-    else
-        problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
-    if (in)
-        fclose(in);
-    if (!csv)
-        free(path);
-    else if (*csv->file.problem.text && !csv_end(csv, problem))
-        csv = NULL;
-    return csv;
-}
-
-bool csv_end(struct csv_table *csv, struct problem *problem)
-{
-    bool good = csv && *csv->file.problem.text == '\0';
-    if (csv && !good) {
-        const char *path = strlen(csv->path) < 256 ? csv->path : names_shown(csv->path);
-        problem_error(problem, "%s:%ld:%d: %s", path, csv->file.problem.at.line, csv->file.problem.at.column,
-                      csv->file.problem.text);
+    int depth = 0;
+    for (char *c = text; *c && file->separator != ','; c++) {
+        depth += (*c == '(') - (*c == ')');
+        /* Inside parentheses, a comma separates the arguments of a function. */
+        if (!isdigit((unsigned char)c[1]) || !(*c == '.' || (*c == ',' && depth == 0)))
+            continue;
+        if (file->mark && file->mark != *c)
+            return csv_wrong(file, at,
+                             "this number has a decimal %s, but a number above has a %s; write all numbers "
+                             "with the same mark, and without marks between thousands",
+                             *c == ',' ? "comma" : "point", *c == ',' ? "point" : "comma");
+        file->mark = *c;
+        *c = '.';
     }
-    csv_close(csv);
-    return good;
+    return true;
 }
-
-/* Other features take rows and measurements from tables. */
-const struct feature tables_feature = {.name = "tables"};

@@ -79,6 +79,11 @@ bool csv_read(struct csv_file *file, struct csv_record *record);
 /* Returns the name that messages use for the separator: "','", "';'" or "tab". */
 const char *csv_separator_name(const struct csv_file *file);
 
+/* Replaces the decimal commas in the text of a cell by points. In a file whose separator is ',' there are
+ * none. All numbers of a file must have the same decimal mark, so that a mark between thousands is an error.
+ */
+bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
+
 /* ---- Kinds of tables ---- */
 
 /* CSV_COLUMNS_MOST is the maximum number of columns that a kind of table knows. A file may also have unknown

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/feature.h"
 #include "interpreter/reader.h"
 #include "io/escape.h"
+#include "io/io.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "language/units.h"
 #include "tables/csv.h"
 #include <ctype.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -293,28 +296,6 @@ void csv_close(struct csv_table *csv)
 
 /* ---- Numbers ---- */
 
-/* Replaces the decimal commas in the text of a cell by points. In a file whose separator is ',' there are
- * none. All numbers of a file must have the same decimal mark, so that a mark between thousands is an error.
- */
-static bool marks_read(struct csv_file *file, struct csv_place at, char *text)
-{
-    int depth = 0;
-    for (char *c = text; *c && file->separator != ','; c++) {
-        depth += (*c == '(') - (*c == ')');
-        /* Inside parentheses, a comma separates the arguments of a function. */
-        if (!isdigit((unsigned char)c[1]) || !(*c == '.' || (*c == ',' && depth == 0)))
-            continue;
-        if (file->mark && file->mark != *c)
-            return csv_wrong(file, at,
-                             "this number has a decimal %s, but a number above has a %s; write all numbers "
-                             "with the same mark, and without marks between thousands",
-                             *c == ',' ? "comma" : "point", *c == ',' ? "point" : "comma");
-        file->mark = *c;
-        *c = '.';
-    }
-    return true;
-}
-
 /* Evaluates a string that must be a single expression without names. Returns false if there is an error, or
  * if more text follows the expression. In the second case, error->text is empty. */
 static bool constant_read(const char *text, struct quantity *q, struct problem *error)
@@ -357,14 +338,11 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     const domq_real in_head = csv->unit[csv->column[k] - 1],
                     unit = in_head > 0 && !percent ? in_head : *c->unit == '\0' || (c->traits & CSV_BARE);
     /* The number cannot be read as if it were in m, because a file with heights of 48 is probably in mm. */
-    char here[64] = "";
     shown = names_shown(text->line);
-    if (*c->unit == 'm')
-        snprintf(here, sizeof here, ", or '%.40s %s' in the cell", shown, c->usual);
     if (bare && unit == 0 && q.value != 0)
         return csv_wrong(&csv->file, cell,
-                         "%s has no unit: '%s' would mean %s %s; write '%s (%s)' in the first line%s",
-                         c->name, shown, shown, c->unit, c->name, c->usual, here);
+                         "%s has no unit: '%s' would mean %s %s; write '%s (%s)' in the first line", c->name,
+                         shown, shown, c->unit, c->name, c->usual);
     csv->value[k] = bare ? q.value * unit : q.value;
     return true;
 }
@@ -405,15 +383,11 @@ static bool cell_read(struct csv_table *csv, int k)
     csv->value[k] = DOMQ_NAN;
     if (csv->column[k] == 0 || (is_empty(typed) && (unused || c->traits & CSV_EMPTY)))
         return true;
-    if (csv->column[k] > csv->row.cells)
-        return csv_wrong(&csv->file, csv->row.at,
-                         "too few cells: %d, but the first line has %d; the separator is %s", csv->row.cells,
-                         csv->head.cells, csv_separator_name(&csv->file));
     if (is_empty(typed))
         return csv_wrong(&csv->file, csv_cell(csv, k).at, "%s is missing; %s", c->name, c->advice);
     if (!text_make(&text, typed, strlen(typed)))
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
-    bool good = marks_read(&csv->file, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
+    bool good = csv_marks_read(&csv->file, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
                 (unused || csv_check(csv, k, csv->value[k]));
     text_free(&text);
     return good;
@@ -485,3 +459,40 @@ void csv_write_others(const struct csv_table *csv, bool names, FILE *out)
             csv_write(out, i < record->cells ? record->cell[i].text : "", ",;\t\"\n#");
         }
 }
+
+/* ---- Files ---- */
+
+struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
+                            const char *name, const struct csv_kind *kind, struct problem *problem)
+{
+    const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
+    char *path = path_beside(run_context, name);
+    FILE *in = path ? io_open_read(path, interrupt) : NULL;
+    struct csv_table *csv = in ? csv_open(in, path, kind) : NULL;
+    if (csv)
+        csv->interrupt = interrupt;
+    else
+        problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
+    if (in)
+        fclose(in);
+    if (!csv)
+        free(path);
+    else if (*csv->file.problem.text && !csv_end(csv, problem))
+        csv = NULL;
+    return csv;
+}
+
+bool csv_end(struct csv_table *csv, struct problem *problem)
+{
+    bool good = csv && *csv->file.problem.text == '\0';
+    if (csv && !good) {
+        const char *path = strlen(csv->path) < 256 ? csv->path : names_shown(csv->path);
+        problem_error(problem, "%s:%ld:%d: %s", path, csv->file.problem.at.line, csv->file.problem.at.column,
+                      csv->file.problem.text);
+    }
+    csv_close(csv);
+    return good;
+}
+
+/* Other features take rows and measurements from tables. */
+const struct feature tables_feature = {.name = "tables"};

@@ -129,9 +129,7 @@ TEST(decimal_marks)
 TEST(units)
 {
     static const struct reading cases[] = {
-        {"size,gap\n1,2",
-         "2:1: size has no unit: '1' would mean 1 m; write 'size (mm)' in the first line, or '1 mm' "
-         "in the cell"},
+        {"size,gap\n1,2", "2:1: size has no unit: '1' would mean 1 m; write 'size (mm)' in the first line"},
         {"size,gap\n1 mm,0", "0.001 0 - ; "},
         {"size (g),gap\n", "1:1: '(g)' is not a unit of size; its units are: m, mm"},
         {"size (mm,gap\n1,2 m", "0.001 2 - ; "},
@@ -163,7 +161,7 @@ TEST(names)
         {"size m,gap m,count\n1,2,1.5", "2:5: count = 1.5 is not a whole number"},
         {"size m,gap m,count\n1,-2,1\n1,-2,1",
          "1 -2 1 ; 3:3: gap = -2 m is negative; the range of gap is up to 1000 m"},
-        {"size m,gap m,count\n1,2\n1", "1 2 - ; 3:1: too few cells: 1, but the first line has 3"},
+        {"size m,gap m,count\n1,2\n1", "1 2 - ; 3:1: gap is missing; write a length"},
         {"size m,gap m,count\n1,,\n-,", "1 - - ; 3:1: size is missing; write a length"},
         {"size m,gap m\n1,1\n1,1\n1,1\n1,1\n", "1 1 - ; 1 1 - ; 1 1 - ; 5:1: there are more than 3 things"},
     };
