@@ -8,8 +8,8 @@
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
  *     time (s)                       when dominoes are hit, as a microphone hears some of them
  *
- * fit_answer.c reads the file and writes the answer, fit_sound.c numbers the hits of a sound, fit_solve.c
- * finds the smallest sum of squares, and pictures/fit_chart.c draws it.
+ * fit_data.c reads the file and numbers the hits of a sound, fit_solve.c finds the smallest sum of squares,
+ * and fit_answer.c writes the answer.
  */
 #ifndef FIT_H
 #define FIT_H
@@ -96,18 +96,21 @@ static inline bool fit_is_first(const struct fit *fit, size_t k)
 bool fit_row(struct fit *fit, const double *value, const struct fit_run *run, size_t dominoes,
              struct row_run *row);
 
-/* Numbers the dominoes of all hits that have no number. */
+/* Reports that a measured domino, as `what` says, is beyond the end of the row, or of its fall. Returns
+ * false. */
+bool fit_ends(struct problem *problem, const char *what, const struct domq_verdict *verdict);
+
+/* Reads the measurements, whose arrays the caller frees, even after a failure. `rate` is in frames per
+ * second, or NaN if it is not known. */
+bool fit_read(const struct query *query, const char *name, double rate, struct fit_data *data,
+              struct problem *problem);
+
+/* Numbers the dominoes of all hits that have no number. A recording has the times of hits, but not the
+ * dominoes, and may lack some hits. */
 bool fit_number(struct fit *fit, struct problem *problem);
 
 /* Finds the values of the unknowns for which the sum of squares is smallest. Also finds their standard
  * deviations and correlations. */
 bool fit_solve(struct fit *fit, struct problem *problem);
-
-/* Fits the parameters that the query names. Call fit_free afterwards, even after a failure. */
-bool fit_make(const struct query *query, struct fit *fit, struct problem *problem);
-void fit_free(struct fit *fit);
-
-/* Answers the command. */
-bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

@@ -4,7 +4,6 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "sweeps/sweeps.h"
-#include "tables/csv.h"
 #include <gsl/gsl_cdf.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,199 +22,6 @@ static bool fit_parse(struct reader *r, struct question *q)
            problem_error(r->problem, "a comma is missing before '%s', as in 'fit friction, push FILE'", name);
 }
 
-/* ---- The file ---- */
-
-enum { POINTS_MOST = 20000 };
-
-/* The columns of both kinds of files, and then those that only files of times have. */
-enum { GAP, PITCH, MEASURED, ERROR, SHARE, DOMINO, DOMINOES, FRAME, RATE, RUN };
-
-#define SPEED             "m/s", "m/s, cm/s, mm/s, ft/s", "m/s", "write a speed such as 1.3 m/s"
-#define TIME              "s", "s, ms", "s", "write a time such as 0.12 s"
-#define PLAIN             "", "none", "", "write a plain number"
-#define PERCENT           "", "%", "%", "write a percentage such as 5 %", CSV_ABOVE_0, 1, "more than 0, up to 100 %"
-#define FRAMES            "", "none", "", "write the number of frames per second, such as 240"
-#define LENGTH            CSV_LENGTH, "write a length such as 9 mm", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"
-#define UP_TO(most, unit) CSV_ABOVE_0, most, "more than 0, up to " #most unit
-
-static const struct csv_column speed_columns[] = {
-    [GAP] = {"gap", CSV_REQUIRED | CSV_ONE_OF_2, LENGTH},
-    [PITCH] = {"pitch", CSV_ONE_OF_2, LENGTH},
-    [MEASURED] = {"speed", CSV_REQUIRED | CSV_REPEATED, SPEED, UP_TO(3e8, " m/s")},
-    [ERROR] = {"error", CSV_EMPTY | CSV_ONE_OF_3, SPEED, UP_TO(3e8, " m/s")},
-    [SHARE] = {"error %", CSV_EMPTY | CSV_ONE_OF_3, PERCENT},
-};
-static const struct csv_column time_columns[] = {
-    [GAP] = {"gap", CSV_ONE_OF_2, LENGTH},
-    [PITCH] = {"pitch", CSV_ONE_OF_2, LENGTH},
-    [MEASURED] = {"time", CSV_REQUIRED | CSV_ONE_OF | CSV_EMPTY | CSV_BARE | CSV_REPEATED, TIME, -1e9, 1e9,
-                  "-1e9 .. 1e9 s"},
-    [ERROR] = {"error", CSV_EMPTY | CSV_ONE_OF_3, TIME, UP_TO(1e9, " s")},
-    [SHARE] = {"error %", CSV_EMPTY | CSV_ONE_OF_3, PERCENT},
-    [DOMINO] = {"domino", CSV_WHOLE | CSV_EMPTY, PLAIN, 1, 1e6, "1 .. 1e6"},
-    [DOMINOES] = {"dominoes", CSV_WHOLE, PLAIN, 2, 1e5, "2 .. 100000"},
-    [FRAME] = {"frame", CSV_ONE_OF | CSV_EMPTY, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"},
-    [RATE] = {"rate", 0, FRAMES, UP_TO(1e9, "")},
-    [RUN] = {"run", 0, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"},
-};
-
-static const struct csv_kind times = {
-    .column = time_columns,
-    .columns = sizeof time_columns / sizeof *time_columns,
-    .rows_most = POINTS_MOST,
-    .item = "measurement",
-    .items = "measurements",
-    .names = "domino, time (s) or frame, and, if needed, rate, run, gap (mm), error (s)",
-    .example = "domino, time (s)",
-};
-static const struct csv_kind speeds = {
-    .column = speed_columns,
-    .columns = sizeof speed_columns / sizeof *speed_columns,
-    .rows_most = POINTS_MOST,
-    .item = "measured row",
-    .items = "speeds",
-    .names = "gap (mm), speed (m/s), and, if known, error (m/s); or gap (mm), dominoes, time (s); or domino, "
-             "time (s); or, for the hits of a sound, only time (s)",
-    .example = "gap (mm), speed (m/s)",
-    .otherwise = &times,
-};
-
-/* Adds a measurement to the last run or, if the row of the file has another number of a run, to a new run. */
-static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_point point)
-{
-    const double number = csv->column[RUN] ? (double)csv->value[RUN] : 1,
-                 gap = fit_has_rows(d) ? (double)NAN : point.gap;
-    const bool known = point.error > 0;
-    bool is_new = true;
-    if (d->points > 0 && known != d->has_errors)
-        return csv_wrong(&csv->file, csv_cell(csv, csv->column[SHARE] ? SHARE : ERROR).at,
-                         "some %s have an error and some have none; give an error to all of them, or to none",
-                         csv->kind->items);
-    for (size_t k = 0; k < d->runs && is_new; k++) {
-        is_new = d->run[k].number != number;
-        if (!is_new && k + 1 < d->runs)
-            return csv_wrong(&csv->file, csv_cell(csv, RUN).at,
-                             "the lines of run %g are interrupted by another run; put them together", number);
-        if (!is_new && d->run[k].gap != gap && !isnan(gap))
-            return csv_wrong(&csv->file, csv_cell(csv, GAP).at,
-                             "run %g has two gaps; give each run a single gap, or leave out the column and "
-                             "enter the row with 'set row'",
-                             number);
-    }
-    struct fit_run *runs = is_new ? realloc(d->run, (d->runs + 1) * sizeof *runs) : d->run;
-    d->run = runs ? runs : d->run;
-    struct fit_point *points = realloc(d->point, (d->points + 1) * sizeof *points);
-    d->point = points ? points : d->point;
-    if (!runs || !points)
-        return csv_wrong(&csv->file, csv->row.at, "out of memory");
-    if (is_new)
-        d->run[d->runs++] = (struct fit_run){.number = number, .gap = gap, .first = d->points};
-    struct fit_run *run = &d->run[d->runs - 1];
-    const struct fit_point *last = run->count > 0 ? &d->point[d->points - 1] : NULL;
-    if (d->kind == FIT_HITS && last && point.domino > 0 && last->domino >= point.domino)
-        return csv_wrong(
-            &csv->file, csv_cell(csv, DOMINO).at,
-            "domino %zu comes after domino %zu; list the dominoes of a run in the order in which "
-            "they are hit, each once",
-            point.domino, last->domino);
-    if (d->kind == FIT_HITS && last && last->measured >= point.measured)
-        return csv_wrong(&csv->file, csv->row.at,
-                         "the time %g s is not later than %g s, the time on the line above", point.measured,
-                         last->measured);
-    point.run = d->runs - 1;
-    d->has_errors = known;
-    d->point[d->points++] = point;
-    run->count++;
-    return true;
-}
-
-/* Adds the measurement in the current row of the file, unless its time is missing. */
-static bool row_add(const struct query *query, struct fit_data *d, struct csv_table *csv, double rate)
-{
-    const domq_real *value = csv->value;
-    const struct scene *scene = query->scene;
-    const struct effect_state *row = &scene->effect[DOM_EFFECT_row];
-    const domq_real thickness = scene->train.d * scene->scale.h,
-                    gap = csv->column[PITCH] ? value[PITCH] - thickness : value[GAP];
-    struct fit_point point = {.gap = (double)gap,
-                              .line = csv->row.at.line,
-                              .measured = (double)value[MEASURED],
-                              .error = (double)value[ERROR]};
-    if (gap <= 0)
-        return csv_wrong(
-            &csv->file, csv_cell(csv, PITCH).at,
-            "the pitch %s must exceed the thickness of a domino, d h = %s; 'set d' changes the thickness",
-            measured(value[PITCH], "m", 6).text, measured(thickness, "m", 6).text);
-    if (gap > scene->scale.h)
-        return csv_wrong(&csv->file, csv_cell(csv, csv->column[PITCH] ? PITCH : GAP).at,
-                         "the gap %s is longer than the domino is tall, h = %s; 'set h' changes this height",
-                         measured(gap, "m", 6).text, measured(scene->scale.h, "m", 6).text);
-    if (csv->column[RATE])
-        rate = (double)value[RATE];
-    if (csv->column[FRAME] && isnan(rate) && !isnan((double)value[FRAME]))
-        return csv_wrong(&csv->file, csv_cell(csv, FRAME).at,
-                         "frames need a frame rate: enter 'fit ... FILE 240' for 240 frames per second, or "
-                         "add a column 'rate'");
-    if (csv->column[FRAME])
-        point.measured = (double)value[FRAME] / rate;
-    if (isnan(point.measured))
-        return true;
-    if (csv->trials > 1 && (csv->column[ERROR] || csv->column[SHARE]))
-        return csv_wrong(&csv->file, csv->head.cell[csv->column[csv->column[SHARE] ? SHARE : ERROR] - 1].at,
-                         "both repeated measurements, whose spread is their error, and a column of errors "
-                         "are given; leave one of them out");
-    if (d->kind == FIT_HITS && (csv->trials > 1 || csv->column[SHARE]))
-        return csv_wrong(&csv->file, csv->head.at,
-                         "hits have one column 'time (s)', and errors in s; number repeated runs in a column "
-                         "'run'; times of whole rows need the columns 'gap (mm)' and 'dominoes'");
-    if (csv->trials > 1) /* the errors are known, apart from the spread */
-        point.error = point.measured / sqrt(csv->repeated);
-    else if (csv->column[SHARE])
-        point.error = (double)value[SHARE] * point.measured;
-    if (d->kind == FIT_HITS && !isnan((double)value[DOMINO]))
-        point.domino = (size_t)value[DOMINO];
-    else if (d->kind == FIT_TOTALS && csv->column[DOMINOES])
-        point.domino = (size_t)value[DOMINOES];
-    else if (d->kind == FIT_TOTALS && row->on && !scene->listed.domino)
-        point.domino = (size_t)row->value[0];
-    if (d->kind == FIT_TOTALS && isnan(point.gap))
-        return csv_wrong(&csv->file, csv->head.at,
-                         "how wide were the gaps of these rows? Add a column 'gap (mm)' or 'pitch (mm)'");
-    if (d->kind == FIT_TOTALS && point.domino == 0)
-        return csv_wrong(&csv->file, csv->head.at,
-                         "how many dominoes fell in this time? Add a column 'dominoes', or enter, for "
-                         "example, 'set row 28'");
-    if (d->kind == FIT_TOTALS && !(point.measured > 0))
-        return csv_wrong(&csv->file, csv_cell(csv, MEASURED).at,
-                         "the time in which a row falls must be more than 0");
-    return point_add(d, csv, point);
-}
-
-/* Reads the measurements. `rate` is in frames per second, or NaN if it is not known. */
-static bool fit_read(const struct query *query, const char *name, double rate, struct fit_data *data,
-                     struct problem *problem)
-{
-    *data = (struct fit_data){.points = 0};
-    struct csv_table *csv = csv_named(query->scene, query->run_context, name, &speeds, problem);
-    if (csv) {
-        const int *column = csv->column;
-        const bool of_rows = !column[DOMINO] && (column[GAP] || column[PITCH] || column[DOMINOES]);
-        data->kind = csv->kind == &speeds ? FIT_SPEEDS : of_rows ? FIT_TOTALS : FIT_HITS;
-        data->has_pitch = column[PITCH];
-    }
-    while (csv && csv_next(csv) && row_add(query, data, csv, rate)) {
-    }
-    /* Single lines have too few trials to tell how large their errors are, so all lines share one relative
-     * spread. */
-    if (csv && csv->trials > 1) {
-        data->has_errors = csv->squares > 0;
-        data->spread = data->has_errors ? sqrt((double)csv->squares / csv->freedom) : 0;
-        for (size_t k = 0; k < data->points; k++)
-            data->point[k].error *= data->spread;
-    }
-    return csv_end(csv, problem);
-}
-
 /* ---- The answer ---- */
 
 static const struct column fit_columns[] = {
@@ -231,8 +37,6 @@ static const struct column fit_columns[] = {
     {"residual", "", "measured - fitted; for a speed or a total time, measured / fitted - 1", 0},
     {"friction", "", "the fitted value of friction; every fitted parameter has a column", 0},
     {"friction_sd", "", "the standard deviation of the fitted value", 0},
-    {"friction_push", "",
-     "the correlation of friction and push; every pair of fitted parameters has a column", 0},
     {NULL, NULL, NULL, 0},
 };
 enum { COLUMN_GAP, COLUMN_DOMINOES, COLUMN_RUN, COLUMN_DOMINO, COLUMN_MEASURED, FITTED, RESIDUAL, UNKNOWN };
@@ -246,26 +50,16 @@ static const struct {
     [FIT_TOTALS] = {"s", "run domino", "share", "All times have the same relative weight."},
 };
 
-/* The keys of the columns for standard deviations and correlations. */
-struct fit_keys {
-    char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
-};
-
 /* Makes the columns for the kind of measurement. csv and json also have columns for the fitted values. A
  * table has sentences below it instead. */
-static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
+static void columns_make(struct answer *a, const struct fit *f, char deviation[FIT_UNKNOWNS][32])
 {
     struct column *c = answer_columns(a, fit_columns) + UNKNOWN;
-    for (int i = 0, n = 0; i < f->unknowns && !answer_for_people(a); i++) {
+    for (int i = 0; i < f->unknowns && !answer_for_people(a); i++) {
         const struct parameter *p = f->unknown[i].parameter;
-        snprintf(keys->deviation[i], sizeof keys->deviation[i], "%.24s_sd", p->name);
+        snprintf(deviation[i], sizeof deviation[i], "%.24s_sd", p->name);
         *c++ = (struct column){p->name, "", "a fitted value", 0};
-        *c++ = (struct column){keys->deviation[i], "", "the standard deviation of the fitted value", 0};
-        for (int j = 0; j < i; j++, n++) {
-            snprintf(keys->correlation[n], sizeof keys->correlation[n], "%.24s_%.24s",
-                     f->unknown[j].parameter->name, p->name);
-            *c++ = (struct column){keys->correlation[n], "", "a correlation", 0};
-        }
+        *c++ = (struct column){deviation[i], "", "the standard deviation of the fitted value", 0};
     }
     *c = (struct column){NULL, NULL, NULL, 0};
     answer_describe(a, "measured", kinds[f->data.kind].unit, NULL);
@@ -304,8 +98,6 @@ static void rows_write(struct answer *a, const struct fit *f)
         for (int u = 0; u < f->unknowns && !answer_for_people(a); u++) {
             cell[n++] = cell_narrow((domq_real)f->unknown[u].value, 4);
             cell[n++] = cell_narrow((domq_real)f->unknown[u].deviation, 4);
-            for (int v = 0; v < u; v++)
-                cell[n++] = cell_narrow((domq_real)f->correlation[v][u], 4);
         }
         answer_row(a, cell, NULL);
     }
@@ -395,7 +187,7 @@ static void residuals_say(struct answer *a, const struct fit *f)
 
 /* ---- The fit ---- */
 
-bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
+static bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
 {
     const struct grid *named = &((const struct sweep *)query->given->bound)->grid;
     const char *shown = names_shown(query->given->word[1]);
@@ -421,25 +213,20 @@ bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
     return true;
 }
 
-void fit_free(struct fit *f)
-{
-    free(f->data.point);
-    free(f->data.run);
-    free(f->computed);
-}
-
-bool run_fit(const struct query *query, struct answer *a, struct problem *problem)
+static bool run_fit(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct fit f;
-    struct fit_keys keys;
+    char deviation[FIT_UNKNOWNS][32];
     const bool done = fit_make(query, &f, problem);
     if (done) {
-        columns_make(a, &f, &keys);
+        columns_make(a, &f, deviation);
         rows_write(a, &f);
         values_say(a, &f);
         residuals_say(a, &f);
     }
-    fit_free(&f);
+    free(f.data.point);
+    free(f.data.run);
+    free(f.computed);
     return done;
 }
 
@@ -474,7 +261,7 @@ static const struct command fit_commands[] = {
          "Hits are those of the row of 'set row' or, without it, of a row with the growth r. Each residual "
          "is divided by its error, and 'fit' finds the values with the smallest sum of squares. It also "
          "finds their standard deviations and correlations.",
-     .see = "plot solve duration fall sensitivity",
+     .see = "solve duration fall sensitivity",
      .access.files = true,
      .rows = true,
      ANSWER(fit)},

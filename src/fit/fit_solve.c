@@ -67,8 +67,20 @@ static bool speeds_compute(struct fit *f, const double *value)
     return true;
 }
 
-/* Advice for a row that fell, but does not fall in the scene. */
-static const char push_advice[] = "if the row was pushed, 'set push' to about its speed, or fit push as well";
+bool fit_ends(struct problem *problem, const char *what, const struct domq_verdict *verdict)
+{
+    const size_t last = verdict->domino;
+    if (verdict->end == DOM_ROW_FALLS)
+        return problem_no_answer(
+            problem,
+            "%s, but the row has only %zu dominoes; enter a longer row, for example 'set "
+            "row %zu'",
+            what, last, 2 * last);
+    return problem_no_answer(problem,
+                             "%s, but in the scene the fall ends at domino %zu: 'fall' shows why; if the row "
+                             "was pushed, 'set push' to about its speed, or fit push as well",
+                             what, last);
+}
 
 /* Fills in how long each row takes to fall, as 'verdict' says. */
 static bool totals_compute(struct fit *f, const double *value)
@@ -81,13 +93,13 @@ static bool totals_compute(struct fit *f, const double *value)
             return false;
         const struct domq_verdict verdict = row.verdict;
         row_run_free(&row);
-        if (verdict.end != DOM_ROW_FALLS || !isfinite((double)verdict.seconds))
-            return problem_no_answer(&f->problem,
-                                     "%s:%ld: %zu dominoes with gaps of %s fell in %g s, but in the scene "
-                                     "the fall ends at domino %zu; %s",
-                                     names_shown(f->query->given->word[1]), p->line, p->domino,
-                                     measured((domq_real)p->gap, "m", 4).text, p->measured, verdict.domino,
-                                     push_advice);
+        if (verdict.end != DOM_ROW_FALLS || !isfinite((double)verdict.seconds)) {
+            char what[256];
+            snprintf(what, sizeof what, "%s:%ld: %zu dominoes with gaps of %s fell in %g s",
+                     names_shown(f->query->given->word[1]), p->line, p->domino,
+                     measured((domq_real)p->gap, "m", 4).text, p->measured);
+            return fit_ends(&f->problem, what, &verdict);
+        }
         f->computed[k] = (double)verdict.seconds;
     }
     return true;
@@ -128,22 +140,11 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
     }
     for (size_t k = run->first; k < end; k++)
         f->computed[k] += sum / weights;
-    const size_t last = row.verdict.domino;
-    const bool falls = row.verdict.end == DOM_ROW_FALLS;
+    const struct domq_verdict verdict = row.verdict;
+    char what[64];
     row_run_free(&row);
-    if (!done && last < dominoes && falls)
-        return problem_no_answer(
-            &f->problem,
-            "domino %zu was measured in run %g, but the row has only %zu dominoes; enter a longer "
-            "row, for example 'set row %zu'",
-            dominoes, run->number, last, dominoes);
-    if (!done && last < dominoes)
-        return problem_no_answer(
-            &f->problem,
-            "domino %zu was measured in run %g, but in the scene the fall ends at domino %zu: 'fall' "
-            "shows why; %s",
-            dominoes, run->number, last, push_advice);
-    return true;
+    snprintf(what, sizeof what, "domino %zu was measured in run %g", dominoes, run->number);
+    return done || verdict.domino >= dominoes || fit_ends(&f->problem, what, &verdict);
 }
 
 /* Computes what the model predicts for each measurement if the unknowns have the values `value`. The clock of

@@ -72,7 +72,7 @@ END
         printf '%b' "$text" | file "$name.csv"
         wrong "effect row $name.csv" "$name\\.csv:$pattern"
     done <<'END'
-height|height,thickness (mm),gap (mm)\n48,7,-\n|2:1: height has no unit: '48' would mean 48 m; write 'height \(mm\)' in the first line, or '48 mm' in the cell$
+height|height,thickness (mm),gap (mm)\n48,7,-\n|2:1: height has no unit: '48' would mean 48 m; write 'height \(mm\)' in the first line$
 mass|height (mm),thickness (mm),gap (mm),mass\n48,7,-,10\n|2:8: mass has no unit: '10' would mean 10 kg; write 'mass \(g\)' in the first line$
 density|height (mm);thickness (mm);gap (mm);density\n48;7;-;600\n|2:8: density has no unit: '600' would mean 600 kg/m\^3; write 'density \(g/cm\^3\)' in the first line$
 END

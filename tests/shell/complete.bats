@@ -67,7 +67,7 @@ draw 0.3 forces |train
 draw at |domino end
 animate |speed rate tower
 animate speed 2 r|rate
-plot f|fit fall
+plot f|fall
 plot growth |(nothing)
 plot sweep fr|friction
 plot sweep s 0.1 0.3 3 : rm|rmax

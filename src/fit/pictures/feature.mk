@@ -1,1 +1,0 @@
-NEEDS_fit_pictures := fit pictures
