@@ -120,8 +120,8 @@ const struct command script_commands[] = {
      .synonyms = "record transcript protocol journal file tee copy output",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "append all commands and answers to FILE until 'log off'",
-     .help = "'source FILE' can run the commands again, because answers, errors and lines that failed are "
-             "written as comments. Write './off' for a file named off.",
+     .help = "'source FILE' can run the commands again, because answers and errors are written as "
+             "comments. Write './off' for a file named off.",
      .see = "save",
      .access.files = true,
      .act = run_log},

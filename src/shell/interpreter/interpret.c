@@ -10,29 +10,19 @@
 
 /* ---- Lines ---- */
 
-/* Returns true if the current line is written into a log. The lines of a sourced file are not logged, because
- * the log already contains the command 'source'. */
-static bool is_logged_now(const struct session *session)
-{
-    return session->source.depth == 0 && session->has_log;
-}
-
-/* Runs the commands of a line. If one of them opens a log, the commands after it on the same line are written
- * into this log. */
-static void run_commands(struct session *session, const struct text *text, const char *line, size_t length)
+/* Runs the commands of a line. Each of them is logged before it runs, but not those of a sourced file,
+ * because the log has the command 'source'. */
+static void run_commands(struct session *session, const struct text *text)
 {
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
-    bool is_logged = is_logged_now(session);
-    /* A command that fails becomes a comment in the log. A single command is therefore logged only when it
-     * writes an answer or an error, or after it has run. A line with several commands is logged before they
-     * run, because some of them may succeed before another one fails. */
-    if (is_logged)
-        log_commands(line, length, *text_end(text->line, ";") == ';');
     for (;;) {
         long errors = session->errors;
         const char *begin = skip_blanks(r.at), *end = text_end(begin, ";");
         if (begin < end) {
+            const char *typed = text_typed(text, begin);
+            if (session->has_log && session->source.depth == 0)
+                log_command(typed, (size_t)(text_typed(text, end) - typed));
             r.at = begin;
             run_command_at(session, &r);
             arena_free(&arena);
@@ -43,11 +33,6 @@ static void run_commands(struct session *session, const struct text *text, const
         if (*end != ';' || session_stops(session, errors))
             return;
         r.at = end + 1;
-        if (!is_logged && is_logged_now(session)) {
-            const char *next = text_typed(text, skip_blanks(r.at));
-            log_commands(next, length - (size_t)(next - line), true);
-            is_logged = true;
-        }
     }
 }
 
@@ -63,7 +48,7 @@ static void run_line(struct session *session, const char *line, size_t length)
         session_error(session, "out of memory");
         return;
     }
-    run_commands(session, &text, line, length);
+    run_commands(session, &text);
     /* The log is flushed after each line, in case of a crash. */
     const char *wrong = session->has_log ? log_flush() : NULL;
     session->has_log = session->has_log && !wrong;

@@ -20,14 +20,12 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-static struct log {
-    char *target; /* as in struct output */
-    FILE *file;
+static struct {
+    FILE *file;       /* NULL if there is no log */
+    char *target;     /* as in struct output */
     bool in_line;     /* the last line in the file is incomplete so far */
     bool in_sequence; /* the last character belongs to a control sequence: ESC, '[', numbers and a letter */
-    const char *waiting; /* commands that have not been written yet, or NULL */
-    int waiting_length;
-} * current; /* NULL if there is no log */
+} session_log;
 
 /* ---- Files ---- */
 
@@ -86,7 +84,7 @@ static const char *output_open(struct output *o)
 {
     const bool exists = o->status.st_mode, to_standard = is_standard(&o->status);
     o->is_regular = !to_standard && (!exists || S_ISREG(o->status.st_mode));
-    bool is_used = o->is_regular && current && strcmp(current->target, o->target) == 0;
+    bool is_used = o->is_regular && session_log.file && strcmp(session_log.target, o->target) == 0;
     for (const struct output *outer = o->below; outer && o->is_regular; outer = outer->below)
         is_used = is_used || (outer->target && strcmp(outer->target, o->target) == 0);
     if (is_used)
@@ -240,102 +238,76 @@ const char *output_pop(struct output **top, bool keep)
 
 /* ---- The log ---- */
 
-static void commands_write(bool failed)
-{
-    if (current->waiting)
-        fprintf(current->file, "%s%.*s\n", failed ? "# " : "", current->waiting_length, current->waiting);
-    current->waiting = NULL;
-}
-
 /* Writes text without the control sequences of a terminal. Each line becomes a comment, so that the log can
  * be run as a script. */
 static void log_copy(const char *bytes, size_t count)
 {
-    struct log *l = current;
-    commands_write(false);
     for (const char *c = bytes; c < bytes + count; c++) {
-        const bool is_control = l->in_sequence || *c == '\033' || *c == '\r';
-        l->in_sequence = *c == '\033' || (l->in_sequence && (*c < '@' || *c == '['));
+        const bool is_control = session_log.in_sequence || *c == '\033' || *c == '\r';
+        session_log.in_sequence = *c == '\033' || (session_log.in_sequence && (*c < '@' || *c == '['));
         if (is_control)
             continue;
-        if (!l->in_line && *c != '\n')
-            fputs("# ", l->file);
-        l->in_line = *c != '\n';
-        putc(*c, l->file);
+        if (!session_log.in_line && *c != '\n')
+            fputs("# ", session_log.file);
+        session_log.in_line = *c != '\n';
+        putc(*c, session_log.file);
     }
 }
 
 const char *log_begin(const char *path, const volatile sig_atomic_t *interrupt)
 {
     struct stat status;
-    struct log *l = malloc(sizeof *l);
-    if (!l)
-        return strerror(ENOMEM);
-    *l = (struct log){.waiting = NULL};
-    const char *wrong = target_find(path, &l->target, &status);
+    char *target;
+    const char *wrong = target_find(path, &target, &status);
     if (!wrong && is_standard(&status))
         wrong = in_use;
-    if (!wrong) {
-        io_stdout_flush(); /* the answers before this command do not belong in the log */
-        if (current)
-            fflush(current->file);
-        l->in_line = io_ends_in_line(path);
-        const int file = io_open(path, O_WRONLY | O_CREAT | O_APPEND, 0666, interrupt);
-        l->file = file < 0 ? NULL : io_stream(file, "a", interrupt);
-        wrong = l->file ? NULL : strerror(errno);
-    }
-    if (wrong) {
-        free(l->target);
-        free(l);
+    log_flush(); /* the answers before this command do not belong in the log */
+    const bool in_line = !wrong && io_ends_in_line(path);
+    const int opened = wrong ? -1 : io_open(path, O_WRONLY | O_CREAT | O_APPEND, 0666, interrupt);
+    FILE *file = opened < 0 ? NULL : io_stream(opened, "a", interrupt);
+    if (!file) {
+        wrong = wrong ? wrong : strerror(errno);
+        free(target);
         return wrong;
     }
     log_end();
-    fprintf(l->file, "%s# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n",
-            l->in_line ? "\n" : "");
-    l->in_line = false;
-    current = l;
+    session_log.file = file;
+    session_log.target = target;
+    session_log.in_line = session_log.in_sequence = false;
     io_copy = log_copy;
+    fprintf(file, "%s# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n",
+            in_line ? "\n" : "");
     return NULL;
 }
 
 const char *log_flush(void)
 {
-    if (!current)
-        return NULL;
     io_stdout_flush();
-    commands_write(false);
-    return fflush(current->file) == 0 && !ferror(current->file) ? NULL : log_end();
+    if (!session_log.file || (fflush(session_log.file) == 0 && !ferror(session_log.file)))
+        return NULL;
+    return log_end();
 }
 
 const char *log_end(void)
 {
-    if (!current)
+    if (!session_log.file)
         return NULL;
     io_stdout_flush();
-    commands_write(false);
-    const char *wrong = fclose(current->file) == 0 ? NULL : strerror(errno);
-    free(current->target);
-    free(current);
-    current = NULL;
+    const char *wrong = fclose(session_log.file) == 0 ? NULL : strerror(errno);
+    free(session_log.target);
+    session_log.file = NULL;
     io_copy = NULL;
     return wrong;
 }
 
-void log_commands(const char *commands, size_t length, bool at_once)
+void log_command(const char *text, size_t length)
 {
-    if (!current)
-        return;
-    io_stdout_flush();
-    current->waiting = commands;
-    current->waiting_length = (int)length;
-    if (at_once)
-        commands_write(false);
+    io_stdout_flush(); /* the answers before it */
+    fprintf(session_log.file, "%.*s\n", (int)length, text);
 }
 
-void log_message(const char *text, bool failed)
+void log_message(const char *text)
 {
-    if (!current)
-        return;
-    commands_write(failed);
-    fprintf(current->file, "# %s\n", text);
+    if (session_log.file)
+        fprintf(session_log.file, "# %s\n", text);
 }

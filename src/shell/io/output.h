@@ -65,14 +65,10 @@ const char *log_flush(void);
 /* Ends the log, if there is one. Returns NULL, or the reason why the file could not be written. */
 const char *log_end(void);
 
-/* Writes commands into the log, if there is one. A command that fails must become a comment in the log, so
- * the log holds the commands back until the next answer, the next error or the next call of log_flush. If
- * `at_once` is true, the commands are written immediately. `commands` must stay valid while the log holds
- * them back. */
-void log_commands(const char *commands, size_t length, bool at_once);
+/* Writes a command into the log, which must be open. */
+void log_command(const char *text, size_t length);
 
-/* Writes an error or a note into the log, as a comment. If `failed` is true, the commands that the log has
- * held back have failed. They also become comments, so that the log can be run as a script. */
-void log_message(const char *text, bool failed);
+/* Writes an error or a note into the log, if there is one, as a comment. */
+void log_message(const char *text);
 
 #endif

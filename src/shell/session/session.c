@@ -91,9 +91,8 @@ static void session_write(struct session *session, const struct problem *problem
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
     escape_text(line, text, sizeof text);
-    /* A failed 'source' stays in the log, because the commands before the error have run. */
     if (session->has_log)
-        log_message(text, is_error && session->source.depth == 0);
+        log_message(text);
     /* A script's error message also stands among the answers, if the output format can represent errors. */
     const struct format *format = formats[session->state.settings.style.output];
     if (is_error && format->failed && session->source.name) {
