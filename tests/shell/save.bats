@@ -128,7 +128,4 @@ END
         "$("$DOMINO" -e 'set row row; save ./row' 2>&1 | sed 's/.*: //')"
     same_file kept row
     same_file kept mine.csv
-    "$DOMINO" -e 'set row row; save session.dom'
-    same 'a session is no row' "session.dom:2:1: this is not a table but a session; 'source session.dom' runs it" \
-        "$("$DOMINO" -e 'set row session.dom' 2>&1 | sed 's/.*set: //')"
 }

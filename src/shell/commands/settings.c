@@ -298,24 +298,24 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
     struct output *file = NULL;
     const char *path = query->given->word[0];
     const struct variables *variables = &query->state->variables;
-    const struct parameter *p;
     (void)a;
-    if (!save_allowed(query->scene, path, problem) || !parameters_savable(query->scene, problem))
+    if (!save_allowed(query->scene, path, problem))
         return false;
     const char *wrong = output_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
         char *folder = output_folder(file);
         fprintf(file->out, "# A session of domino " DOM_VERSION
                            "; run it with 'source', 'domino -f' or, to stay, 'domino -i'.\n");
-        for (int k = 0; (p = parameter_in_order(query->state, k)) != NULL; k++)
-            parameter_save(query->state, p, folder, file->out);
+        const bool good = parameters_save(query->state, folder, file->out, problem);
         free(folder);
         for (size_t i = 0; i < variables->count; i++) {
             const struct variable *v = &variables->list[i];
             fprintf(file->out, "let %s = %s\n", variable_head(v),
                     v->body ? v->body : variable_value(v, (char[VARIABLE_VALUE]){""}));
         }
-        wrong = output_pop(&file, true);
+        wrong = output_pop(&file, good);
+        if (!good)
+            return false;
     }
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }

@@ -248,40 +248,6 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     return true;
 }
 
-const struct parameter *parameter_in_order(const struct state *state, int k)
-{
-    /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so those
-     * that need others, and not just a row, are the first. Effects that are on come last. A parameter that
-     * takes only words, such as 'precision', comes before those that take numbers, because the range of tol
-     * depends on the precision. */
-    const unsigned row = 1U << DOM_EFFECT_row;
-    for (int rank = 0; rank <= 6; rank++)
-        for (const struct parameter *p = session_parameters; p->name; p++) {
-            const int at = !p->effect                         ? !p->words_only ? 5
-                                                                : p->setting   ? 3
-                                                                               : 4
-                           : state->scene.effect[p->which].on ? 6
-                           : p->effect->needs & ~row          ? 0
-                                                              : 2;
-            if (at == rank && k-- == 0)
-                return p;
-        }
-    return NULL;
-}
-
-bool parameters_savable(const struct scene *scene, struct problem *problem)
-{
-    const char *path = scene->listed.domino ? scene->listed.path : "";
-    for (const char *c = path; *c; c++)
-        if ((unsigned char)*c < ' ' || *c == 0x7f)
-            return problem_error(
-                problem,
-                "cannot save: the name of the row's file, '%s', contains a control character; "
-                "rename the file, or enter 'set row off'",
-                names_shown(path));
-    return true;
-}
-
 /* Returns true if value i and all values after it are optional and have their usual values. */
 static bool usual_from(const domq_real *value, const struct domq_effect_argument *a, int i)
 {
@@ -312,7 +278,9 @@ static void save_value(const struct parameter *p, int i, domq_real value, FILE *
             has_unit ? " " : "", has_unit ? unit_write(unit, "*", (char[UNIT_TEXT]){""}) : "");
 }
 
-void parameter_save(const struct state *state, const struct parameter *p, const char *folder, FILE *out)
+/* Writes the commands that set a parameter to its current values. */
+static void parameter_save(const struct state *state, const struct parameter *p, const char *folder,
+                           FILE *out)
 {
     const char *path = p->effect ? effect_file(&state->scene, p->which) : NULL;
     const struct typed_length *length = &state->scene.length[p->share];
@@ -336,6 +304,41 @@ void parameter_save(const struct state *state, const struct parameter *p, const 
     putc('\n', out);
     if (p->save)
         p->save(&state->scene, out);
+}
+
+const struct parameter *parameter_in_order(const struct state *state, int k)
+{
+    /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so those
+     * that need others, and not just a row, are the first. Effects that are on come last. A parameter that
+     * takes only words, such as 'precision', comes before those that take numbers, because the range of tol
+     * depends on the precision. */
+    const unsigned alone = 1U << DOM_EFFECT_row;
+    for (int rank = 0; rank <= 5; rank++)
+        for (const struct parameter *p = session_parameters; p->name; p++) {
+            const int at = !p->effect                         ? (p->words_only ? p->setting ? 2 : 3 : 4)
+                           : state->scene.effect[p->which].on ? 5
+                           : p->effect->needs & ~alone        ? 0
+                                                              : 1;
+            if (at == rank && k-- == 0)
+                return p;
+        }
+    return NULL;
+}
+
+bool parameters_save(const struct state *state, const char *folder, FILE *out, struct problem *problem)
+{
+    const struct listed_row *row = &state->scene.listed;
+    for (const char *c = row->domino ? row->path : ""; *c; c++)
+        if ((unsigned char)*c < ' ' || *c == 0x7f)
+            return problem_error(
+                problem,
+                "cannot save: the name of the row's file, '%s', contains a control character; "
+                "rename the file, or enter 'set row off'",
+                names_shown(row->path));
+    const struct parameter *p;
+    for (int k = 0; (p = parameter_in_order(state, k)) != NULL; k++)
+        parameter_save(state, p, folder, out);
+    return true;
 }
 
 const char *parameter_word(const struct parameter *p, domq_real value)

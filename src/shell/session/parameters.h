@@ -188,18 +188,14 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    const struct typed_length *length, struct problem *problem);
 
-/* Returns parameter k, counted from 0, in the order in which a saved script must set them: each after those
- * that decide whether it is accepted. Returns NULL after the last one. */
+/* Returns parameter k, counted from 0, in the order in which 'reset' and a saved script must set them: each
+ * after those that decide whether it is accepted. Returns NULL after the last one. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
-/* Returns true if the parameters can be saved as a script, which names the file of the row. Text after a
- * control character in this name might be read as another command, so this is reported as a problem. */
-bool parameters_savable(const struct scene *scene, struct problem *problem);
-
-/* Writes the commands that set a parameter to its current values. `folder` is the directory of the script, or
- * NULL. */
-void parameter_save(const struct state *state, const struct parameter *parameter, const char *folder,
-                    FILE *out);
+/* Writes the commands that set all parameters to their current values. `folder` is the directory of the
+ * script, or NULL. Text after a control character in the name of the row's file might be read as another
+ * command, so this is reported as a problem. */
+bool parameters_save(const struct state *state, const char *folder, FILE *out, struct problem *problem);
 
 /* ---- Effects ---- */
 

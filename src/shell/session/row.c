@@ -2,8 +2,122 @@
 #include "session/row.h"
 #include "answer/cell.h"
 #include "language/quad.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* ---- Problems ---- */
+
+/* Reports that the walls do not fit into domino k. If k = 0, the message is about a domino of the train.
+ * Returns false. */
+static bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness)
+{
+    char which[32] = "the domino";
+    if (k > 0)
+        snprintf(which, sizeof which, "domino %zu", k);
+    return problem_no_answer(problem,
+                             "walls of %s do not fit into %s, which is %s thick; walls of %s make it solid",
+                             measured(scene_walls(scene), "m", 4).text, which,
+                             measured(thickness, "m", 4).text, measured(thickness / 2, "m", 4).text);
+}
+
+/* Reports that domino k cannot stand, because the slope exceeds `limit` radians. If k = 0, the message is
+ * about a domino of the train. Returns false. */
+static bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit)
+{
+    const double degree = (double)QUAD_PI / 180, alpha = (double)scene->train.alpha / degree;
+    char which[32] = "no domino", example[32] = "off";
+    if (k > 0)
+        snprintf(which, sizeof which, "domino %zu", k);
+    if (limit > 0)
+        snprintf(example, sizeof example, "%.2g deg", copysign((double)limit, alpha) / degree / 2);
+    return problem_no_answer(problem,
+                             "%s %s stand upright on a slope of %.4g deg; for %s thickness%s the limit is "
+                             "%.4g deg; enter, for example, 'set slope %s'",
+                             which, k > 0 ? "cannot" : "can", alpha, k > 0 ? "its" : "this",
+                             scene->train.rho > 0 ? " and rounded edges" : "", (double)limit / degree,
+                             example);
+}
+
+bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status)
+{
+    const struct domq_train *t = &scene->train;
+    if (status == DOM_OK)
+        return true;
+    problem->place = 0;
+    /* These failures do not depend on the parameters, so a sweep must not continue. */
+    if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
+        return problem_error(problem, "%s", dom_status_text(status));
+    if (status == DOM_NO_ROUND && t->rho > t->d / 2)
+        return problem_no_answer(problem,
+                                 "edges with a radius of %s h do not fit: the radius can be at most half of "
+                                 "the thickness, %.6g h; enter, for example, 'set edges %.2g'",
+                                 quad_text(t->rho, 10), (double)(t->d / 2), (double)(t->d / 4));
+    if (status == DOM_NO_STAND) {
+        domq_real lean[2];
+        domq_lean_limits(&(struct domq_domino){.height = 1, .thickness = t->d}, 0, t->rho, lean);
+        return problem_no_stand(problem, scene, 0, lean[1]);
+    }
+    if (status == DOM_OUT_OF_REACH)
+        return problem_no_answer(problem,
+                                 "r s = %s > %.6g: the head falls past the next domino without touching it; "
+                                 "the largest r for this s is %s%s",
+                                 quad_text(t->r * t->s, 10), (double)(domq_train_reach(t) * t->s),
+                                 t->rho == 0 ? "1/s = " : "", quad_limit(domq_train_reach(t), 6));
+    if (status == DOM_NO_METHOD && domq_first_effect(t) && t->fuel == DOM_FUEL_PAPER)
+        return problem_no_answer(
+            problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'set %s off'",
+            domq_first_effect(t)->name, domq_first_effect(t)->name);
+    if (status == DOM_NOT_CONVERGED && scene->compute.precision != IN_QUAD)
+        return problem_no_answer(problem,
+                                 "%s of %.3g; enter 'set precision %s', or a larger tolerance with 'set tol'",
+                                 dom_status_text(status), (double)scene->compute.tol,
+                                 scene->compute.precision == IN_FLOAT ? "double" : "quad");
+    if (status == DOM_BAD_AIR && effect_value(scene, DOM_EFFECT_air, 0) > 0)
+        return problem_no_answer(problem,
+                                 "'set air' needs the mass of the dominoes; first enter, for example, "
+                                 "'set density 650 kg/m^3'");
+    if (status == DOM_NO_AIR)
+        return problem_no_answer(
+            problem, "%s; enter 'set q solid', or ask about %s or 'rowmax'", dom_status_text(status),
+            scene->effect[DOM_EFFECT_row].on ? "the row: 'fall'" : "a row: 'set row 20; fall'");
+    if (status == DOM_NO_FUEL)
+        return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
+    const domq_real above = scene_boxes_above(scene);
+    if (status == DOM_NO_ROOM && above > 0)
+        return problem_no_answer(
+            problem,
+            "walls of %s do not fit into each domino taller than %s here; enter a larger "
+            "height, as in 'set walls %s %s'",
+            measured(scene_walls(scene), "m", 4).text, measured(above, "m", 4).text,
+            measured(scene_walls(scene), "m", 4).text, measured(2 * above, "m", 4).text);
+    if (status == DOM_NO_ROOM)
+        return problem_no_room(problem, scene, 0, t->d * scene->scale.h);
+    if (status == DOM_OPEN)
+        return problem_no_answer(problem, "%s; try a slightly different s", dom_status_text(status));
+    if (status == DOM_TOO_LONG)
+        return problem_no_answer(problem, "%s; use a larger s, d or tol", dom_status_text(status));
+    return problem_no_answer(problem, "%s", dom_status_text(status));
+}
+
+domq_real lean_offset(const struct domq_domino *domino)
+{
+    return domino->height * quad(sin)(domino->lean);
+}
+
+bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE])
+{
+    domq_real lean[2], limit;
+    domq_lean_limits(domino, alpha, 0, lean);
+    if (domino->lean > lean[0] && domino->lean < lean[1])
+        return true;
+    limit = domino->lean < 0 ? lean[0] : lean[1];
+    snprintf(message, LEAN_MESSAGE,
+             "with its top %s off plumb, this domino falls over by itself; the limit%s is %s",
+             measured(lean_offset(domino), "m", 4).text, alpha != 0 ? " on this slope" : "",
+             measured(domino->height * quad(sin)(limit), "m", 4).text);
+    return false;
+}
 
 /* ---- The engine ---- */
 
@@ -45,7 +159,8 @@ static domq_real changed(const struct listed_row *row, size_t k, enum row_measur
     return k < row->changes ? *row_measure_at(&row->change[k].to, measure) : DOMQ_NAN;
 }
 
-void row_changes_apply(const struct scene *scene, size_t k, struct domq_domino *d)
+/* Applies the stored changes to domino k of the row, counted from 0. */
+static void row_changes_apply(const struct scene *scene, size_t k, struct domq_domino *d)
 {
     for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
         domq_real value = changed(&scene->listed, k, m), *member = row_measure_at(d, m);
@@ -280,7 +395,8 @@ static bool row_has_room(const struct scene *scene, const struct scene_row *row,
                              quad_limit(touch * deg, 4));
 }
 
-bool scene_row_check(const struct scene *scene, const struct scene_row *row, struct problem *problem)
+/* Checks that the walls fit into the dominoes of a row, and that the dominoes stand. */
+static bool scene_row_check(const struct scene *scene, const struct scene_row *row, struct problem *problem)
 {
     return scene_walls_fit(scene, row, problem) && row_stands(scene, &row->row, problem) &&
            row_has_room(scene, row, problem);

@@ -89,9 +89,6 @@ enum dom_status scene_row_in_double(const struct scene_row *row, struct double_r
 /* Checks that the walls fit into the dominoes of a row. */
 bool scene_walls_fit(const struct scene *scene, const struct scene_row *row, struct problem *problem);
 
-/* Checks that the walls fit into the dominoes of a row, and that the dominoes stand. */
-bool scene_row_check(const struct scene *scene, const struct scene_row *row, struct problem *problem);
-
 /* Fills in the first `count` dominoes of the row, with their masses and with the changes that the user has
  * made. If 'change' changes the height, the width stays as it was. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
@@ -125,9 +122,6 @@ static inline bool row_measure_is_size(enum row_measure measure)
 {
     return measure == MEASURE_HEIGHT || measure == MEASURE_THICKNESS || measure == MEASURE_WIDTH;
 }
-
-/* Applies the stored changes to domino k of the row, counted from 0. */
-void row_changes_apply(const struct scene *scene, size_t k, struct domq_domino *domino);
 
 /* Allocates the changes for a row of `count` dominoes, if necessary. Returns false if memory runs out. */
 bool row_changes_open(struct listed_row *row, size_t count);

@@ -216,14 +216,6 @@ domq_real lean_offset(const struct domq_domino *domino);
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 
-/* Reports that the walls do not fit into domino k. If k = 0, the message is about a domino of the train.
- * Returns false. */
-bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness);
-
-/* Reports that domino k cannot stand, because the slope exceeds `limit` radians. If k = 0, the message is
- * about a domino of the train. Returns false. */
-bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit);
-
 /* Returns true for DOM_OK. Reports any other status as a problem and returns false. */
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status);
 
