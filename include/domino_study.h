@@ -39,32 +39,6 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
                                const double *tilts, size_t count, const struct dom_compute *compute,
                                void *answers, enum dom_status *statuses);
 
-/* ---- The largest growth ---- */
-
-/* A callback that writes `count` dominoes with the growth r. */
-typedef void dom_row_make(double r, struct dom_domino *domino, size_t count, void *context);
-
-/* All dominoes fall at growths from r_min, which is 1 if the row falls there, to r_max. */
-struct dom_row_growth {
-    double r_max, r_min; /* NaN if no growth was found */
-    /* How the fall ends just above r_max: DOM_ROW_FALLS if r_max is `highest`. If r_max is NaN, how it ends
-     * at r = 1. */
-    enum dom_row_end ends;
-};
-
-/*
- * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance compute->tol.
- * `make` writes the dominoes for each growth that is tried; row->domino is not used. For a train, let `make`
- * call dom_row_of_train, and let `highest` be dom_train_reach.
- *
- * The search starts at r = 1 and raises r in steps of 2 %, or of 10 % with an engine, until the row falls,
- * and then in steps of 2 %, until it no longer falls or r is `highest`. An interval of growths that is
- * narrower than a step can be missed. The statuses are those of dom_row_run, and DOM_BAD_R if `highest` is
- * not a finite number >= 1.
- */
-enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, double highest,
-                             dom_row_make *make, void *context, struct dom_row_growth *growth);
-
 /* ---- Mending, and how precisely a row must be set up ---- */
 
 /* What dom_row_windows changes. Friction has no unit, leans are in rad, and all other values are in m. With

@@ -4,6 +4,7 @@
 #include "language/quad.h"
 #include "rows/rows.h"
 #include "train/falling.h"
+#include "train/seek.h"
 #include "train/train.h"
 #include <stdlib.h>
 #include <string.h>
@@ -109,43 +110,73 @@ static const struct column rowmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* A callback for dom_row_rmax, and its context. */
-struct growth {
+/* A search for the growths at which a row falls. */
+struct growths {
     const struct scene *scene;
     struct domq_domino *domino;
+    struct double_row made;
+    enum dom_status status;
 };
 
-static void grow_in_double(double r, struct dom_domino *domino, size_t count, void *context)
+/* Returns 1 if all dominoes of the row with the growth r fall, and -1 if not or after an error. */
+static double falls_at(double r, void *context)
 {
-    const struct growth *g = context;
-    row_grow((domq_real)r, g->domino, count, g->scene);
-    for (size_t k = 0; k < count; k++)
-        domino[k] = domino_in_double(&g->domino[k]);
+    struct growths *g = context;
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    row_grow((domq_real)r, g->domino, g->made.row.count, g->scene);
+    for (size_t k = 0; k < g->made.row.count; k++)
+        g->made.domino[k] = domino_in_double(&g->domino[k]);
+    if (g->status == DOM_OK)
+        g->status = dom_row_run(&g->made.row, &g->made.compute, false, NULL, NULL, &verdict);
+    return g->status == DOM_OK && verdict.end == DOM_ROW_FALLS ? 1 : -1;
+}
+
+/*
+ * Finds growths from r_min, which is 1 if the row falls there, to r_max, at which all dominoes fall. Without
+ * one, r_max is NaN. A row may fall only at growths above 1, for example if its gaps at r = 1 are too narrow
+ * for the first domino to tip over. The growth rises by 2 % at a time, since bisection alone could miss the
+ * first change. Until the row falls in an engine, which is slow, it rises by 10 %.
+ */
+static void growths_find(struct growths *g, double highest, double *r_min, double *r_max)
+{
+    struct spot last = {1, falls_at(1, g)}, next = last;
+    *r_min = last.value > 0 ? 1 : DOM_NAN;
+    for (; last.x < highest && isnan(*r_max) && g->status == DOM_OK; last = next) {
+        next.x = fmin(last.x * (g->made.row.engine && last.value < 0 ? 1.1 : 1.02), highest);
+        next.value = falls_at(next.x, g);
+        if (next.value == last.value)
+            continue;
+        struct spot good = next.value > 0 ? next : last, bad = next.value > 0 ? last : next;
+        seek_edge(falls_at, g, &good, &bad, g->made.compute.tol * good.x);
+        *(next.value > 0 ? r_min : r_max) = good.x;
+    }
+    if (last.value > 0)
+        *r_max = highest;
 }
 
 static bool run_rowmax(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct dom_row_growth growth;
     struct domq_limit limit;
     struct scene_row scene;
-    struct double_row made;
+    double r_min = DOM_NAN, r_max = DOM_NAN;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
+    struct growths g = {.scene = query->scene, .domino = scene.domino};
+    const double reach = (double)domq_train_reach(&query->scene->train);
+    char reason[96];
+    scene.row.floor = false;
     if (query->scene->listed.domino) {
         free(scene.domino);
         return problem_error(problem, "a row from a file has no growth r; first enter 'set row N'");
     }
-    struct growth grown = {query->scene, scene.domino};
-    const double reach = (double)domq_train_reach(&query->scene->train);
-    char reason[96];
-    enum dom_status status = scene_row_in_double(&scene, &made);
-    if (status == DOM_OK)
-        status = dom_row_rmax(&made.row, &made.compute, reach, grow_in_double, &grown, &growth);
-    free(made.domino);
+    g.status = scene_row_in_double(&scene, &g.made);
+    if (g.status == DOM_OK)
+        growths_find(&g, reach, &r_min, &r_max);
+    free(g.made.domino);
     free(scene.domino);
-    if (status != DOM_OK)
-        return row_status(query, problem, status);
-    status = any_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
+    if (g.status != DOM_OK)
+        return row_status(query, problem, g.status);
+    const enum dom_status status = any_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
     if (status == DOM_OPEN)
         return problem_limit(problem, query->scene, status, &limit);
     const bool has_train = status != DOM_NO_AIR;
@@ -156,18 +187,18 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
     snprintf(reason, sizeof reason,
              "there is no growth from 1 to %.6g at which all dominoes fall; 'set r 1; fall' shows why",
              reach);
-    bool more = answer_row(a,
-                           ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
-                               cell_limit(cell_computed((domq_real)growth.r_max)),
-                               cell_limit(cell_computed(limit.r_max))),
-                           isnan(growth.r_max) ? reason
-                           : has_train         ? NULL
-                                               : dom_status_text(DOM_NO_AIR));
-    if (growth.r_min > 1)
+    bool more =
+        answer_row(a,
+                   ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
+                       cell_limit(cell_computed((domq_real)r_max)), cell_limit(cell_computed(limit.r_max))),
+                   isnan(r_max) ? reason
+                   : has_train  ? NULL
+                                : dom_status_text(DOM_NO_AIR));
+    if (r_min > 1)
         answer_say(a,
                    "All dominoes fall if r is between %.6g and r_max, but not if r is smaller, as 'set r 1; "
                    "fall' shows.",
-                   (double)round_digits((domq_real)growth.r_min, 6, true));
+                   (double)round_digits((domq_real)r_min, 6, true));
     return more;
 }
 

@@ -52,6 +52,21 @@ END
         "$(json 'effect friction 3; effect row 5; rowmax' | values reason)"
 }
 
+@test "rowmax: all dominoes fall at this growth, and not at a slightly larger one, unless the reach ends it" {
+    while IFS='|' read -r scene end; do
+        r=$(json "$scene; rowmax" | values r_max)
+        same "$scene: at $r" 'all fall' "$(json "$scene; set r $r*(1-1e-9); verdict" | values verdict)"
+        same "$scene: above $r" "$end" "$(json "$scene; set r $r*(1+1e-9); verdict" 2>/dev/null | values verdict)"
+    done <<'END'
+set row 2|stops
+set s 0.3; set q 3; set row 7; set push 6|stops
+set s 0.6; set d 0.1; set row 5; set friction 0.2|stops
+set s 0.8; set q 2.5; set d 0.25; set row 4; set push 9|misses
+set row 1; set push 6|all fall
+END
+    same 'touching dominoes' 'null' "$(json 'set s 0.05; set row 3; rowmax' | values r_max)"
+}
+
 # bats test_tags=chance
 @test "with much friction, a row that stops before friction would lock it has a verdict; mend and placement work, too" {
     printf 'height (mm), thickness (mm), gap (mm)\n30, 3.4, -\n40, 18, 3.4\n' | file lock.csv

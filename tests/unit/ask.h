@@ -224,7 +224,6 @@ static inline struct dom_compute row_setup_compute_in_double(const struct row_se
 
 #define ask_row_watch(a, ...)        dom_row_watch(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
 #define ask_row_floor(a, ...)        dom_row_floor(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
-#define ask_row_rmax(a, ...)         dom_row_rmax(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
 #define ask_row_windows(a, ...)      dom_row_windows(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
 #define ask_row_weakest_push(a, ...) dom_row_weakest_push(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)
 #define ask_placement_study(a, ...)  dom_placement_study(ROW_SETUP_IN_DOUBLE(a), __VA_ARGS__)

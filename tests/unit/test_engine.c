@@ -291,9 +291,8 @@ static enum dom_status in_limits(const struct dom_row *row, const struct dom_com
     return DOM_OK;
 }
 
-static void grown(double r, struct dom_domino *domino, size_t count, void *context)
+static void grown(double r, struct dom_domino *domino, size_t count)
 {
-    (void)context;
     for (size_t k = 0; k < count; k++)
         domino[k] = (struct dom_domino){.height = pow(r, (double)k), .thickness = 0.1, .gap = 0.1, .mass = 1};
 }
@@ -304,15 +303,11 @@ TEST(the_library_asks_an_engine)
     const struct dom_engine engine = {.run = in_limits, .context = &limits};
     struct dom_domino domino[3];
     struct dom_verdict verdict;
-    struct dom_row_growth growth;
     struct dom_study study;
-    grown(1.3, domino, 3, NULL);
+    grown(1.3, domino, 3);
     struct dom_row row = {.domino = domino, .count = 3, .g = 1, .push = 1, .engine = &engine};
     assert_status(dom_row_run(&row, NULL, true, NULL, NULL, &verdict), DOM_OK);
     assert_int_equal(verdict.end, DOM_ROW_MISSES);
-    assert_status(dom_row_rmax(&row, NULL, 4, grown, NULL, &growth), DOM_OK);
-    assert_near("r_max", growth.r_max, limits.high, 1e-11);
-    assert_int_equal(growth.ends, DOM_ROW_MISSES);
     const struct dom_placement placement = {
         .error = {[DOM_ERROR_gap].size = 0, [DOM_ERROR_height].size = 0.1}, .seed = 1, .rows = 200};
     assert_status(dom_placement_study(&row, NULL, &placement, &study, NULL), DOM_OK);
@@ -332,7 +327,7 @@ TEST(windows_of_an_engine_take_few_runs)
         const struct dom_engine engine = {.run = in_limits, .context = &gap};
         struct dom_domino domino[2];
         struct dom_window w;
-        grown(1, domino, 2, NULL);
+        grown(1, domino, 2);
         const struct dom_row row = {.domino = domino, .count = 2, .g = 1, .push = 1, .engine = &engine};
         assert_status(dom_row_windows(&row, NULL, DOM_WINDOW_GAP, NULL, NULL, &w), DOM_OK);
         for (int end = 0; end < 2; end++) {

@@ -215,22 +215,14 @@ static void row_make(struct some_row *r)
 }
 
 /* Writes an equal row for each growth. */
-static void row_copy(double r, struct dom_domino *domino, size_t count, void *context)
-{
-    (void)r;
-    memcpy(domino, context, count * sizeof *domino);
-}
-
 static void searches_refused(const struct dom_row *row, const struct dom_compute *compute,
                              enum dom_status expected)
 {
-    struct dom_row_growth growth = {.r_max = -1};
     struct dom_window windows[ROW];
     double push = -1;
-    assert_named(dom_row_rmax(row, compute, 2, row_copy, (void *)row->domino, &growth), expected);
     assert_named(dom_row_windows(row, compute, DOM_WINDOW_GAP, NULL, NULL, windows), expected);
     assert_named(dom_row_weakest_push(row, compute, 100, &push), expected);
-    assert_true(growth.r_max == -1 && push == -1);
+    assert_true(push == -1);
 }
 
 static void row_refused(const struct dom_row *row, const struct dom_compute *compute, size_t domino,
@@ -339,16 +331,13 @@ TEST(times)
 TEST(searches)
 {
     struct some_row r;
-    struct dom_row_growth growth = {.r_max = -1};
     double push = -1;
     row_make(&r);
     for (int k = 0; k < 5; k++) {
         const double bad[] = {0, -1, (double)NAN, (double)INFINITY, -(double)INFINITY};
-        double highest = k == 0 ? nextafter(1, 0) : bad[k];
-        assert_named(dom_row_rmax(&r.row, NULL, highest, row_copy, r.domino, &growth), DOM_BAD_R);
         assert_named(dom_row_weakest_push(&r.row, NULL, bad[k], &push), DOM_BAD_PUSH);
     }
-    assert_true(growth.r_max == -1 && push == -1);
+    assert_true(push == -1);
 }
 
 TEST(placements)
