@@ -12,10 +12,8 @@ struct shape {
 
 /*
  * Returns the number of variables. Each gap has one variable: ln(gap / height of the domino before the gap).
- * If sizes may change and there are at least three dominoes, each gap has a second variable: the logarithm of
- * the growth from the domino before the gap to the domino after it. The last domino keeps its height, so only
- * the differences between these second variables matter. If a constant is added to all of them, the row does
- * not change.
+ * If sizes may change, each domino between the first and the last has one, too: the logarithm of the factor
+ * by which this domino and those after it, except the last, become larger.
  */
 size_t shape_variables(const struct shape *shape);
 
@@ -38,7 +36,7 @@ void shape_round(const struct shape *shape, struct dom_domino *domino);
 /* Returns DOM_OK, or a status that says which of the limits is outside its range. */
 enum dom_status limits_check(const struct dom_limits *limits);
 
-/* Returns true if a row is within the limits. */
-bool shape_keeps(const struct shape *shape, const struct dom_domino *domino);
+/* Returns true if a row is within the limits. `rounded` has room for its dominoes. */
+bool shape_keeps(const struct shape *shape, const struct dom_domino *domino, struct dom_domino *rounded);
 
 #endif
