@@ -123,7 +123,6 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
                              "percentage, write a percent sign, as in '+10 %%'",
                              name, quad_text(value->value, 10), (double)value->value, unit, name);
     change->how = is_relative ? CHANGE_BY : CHANGE_TO;
-    change->is_bare = is_bare;
     return true;
 }
 

@@ -5,32 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A value without a unit is probably a mistake if it is at least this many times the current value. */
-#define SLIP_OF_UNIT 50
-
-/* Checks a value that was typed without a unit. Such a value is in m or kg, but the user may have meant mm or
- * g: a height of 25 would be 25 m. If the value is not plausible, reports the problem and returns false. */
-static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
-                        domq_real value, struct problem *problem)
-{
-    const bool is_mass = measure == MEASURE_MASS;
-    /* a gap is not plausible if it exceeds the heights of both its dominoes */
-    if (measure == MEASURE_GAP
-            ? value <= quad_larger(row[k - 1].height, row[k].height)
-            : measure == MEASURE_RADIUS || measure == MEASURE_LEAN || value < SLIP_OF_UNIT * now)
-        return true;
-    return problem_error(
-        problem, "a %s of %s without a unit would be %s; write '%s %s', or the unit that you mean",
-        row_measure_names(NULL, (int)measure), quad_text(value, 10),
-        measured(value, is_mass ? "kg" : "m", 6).text, quad_text(value, 10), is_mass ? "g" : "mm");
-}
-
-/* Returns the lean angle of a domino whose top is off plumb by `off` metres. */
-static domq_real lean_angle(domq_real off, domq_real height)
-{
-    return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
-}
-
 /* Returns a measurement of a domino in m or kg. For a lean, this is how far the top is off plumb. If a domino
  * has no radius of its own, its radius is the radius of 'set edges'. */
 static domq_real measure_now(const struct scene *scene, const struct domq_domino *domino,
@@ -59,12 +33,10 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
     const struct listed_row *listed = &scene->listed;
     const domq_real before = is_mass && listed->changes > 0 ? listed->change[k].to.mass : DOMQ_NAN;
     char message[MISFIT_MESSAGE];
-    if (change->is_bare && !bare_likely(row->domino, k, measure, now, value, problem))
-        return false;
     if (!csv_fits(&rowfile_kind.column[measure], value, message))
         return problem_no_answer(problem, "domino %zu: %s", k + 1, message);
     if (is_lean && !change->is_angle)
-        value = lean_angle(value, domino->height);
+        value = quad(asin)(quad_larger(quad_smaller(value / domino->height, 1), -1));
     if (row_measure_is_size(measure))
         domino->mass *= value / *member;
     *kept = !is_mass ? value : change->how == CHANGE_TIMES ? change->value : value / now;

@@ -120,7 +120,6 @@ struct row_change {
     enum { CHANGE_TO, CHANGE_BY, CHANGE_TIMES } how; /* replace the measurement, add to it, or multiply it */
     domq_real value; /* a new value or a difference, in m or kg; or a factor */
     bool is_angle;   /* the value is a lean angle in rad, not the distance of the top from plumb */
-    bool is_bare;    /* the value was typed without a unit */
     int ranges;      /* the number of ranges; 0 selects all dominoes */
     struct row_range range[];
 };

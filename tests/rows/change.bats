@@ -79,7 +79,7 @@ END
         grep -qF -- "$message" <<<"$stderr" || same "$command" "$message" "$stderr"
         same "$command: the row" "$before" "$(grep '"domino"' <<<"$output")"
     done <<'END'
-change 3 thickness 12|a thickness of 12 without a unit would be 12 m; write '12 mm'
+change 3 thickness 12|thickness / height = 111.1111111 is out of range; the range is 1e-12 .. 100
 change 9 height 1 m|there is no domino 9; this row has 5
 change 0 height 1 m|there is no domino 0
 change 1 gap 1 cm|there is no gap before domino 1

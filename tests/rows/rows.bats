@@ -91,8 +91,7 @@ END
     [[ $("$DOMINO" -n -e "$push; draw") == *'which has more than 100 times the energy that it needs.'* ]]
 }
 
-@test "place: a gap out of reach is an error without a unit, and allowed with a unit" {
-    wrong 'effect row 3; place 2 3' "3 without a unit would be 3 m; write '3 mm', or the unit that you mean"
+@test "place: a gap out of reach is allowed, and a number without a unit is in m" {
     wrong 'effect row 3; place 9 3' 'there is no gap before domino 9'
     same metres 0.03 "$(json 'effect row 3; place 2 0.03; row' | values gap | sed -n 2p)"
     same unit 3 "$(json 'effect row 3; place 2 3 m; row' | values gap | sed -n 2p)"
