@@ -51,39 +51,19 @@ static void fall_axes(const struct row_run *run, struct chart *chart)
     chart->y.high = fmax(1.6 * most, 100 * chart->y.low);
 }
 
-/* Marks three kinds of dominoes: those that need no energy to fall, the weakest one, and the one at which the
- * fall ends. */
-static void fall_marks(const struct row_run *run, struct chart *chart)
+/* Marks the weakest domino, and says how the fall ends. */
+static void fall_chart(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
-    struct chart_curve *idle = chart_curve(chart, CHART_POINTS, INK_GREY, 0, "needs no energy");
-    for (size_t i = 0; i < run->hits; i++)
-        if (run->fall[i].domino > 1 && !(run->fall[i].barrier > 0))
-            chart_point(chart, idle, (double)run->fall[i].domino, chart->y.high);
+    end_note(run, chart);
+    if (v->end == DOM_ROW_FALLS)
+        text_add(chart->note, sizeof chart->note, ".");
+    fall_axes(run, chart);
     if (v->weakest && v->weakest <= run->hits && v->spare >= 0 && isfinite(v->spare)) {
         struct chart_curve *weakest =
             chart_curve(chart, CHART_POINTS, INK_RED, 0, "the weakest, domino %zu", v->weakest);
         chart_point(chart, weakest, (double)v->weakest, fmax((double)v->spare, chart->y.low));
     }
-    if (v->end != DOM_ROW_FALLS) {
-        struct chart_curve *end =
-            chart_curve(chart, CHART_POINTS, INK_TEXT, 0, "the fall ends at domino %zu", v->domino);
-        chart_point(chart, end, (double)v->domino, chart->y.low);
-    }
-}
-
-static void fall_chart(const struct row_run *run, struct chart *chart)
-{
-    const struct domq_verdict *v = &run->verdict;
-    end_note(run, chart);
-    if (v->end == DOM_ROW_FALLS && v->weakest && isfinite(v->spare))
-        text_add(chart->note, sizeof chart->note,
-                 ". Domino %zu is the weakest: it has %.40s more than it needs.", v->weakest,
-                 measured(v->spare, "share", 3).text);
-    else if (v->end == DOM_ROW_FALLS)
-        text_add(chart->note, sizeof chart->note, ".");
-    fall_axes(run, chart);
-    fall_marks(run, chart);
 }
 
 static bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
@@ -119,49 +99,24 @@ static bool plot_fall(const struct query *query, struct answer *a, struct chart 
 
 /* ---- Speed of the front ---- */
 
-/* Returns the speed of the front from hit i to the next hit, or NaN if hit i is the last one. */
-static double speed_of(const struct row_run *run, size_t i)
-{
-    /* Dominoes are numbered from 1 but indexed from 0, so the number of this domino is the index of the next
-     * one. */
-    size_t next = run->fall[i].domino;
-    if (next >= run->scene.row.count || i + 1 >= run->hits)
-        return (double)NAN;
-    const struct domq_domino *d = &run->scene.domino[next];
-    return (double)((d->gap + d->thickness) / run->fall[i].duration);
-}
-
-static void speed_chart(const struct row_run *run, struct chart *chart)
-{
-    end_note(run, chart);
-    if (run->verdict.end == DOM_ROW_FALLS && isfinite(run->verdict.seconds))
-        text_add(chart->note, sizeof chart->note, "; the last one lies flat after %.40s.",
-                 measured(run->verdict.seconds, "s", 4).text);
-    chart->x.low = chart->y.low = 0;
-}
-
 static bool plot_speed(const struct query *query, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {
-    /* A dot marks each hit, unless there are so many dots that they would hide the curve. */
-    enum { DOTS = 120 };
     struct row_run run;
     if (!row_run(query, problem, true, &run))
         return false;
-    struct chart_curve *hits =
-        chart && run.hits <= DOTS ? chart_curve(chart, CHART_POINTS, INK_TEXT, 0, "a domino is hit") : NULL;
     domq_real place = 0;
     size_t at = 1;
     bool runs = false;
     for (size_t i = 0; i < run.hits && !run.timeless; i++) {
-        double speed = speed_of(&run, i);
-        for (; at < run.fall[i].domino; at++)
+        const size_t next = run.fall[i].domino; /* the index, counted from 0, of the next domino */
+        const struct domq_domino *d = &run.scene.domino[next < run.scene.row.count ? next : 0];
+        const bool has_speed = next < run.scene.row.count && i + 1 < run.hits;
+        const domq_real speed = has_speed ? (d->gap + d->thickness) / run.fall[i].duration : DOMQ_NAN;
+        for (; at < next; at++)
             place += run.scene.domino[at].gap + run.scene.domino[at].thickness;
         runs = runs || !isnan(speed);
-        answer_cells(a, cell_count((domq_real)run.fall[i].domino), cell_real(place),
-                     cell_real((domq_real)speed));
-        if (hits)
-            chart_point(chart, hits, (double)place, speed);
+        answer_cells(a, cell_count((domq_real)run.fall[i].domino), cell_real(place), cell_real(speed));
     }
     bool done = !run.timeless && (!chart || runs);
     if (run.timeless)
@@ -171,8 +126,13 @@ static bool plot_speed(const struct query *query, struct answer *a, struct chart
                                        ? "this plot needs at least two dominoes; 'set row 5' sets up five"
                                        : "the front has no speed, because the fall ends before domino 2 is "
                                          "hit; 'mend' looks for a change that saves the row");
-    else if (chart)
-        speed_chart(&run, chart);
+    else if (chart) {
+        end_note(&run, chart);
+        if (run.verdict.end == DOM_ROW_FALLS && isfinite(run.verdict.seconds))
+            text_add(chart->note, sizeof chart->note, "; the last one lies flat after %.40s.",
+                     measured(run.verdict.seconds, "s", 4).text);
+        chart->x.low = chart->y.low = 0;
+    }
     row_run_free(&run);
     return done;
 }
