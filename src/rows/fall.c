@@ -44,124 +44,81 @@ const struct column verdict_columns[] = {
 
 static const char foot_lifted[] = "a domino is lifted off the floor, and no friction can prevent this";
 
-/* The friction that a foot needs so that it does not slip, either while the domino `head` falls or at the
- * instant when this domino is hit. Dominoes are counted from 1. */
-struct slip {
-    domq_real needs; /* the friction coefficient; infinite if the foot is lifted off the floor */
-    size_t domino;   /* the domino whose foot this is */
-    size_t head;     /* 0 if no foot was found */
+/* The friction that feet need so that they do not slip: while dominoes fall, or when dominoes are hit. */
+struct needs {
+    domq_real most; /* the largest friction coefficient; infinite if a foot is lifted off the floor */
+    size_t domino;  /* whose foot needs it, counted from 1 */
+    size_t first;   /* whose foot slips first, or 0 if none slips */
+    size_t head;    /* which domino falls or is hit at that time */
 };
 
-/* The friction that the feet of a row need: `motion` while dominoes fall, and `hit` at the instants when a
- * domino is hit. */
-struct feet {
-    domq_real floor; /* the friction of the floor */
-    struct needs {
-        struct slip most, first; /* the foot that needs the most friction, and the first foot that slips */
-    } motion, hit;
-};
-
-static void needs_add(struct needs *n, struct slip slip, domq_real floor)
+static void needs_add(struct needs *n, domq_real needs, size_t domino, size_t head, domq_real floor)
 {
-    if (slip.needs > n->most.needs)
-        n->most = slip;
-    if (n->first.head == 0 && slip.needs > floor)
-        n->first = slip;
+    if (needs > n->most) {
+        n->most = needs;
+        n->domino = domino;
+    }
+    if (n->first == 0 && needs > floor) {
+        n->first = domino;
+        n->head = head;
+    }
 }
 
-/* Adds what the floor needs while the domino `head` falls. */
-static void feet_add(struct feet *feet, size_t head, const struct dom_floor *f)
+static void needs_say(struct answer *a, const struct needs *n, const char *when, domq_real floor)
 {
-    needs_add(&feet->motion, (struct slip){(domq_real)f->motion, f->domino, head}, feet->floor);
-    needs_add(&feet->hit, (struct slip){(domq_real)f->hit, f->hit_domino, head}, feet->floor);
-}
-
-static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_real floor)
-{
-    const struct slip *most = &n->most, *first = &n->first;
-    if (most->head == 0)
-        return;
-    if (isfinite(most->needs))
-        answer_say(a, "%s feet need a friction coefficient of up to %s (the foot of domino %zu).",
-                   hit ? "At the moment of a hit," : "While dominoes fall,",
-                   measured(most->needs, "", 4).text, most->domino);
-    else
-        answer_say(a, "The foot of domino %zu is lifted off the floor %s, and no friction can prevent this.",
-                   most->domino, hit ? "at a hit" : "while dominoes fall");
-    if (first->head == 0)
-        answer_say(a, "On a floor with a friction coefficient of %.4g, no foot slips %s.", (double)floor,
-                   hit ? "at a hit" : "while dominoes fall");
-    else if (isfinite(first->needs))
+    char slips[80] = "no foot slips";
+    if (n->first > 0)
+        snprintf(slips, sizeof slips, "the foot of domino %zu slips first", n->first);
+    if (isinf(n->most))
+        answer_say(a, "%s, the foot of domino %zu is lifted off the floor, and no friction can prevent this.",
+                   when, n->domino);
+    else if (n->domino > 0)
         answer_say(a,
-                   "On a floor with a friction coefficient of %.4g, the foot of domino %zu slips first (it "
-                   "needs %s %s).",
-                   (double)floor, first->domino, measured(first->needs, "", 4).text,
-                   hit ? "at a hit" : "while dominoes fall");
+                   "%s, feet need a friction coefficient of up to %s (domino %zu); on this floor, with %.4g, "
+                   "%s.",
+                   when, measured(n->most, "", 4).text, n->domino, (double)floor, slips);
 }
 
 /* Prints how slipping feet affect the answer. If `in_motion` is false, feet slip only in a collision. */
 static void slip_matters_say(struct answer *a, bool in_motion)
 {
-    answer_say(
-        a,
-        in_motion
-            ? "This answer assumes that feet do not slip. If feet slip while dominoes fall, a row can stop "
-              "sooner than this answer says."
-            : "This answer assumes that feet do not slip. A slip at the moment of a hit matters little. In "
-              "tests with a rigid-body engine, feet could slip on a floor with a friction coefficient of "
-              "0.4. This changed the largest growth by at most 3 %% if the coefficient between the dominoes "
-              "was 0.2, and by about a tenth if there was no friction between them.");
-}
-
-/* `count` is the number of dominoes in the row. */
-static void feet_say(struct answer *a, const struct feet *feet, size_t count)
-{
-    needs_say(a, &feet->motion, false, feet->floor);
-    needs_say(a, &feet->hit, true, feet->floor);
-    /* While the last domino falls, a slip does not matter. */
-    bool in_motion = feet->motion.first.head > 0 && feet->motion.first.head < count;
-    if (!in_motion && feet->hit.first.head == 0)
-        return;
-    slip_matters_say(a, in_motion);
-    answer_say(a,
-               "Enter 'set floor off; set feet %.4g' to run the row on this floor in a rigid-body "
-               "engine, where feet can slip.",
-               (double)feet->floor);
+    answer_say(a, in_motion
+                      ? "This answer assumes that feet do not slip. If feet slip while dominoes fall, a "
+                        "row can stop sooner than this answer says."
+                      : "This answer assumes that feet do not slip. A slip at the moment of a hit "
+                        "changes the largest growth by up to a tenth.");
 }
 
 struct falling {
     struct answer *answer;
     struct row_run run;
-    struct feet feet;
+    domq_real mu;            /* the friction of the floor */
     struct dom_floor *floor; /* what the floor needs while each domino falls; NULL unless 'set floor' is on */
-    struct domq_fall last;   /* the last domino that was hit */
+    struct needs motion, hit;
+    struct domq_fall last; /* the last domino that was hit */
 };
+
+static void feet_say(struct answer *a, const struct falling *f)
+{
+    needs_say(a, &f->motion, "While dominoes fall", f->mu);
+    needs_say(a, &f->hit, "When dominoes are hit", f->mu);
+    /* While the last domino falls, a slip does not matter. */
+    const bool in_motion = f->motion.head > 0 && f->motion.head < f->run.scene.row.count;
+    if (!in_motion && f->hit.first == 0)
+        return;
+    slip_matters_say(a, in_motion);
+    answer_say(a,
+               "Enter 'set floor off; set feet %.4g' to run the row on this floor in a rigid-body "
+               "engine, where feet can slip.",
+               (double)f->mu);
+}
 
 static bool is_slippery(const struct scene_row *scene)
 {
     return scene->row.engine && isfinite(scene->engine.feet);
 }
 
-/* Returns how far the foot of domino k, counted from 0, has slid. Only the engine computes this. */
-static domq_real foot_slid(const struct scene_row *scene, size_t k)
-{
-    return scene->row.engine ? (domq_real)scene->report.slid[k] : DOMQ_NAN;
-}
-
 /* ---- In words ---- */
-
-static void all_fall_say(struct answer *a, const struct falling *f)
-{
-    const size_t count = f->run.scene.row.count;
-    const struct words fall = all_fall_words(count);
-    if (count == 1 && isnan(f->run.scene.row.push))
-        answer_say(a, "%s.", fall.text);
-    else if (isfinite(f->run.verdict.seconds))
-        answer_say(a, "%s in %s.", fall.text, measured(f->run.verdict.seconds, "s", 4).text);
-    else
-        answer_say(a, "%s, but one domino almost stops, so the duration of the fall cannot be computed.",
-                   fall.text);
-}
 
 /* Returns a phrase that says why the fall ends early, such as "friction locks it". */
 static const char *end_reason(const struct row_run *run)
@@ -180,8 +137,13 @@ static void verdict_say(struct answer *a, const struct falling *f, bool listed)
 {
     const struct domq_verdict *v = &f->run.verdict;
     const size_t count = f->run.scene.row.count;
-    if (v->end == DOM_ROW_FALLS)
-        all_fall_say(a, f);
+    if (v->end == DOM_ROW_FALLS && count == 1 && isnan(f->run.scene.row.push))
+        answer_say(a, "%s.", all_fall_words(count).text);
+    else if (v->end == DOM_ROW_FALLS && isfinite(v->seconds))
+        answer_say(a, "%s in %s.", all_fall_words(count).text, measured(v->seconds, "s", 4).text);
+    else if (v->end == DOM_ROW_FALLS)
+        answer_say(a, "%s, but one domino almost stops, so the duration of the fall cannot be computed.",
+                   all_fall_words(count).text);
     else if (v->end == DOM_ROW_STOPS && isfinite(v->short_by))
         answer_say(a, "The row stops at domino %zu of %zu, which %s.%s", v->domino, count,
                    energy_words(fall_share(&f->last)).text, count > 1 ? " 'mend' looks for a change." : "");
@@ -190,30 +152,10 @@ static void verdict_say(struct answer *a, const struct falling *f, bool listed)
     weakest_say(a, v, listed || v->end != DOM_ROW_FALLS);
 }
 
-/* Prints which foot slides farthest relative to the height of its domino. */
-static void slide_say(struct answer *a, const struct scene_row *scene, size_t hits)
-{
-    size_t most = 0;
-    domq_real share = 0;
-    for (size_t k = 0; k < hits; k++) {
-        domq_real of = quad(fabs)(foot_slid(scene, k)) / scene->domino[k].height;
-        most = of > share ? k : most;
-        share = quad_larger(share, of);
-    }
-    if (share < (domq_real)1 / 1000)
-        answer_say(a, "No foot slides by more than a thousandth of the height of its domino.");
-    else
-        answer_say(a, "Feet slide. Domino %zu slides farthest for its size: %s %s, %s of its height.",
-                   most + 1, measured(quad(fabs)(foot_slid(scene, most)), "m", 3).text,
-                   foot_slid(scene, most) > 0 ? "forwards" : "backwards", measured(share, "share", 2).text);
-}
-
-/* If the engine ran the row, prints how far feet slide and how accurate the engine is. */
+/* If the engine ran the row, prints how accurate it is. */
 static void engine_say(struct answer *a, const struct row_run *run)
 {
     const struct engine_report *s = &run->scene.report;
-    if (is_slippery(&run->scene))
-        slide_say(a, &run->scene, run->verdict.domino);
     if (run->scene.row.engine)
         answer_detail(
             a,
@@ -242,8 +184,11 @@ static bool fall_note(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
     f->last = *fall;
-    if (f->floor)
-        feet_add(&f->feet, fall->domino, &f->floor[fall->domino - 1]);
+    if (f->floor) {
+        const struct dom_floor *floor = &f->floor[fall->domino - 1];
+        needs_add(&f->motion, (domq_real)floor->motion, floor->domino, fall->domino, f->mu);
+        needs_add(&f->hit, (domq_real)floor->hit, floor->hit_domino, fall->domino, f->mu);
+    }
     return true;
 }
 
@@ -259,17 +204,18 @@ static struct cell energy_cell(const struct answer *a, const struct domq_fall *f
 static bool fall_row(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
+    const struct scene_row *scene = &f->run.scene;
     const size_t k = fall->domino - 1;
     const struct dom_floor none = {.motion = DOM_NAN, .hit = DOM_NAN},
                            *floor = f->floor ? &f->floor[k] : &none;
     const bool lifted = isinf(floor->motion) || isinf(floor->hit);
     answer_row(f->answer,
-               ROW(cell_count((domq_real)fall->domino), cell_narrow(f->run.scene.domino[k].height, 4),
+               ROW(cell_count((domq_real)fall->domino), cell_narrow(scene->domino[k].height, 4),
                    cell_narrow(fall->time, 4), cell_narrow(fall->time + fall->duration, 4),
                    cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4), cell_narrow(fall->barrier, 4),
                    cell_narrow(fall->margin, 4), energy_cell(f->answer, fall),
                    cell_narrow((domq_real)floor->motion, 3), cell_narrow((domq_real)floor->hit, 3),
-                   cell_narrow(foot_slid(&f->run.scene, k), 3)),
+                   cell_narrow(scene->row.engine ? (domq_real)scene->report.slid[k] : DOMQ_NAN, 3)),
                lifted && !answer_for_people(f->answer) ? foot_lifted : NULL);
     return fall_note(fall, context) && !answer_lost(f->answer);
 }
@@ -312,7 +258,7 @@ static enum dom_status floor_find(struct falling *f)
  * false. */
 static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
 {
-    struct falling f = {.answer = a, .feet.floor = query->scene->effect[DOM_EFFECT_floor].value[0]};
+    struct falling f = {.answer = a, .mu = query->scene->effect[DOM_EFFECT_floor].value[0]};
     const struct domq_verdict *v = &f.run.verdict;
     const struct scene_row *scene = &f.run.scene;
     if (!row_run_begin(query, problem, &f.run))
@@ -336,7 +282,7 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
     if (known || (status == DOM_OK && listed)) {
         verdict_say(a, &f, listed);
         if (f.floor)
-            feet_say(a, &f.feet, scene->row.count);
+            feet_say(a, &f);
         engine_say(a, &f.run);
     }
     bool leans = false;

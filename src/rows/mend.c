@@ -36,24 +36,18 @@ static bool push_lacks(const struct domq_verdict *v)
     return v->end == DOM_ROW_LEANS || v->end == DOM_ROW_BACK || (v->end == DOM_ROW_STOPS && v->domino == 1);
 }
 
-/* Sets *push to the weakest push that saves the row, or to NaN if there is none. */
-static enum dom_status push_say(struct answer *a, const struct double_row *made, const struct domq_verdict *v,
-                                double *push)
+/* Says what push the row needs. `push` is the weakest push that saves the row, or NaN if there is none. */
+static void push_say(struct answer *a, const struct domq_verdict *v, double push)
 {
-    enum dom_status status = dom_row_weakest_push(&made->row, &made->compute,
-                                                  dom_effect(DOM_EFFECT_push)->argument[0].highest, push);
-    if (status != DOM_OK)
-        return status;
     answer_say(a, v->end == DOM_ROW_LEANS
                       ? "The row needs a push: its first domino touches the second before it tips over."
                   : v->end == DOM_ROW_BACK
                       ? "The row needs a larger tilt or a stronger push: its first domino falls back."
                       : "The row needs a stronger push: its first domino does not tip over.");
-    if (isnan(*push))
+    if (isnan(push))
         answer_say(a, "A push alone cannot save this row; enter 'set push 5', and then 'mend' again.");
     else
-        answer_say(a, "With 'set push %.4g', all dominoes fall.", *push);
-    return DOM_OK;
+        answer_say(a, "With 'set push %.4g', all dominoes fall.", push);
 }
 
 /* ---- The gaps ---- */
@@ -77,23 +71,6 @@ static int by_change(const void *a, const void *b)
     return dx < dy ? -1 : dx > dy;
 }
 
-/* Finds the windows of all gaps. Moves the gaps that save the row to the front, the one with the smallest
- * change first, and stores their number in *found. The caller frees *list. */
-static enum dom_status mends_find(const struct double_row *made, struct dom_window **list, size_t *found)
-{
-    const size_t gaps = made->row.count - 1;
-    struct dom_window *w = *list = calloc(gaps + 1, sizeof *w);
-    const enum dom_status status =
-        w ? dom_row_windows(&made->row, &made->compute, DOM_WINDOW_GAP, progress_count, NULL, w)
-          : DOM_NO_MEMORY;
-    for (size_t i = 0; i < gaps && status == DOM_OK; i++)
-        if (!isnan(w[i].low))
-            w[(*found)++] = w[i];
-    if (status == DOM_OK && *found > 1)
-        qsort(w, *found, sizeof *w, by_change);
-    return status;
-}
-
 /* ---- Answers ---- */
 
 /* Returns the smallest change of the gap to whole millimetres at which all dominoes fall. If there is none,
@@ -107,9 +84,16 @@ static domq_real whole_gap(const struct dom_window *w)
     return (wider ? gap <= until : gap >= until) && gap > 0 ? gap : to;
 }
 
-static void mend_say(struct answer *a, const struct dom_window *w, bool needs_push)
+/* Prints the changes of single gaps that save the row, and says how to make the first one, the smallest. */
+static void mends_answer(struct answer *a, const struct dom_window *w, size_t found, bool needs_push)
 {
     const double to = gap_near(w);
+    for (size_t i = 0; i < found; i++) {
+        const double now = w[i].now, change = gap_near(&w[i]) - now;
+        answer_cells(a, cell_count((domq_real)w[i].domino), cell_narrow(now, 7),
+                     cell_narrow(gap_near(&w[i]), 7), cell_narrow(gap_far(&w[i]), 7), cell_narrow(change, 5),
+                     cell_narrow(now > 0 ? change / now : DOM_NAN, 4));
+    }
     const struct measured safe = measured(whole_gap(w), "m", 7);
     answer_say(a, "%s %s the gap before domino %zu from %s to %s: 'place %zu %s'.",
                needs_push ? "The smallest change, if the push stays as it is:" : "The smallest change:",
@@ -121,56 +105,53 @@ static void mend_say(struct answer *a, const struct dom_window *w, bool needs_pu
                   measured(to + (gap_far(w) - to) / 3, "m", 4).text);
 }
 
-/* Prints a table of the changes that were found and says how to make the smallest one. */
-static void mends_answer(struct answer *a, const struct dom_window *list, size_t found,
-                         const struct domq_verdict *v, size_t count, bool has_push)
-{
-    static const char no_single_gap[] =
-        "the search found no change of a single gap that saves this row; change several gaps, the push, or "
-        "the dominoes";
-    const bool falls = v->end == DOM_ROW_FALLS;
-    for (size_t i = 0; i < found; i++) {
-        const double now = list[i].now, to = gap_near(&list[i]);
-        answer_cells(a, cell_count((domq_real)list[i].domino), cell_narrow(now, 7), cell_narrow(to, 7),
-                     cell_narrow(gap_far(&list[i]), 7), cell_narrow(to - now, 5),
-                     cell_narrow(now > 0 ? (to - now) / now : DOM_NAN, 4));
-    }
-    if (found > 0)
-        mend_say(a, list, push_lacks(v));
-    else if (!answer_for_people(a))
-        answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},
-                   falls ? "all fall" : no_single_gap);
-    else if (falls)
-        answer_say(a, "%s: no gap has to change.", all_fall_words(count).text);
-    else if (!has_push) /* a push that saves the row has been named above */
-        answer_say(a, "T%s.", no_single_gap + 1);
-    if (falls)
-        weakest_say(a, v, false);
-}
-
 bool run_mend(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
     struct double_row made;
     struct domq_verdict v;
-    struct dom_window *list = NULL;
+    struct dom_window *w = NULL;
     size_t found = 0;
     double push = DOM_NAN;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
+    const size_t count = scene.row.count;
     enum dom_status status = scene_row_in_double(&scene, &made);
+    if (status == DOM_OK && !(w = calloc(count, sizeof *w)))
+        status = DOM_NO_MEMORY;
     if (status == DOM_OK)
         status = any_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
-    if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
-        status = push_say(a, &made, &v, &push);
-    if (status == DOM_OK && v.end != DOM_ROW_FALLS)
-        status = mends_find(&made, &list, &found);
-    if (status == DOM_OK)
-        mends_answer(a, list, found, &v, scene.row.count, !isnan(push));
-    if (status == DOM_OK && found == 0 && v.end != DOM_ROW_FALLS && isnan(push) &&
-        !query->scene->listed.domino)
-        answer_say(a, "'why' says with which gaps or growth an endless train keeps falling.");
-    free(list);
+    const bool falls = status == DOM_OK && v.end == DOM_ROW_FALLS, people = answer_for_people(a),
+               pushes = status == DOM_OK && push_lacks(&v) && people;
+    if (pushes)
+        status = dom_row_weakest_push(&made.row, &made.compute,
+                                      dom_effect(DOM_EFFECT_push)->argument[0].highest, &push);
+    if (status == DOM_OK && !falls)
+        status = dom_row_windows(&made.row, &made.compute, DOM_WINDOW_GAP, progress_count, NULL, w);
+    for (size_t i = 0; i + 1 < count && status == DOM_OK && !falls; i++)
+        if (!isnan(w[i].low))
+            w[found++] = w[i];
+    if (found > 1)
+        qsort(w, found, sizeof *w, by_change);
+    if (status == DOM_OK && pushes)
+        push_say(a, &v, push);
+    if (found > 0)
+        mends_answer(a, w, found, push_lacks(&v));
+    else if (status == DOM_OK && !people)
+        answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},
+                   falls ? "all fall" : "the search found no change of a single gap that saves this row");
+    else if (falls)
+        answer_say(a, "%s: no gap has to change.", all_fall_words(count).text);
+    else if (status == DOM_OK && isnan(push)) /* a push that saves the row has been named above */
+        answer_say(a,
+                   "The search found no change of a single gap that saves this row; change several gaps, the "
+                   "push, or the dominoes.%s",
+                   query->scene->listed.domino
+                       ? ""
+                       : " 'why' says with which gaps or growth an endless train keeps falling.");
+    if (falls)
+        weakest_say(a, &v, false);
+    free(w);
     free(made.domino);
     free(scene.domino);
     return row_status(query, problem, status);

@@ -164,7 +164,6 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
     struct growths g = {.scene = query->scene, .domino = scene.domino};
     const double reach = (double)domq_train_reach(&query->scene->train);
     char reason[96];
-    scene.row.floor = false;
     if (query->scene->listed.domino) {
         free(scene.domino);
         return problem_error(problem, "a row from a file has no growth r; first enter 'set row N'");

@@ -58,14 +58,6 @@ static size_t least_room(const struct windows *w, enum dom_window_of kind)
     return first;
 }
 
-/* Converts a window of leans from angles to distances by which the top is off plumb. */
-static void lean_to_top(struct dom_window *lean, double height)
-{
-    lean->now = height * sin(lean->now);
-    lean->low = height * sin(lean->low);
-    lean->high = height * sin(lean->high);
-}
-
 /* The search for all windows. Each kind of window is a task, and the tasks run in parallel. */
 struct search {
     struct windows *windows;
@@ -110,8 +102,12 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
         status = workers_tasks(WINDOW_KINDS, search_kind, &search, &pool);
     for (int kind = 0; kind < WINDOW_KINDS && status == DOM_OK; kind++)
         status = search.status[kind];
-    for (size_t k = 0; k < w->count; k++)
-        lean_to_top(&w->kind[DOM_WINDOW_LEAN][k], (double)scene->domino[k].height);
+    for (size_t k = 0; k < w->count; k++) { /* from angles to distances by which the top is off plumb */
+        struct dom_window *lean = &w->kind[DOM_WINDOW_LEAN][k];
+        double *const angle[] = {&lean->now, &lean->low, &lean->high};
+        for (int i = 0; i < 3; i++)
+            *angle[i] = (double)scene->domino[k].height * sin(*angle[i]);
+    }
     free(made.domino);
     for (int kind = 0; kind < WINDOW_KINDS && status == DOM_OK; kind++)
         w->critical[kind] = least_room(w, (enum dom_window_of)kind);
@@ -143,38 +139,33 @@ static const char *const kind_names[] = {
     [DOM_WINDOW_LEAN] = "lean",   [DOM_WINDOW_FRICTION] = "", [DOM_WINDOW_THICKNESS] = "thickness"};
 
 /* Prints the window with the tightest limits or, if the row does not fall, the one that saves the row with
- * the smallest change. Leans and the friction are among the details. */
+ * the smallest change, and the 'change' command that makes it. Leans and the friction are among the details.
+ */
 static void window_say(struct answer *a, const struct windows *w, enum dom_window_of kind)
 {
     const size_t k = w->critical[kind];
     if (k == 0)
         return;
     const struct dom_window of = readable(&w->kind[kind][k - 1]);
+    const bool is_detail = kind == DOM_WINDOW_LEAN || kind == DOM_WINDOW_FRICTION;
     const char *unit = kind == DOM_WINDOW_FRICTION ? "" : "m";
     char what[64] = "friction between the dominoes";
+    if (!w->falls && !is_detail) {
+        const double near = of.now < of.low ? of.low : of.high, far = of.now < of.low ? of.high : of.low;
+        answer_say(a, "'change %zu %s %s' saves the row.", k, kind_names[kind],
+                   measured(near + (far - near) / 3, "m", 4).text);
+        return;
+    }
     if (kind != DOM_WINDOW_FRICTION)
         snprintf(what, sizeof what, "%s of domino %zu", kind_names[kind], k);
-    (kind == DOM_WINDOW_LEAN || kind == DOM_WINDOW_FRICTION ? answer_detail : answer_say)(
-        a,
-        !w->falls ? "The row would fall if the %s were %s to %s; it is %s now."
-        : w->count > 1 && kind != DOM_WINDOW_FRICTION
-            ? "The %s has the tightest limits: %s to %s; it is %s now."
-            : "The %s may be %s to %s; it is %s now.",
-        what, measured(of.low, unit, DIGITS).text, measured(of.high, unit, DIGITS).text,
-        measured(of.now, unit, DIGITS_NOW).text);
-}
-
-/* Prints the 'change' command that saves a row which does not fall, by the gap, height or thickness of one
- * domino. */
-static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind)
-{
-    const size_t k = w->critical[kind];
-    if (k == 0)
-        return;
-    const struct dom_window *of = &w->kind[kind][k - 1];
-    const double near = of->now < of->low ? of->low : of->high, far = of->now < of->low ? of->high : of->low;
-    answer_say(a, "'change %zu %s %s' saves the row.", k, kind_names[kind],
-               measured(near + (far - near) / 3, "m", 4).text);
+    (is_detail ? answer_detail
+               : answer_say)(a,
+                             !w->falls ? "The row would fall if the %s were %s to %s; it is %s now."
+                             : w->count > 1 && kind != DOM_WINDOW_FRICTION
+                                 ? "The %s has the tightest limits: %s to %s; it is %s now."
+                                 : "The %s may be %s to %s; it is %s now.",
+                             what, measured(of.low, unit, DIGITS).text, measured(of.high, unit, DIGITS).text,
+                             measured(of.now, unit, DIGITS_NOW).text);
 }
 
 static void tolerance_say(struct answer *a, const struct windows *w)
@@ -187,16 +178,11 @@ static void tolerance_say(struct answer *a, const struct windows *w)
     if (w->scene->row.engine)
         answer_detail(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
                          "and a window also ends where the engine reaches no verdict.");
-    if (w->falls) {
-        window_say(a, w, DOM_WINDOW_PLACE);
-        window_say(a, w, DOM_WINDOW_HEIGHT);
-        window_say(a, w, DOM_WINDOW_THICKNESS);
-    } else {
+    if (!w->falls)
         answer_say(a, "The row does not fall as it is; a change of one value can save it.");
-        change_say(a, w, DOM_WINDOW_GAP);
-        change_say(a, w, DOM_WINDOW_HEIGHT);
-        change_say(a, w, DOM_WINDOW_THICKNESS);
-    }
+    window_say(a, w, w->falls ? DOM_WINDOW_PLACE : DOM_WINDOW_GAP);
+    window_say(a, w, DOM_WINDOW_HEIGHT);
+    window_say(a, w, DOM_WINDOW_THICKNESS);
     window_say(a, w, DOM_WINDOW_LEAN);
     window_say(a, w, DOM_WINDOW_FRICTION);
 }

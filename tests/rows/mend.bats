@@ -51,6 +51,5 @@ load ../shell/common
 @test "mend: if a push helps, missing changes of gaps are not mentioned; without any advice, it points to why" {
     same 'a push' "The row needs a stronger push: its first domino does not tip over.
 With 'set push 2.521', all dominoes fall." "$("$DOMINO" -e 'set row 8; set push 2; mend')"
-    same 'why' "'why' says with which gaps or growth an endless train keeps falling." \
-        "$("$DOMINO" -e 'set row 8; set s 0.2; mend' | tail -n 1)"
+    [[ $("$DOMINO" -e 'set row 8; set s 0.2; mend') == *"'why' says with which gaps or growth an endless train keeps falling." ]]
 }

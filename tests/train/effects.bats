@@ -167,12 +167,12 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same holds false "$(json "$train 3; slip" | values slips_hit)"
     local scene='set s 0.2; set r 1.3; effect row 6; effect floor'
     run "$DOMINO" -e "$scene 0.4; fall"
-    [[ $output == *'On a floor with a friction coefficient of 0.4, no foot slips while dominoes fall.'* ]]
-    [[ $output == *'the foot of domino 1 slips first (it needs 2.504 at a hit).'*'matters little'* ]]
+    [[ $output == *'While dominoes fall, '*'on this floor, with 0.4, no foot slips.'* ]]
+    [[ $output == *'When dominoes are hit, '*', the foot of domino 1 slips first.'*'by up to a tenth'* ]]
     run "$DOMINO" -e "$scene 0.1; verdict"
-    [[ $output == *'the foot of domino 2 slips first (it needs 0.1041 while dominoes fall).'*'can stop sooner'* ]]
+    [[ $output == *'While dominoes fall, '*', the foot of domino 2 slips first.'*'can stop sooner'* ]]
     run "$DOMINO" -e "$scene 3; verdict"
-    [[ $output == *'On a floor with a friction coefficient of 3, no foot slips at a hit.'* && $output != *'feet that do not slip'* ]]
+    [[ $output == *'When dominoes are hit, '*'on this floor, with 3, no foot slips.'* && $output != *'feet do not slip'* ]]
     # The columns floor and floor_hit have the library's values for the motion and for the hit.
     close floor 0.1041 "$(json "$scene 1; fall" | values floor | tail -1)" 1e-3
     close floor_hit 2.504 "$(json "$scene 1; fall" | values floor_hit | tail -1)" 1e-3
