@@ -38,7 +38,7 @@ plots=(fall speed growth 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3
         done
     done <<'END'
 fall|Energy~to~spare spare~energy~/~energy~needed,~in~% the~weakest,~domino All~6~fall\.
-speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in a~domino~is~hit
+speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in 
 energy|Energy launch top hit potential~energy kinetic~energy tilt~of~the~head~in~rad
 omega|Angular~velocity launch top hit tilt~of~the~head the~head,~48~mm~tall
 chain|Tilts launch top hit i~=~0,~the~head i~=~1 the~last
