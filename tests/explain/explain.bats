@@ -83,7 +83,7 @@ explain foo|unknown question 'foo'; use one of: thetac, theta1
 explain theta1|'explain theta1' needs a value, for example 'explain theta1 0.2'
 explain theta1 3|outside the cycle
 explain why depp|did you mean 'deep'
-explain why > a.pdf|'a.pdf' is the name of a picture, which 'explain' cannot write; use .csv, .json or .txt
+explain why > a.pdf|'explain' cannot write 'a.pdf'; use .csv, .json or .txt
 set s 0.001; explain rmax|no growth is possible here
 set r 3; explain why|falls past the next domino
 END

@@ -166,7 +166,7 @@ END
 @test "plot sweep: the data agree with sweep" {
     same csv "$(csv 'sweep s 0.2 0.6 5 : rmax')" "$(csv 'plot sweep s 0.2 0.6 5 : rmax')"
     same json "$(json 'sweep q 3, 4 s 0.2 0.6 3 : count 112')" "$(json 'plot sweep q 3, 4 s 0.2 0.6 3 : count 112')"
-    wrong 'sweep s 0.2 0.6 5 : rmax > a.svg' "'a.svg' is the name of a picture, which 'sweep' cannot write; use .csv, .json or .txt; 'draw' and 'plot' write pictures"
+    wrong 'sweep s 0.2 0.6 5 : rmax > a.svg' "'sweep' cannot write 'a.svg'; use .csv, .json or .txt"
     # The values of a grid may decrease.
     same 'a map' "$("$DOMINO" -e 'plot sweep s 0.1 0.9 9 d 0.1 0.3 7 : rmax')" "$("$DOMINO" -e 'plot sweep s 0.9 0.1 9 d 0.3 0.1 7 : rmax')"
     # Each word of a grid has its own curve, logarithmic grids have logarithmic axes, and points without an answer are

@@ -131,8 +131,8 @@ END
 @test "an answer that is not a picture cannot be written to a picture file" {
     echo draw >s.dom
     for what in rmax 'source s.dom' show help; do
-        wrong "$what > a.PNG" "'a.PNG' is the name of a picture, which '${what%% *}' cannot write; use "
-        wrong "$what >> a.svg" "'a.svg' is the name of a picture"
+        wrong "$what > a.PNG" "'${what%% *}' cannot write 'a.PNG'; use "
+        wrong "$what >> a.svg" "cannot write 'a.svg'"
     done
     same 'nothing is left' s.dom "$(ls)"
 }
@@ -191,14 +191,14 @@ END
 
 # bats test_tags=rows,chance,pictures
 @test "a file extension that does not suit the answer is an error before anything is computed, and leaves no file" {
-    wrong 'rmax > a.gif' "'a.gif' is the name of a film, which 'rmax' cannot write; use .csv, .json or .txt"
-    wrong 'rmax > a.xlsx' "the file extension of 'a.xlsx' is unknown; use .csv, .json or .txt"
-    wrong 'draw > a.jpg' "the file extension of 'a.jpg' is unknown; use .svg, .png, .pdf, .gp or .txt"
-    wrong 'plot growth > a.b' "the file extension of 'a.b' is unknown; use .svg, .png, .pdf, .gp or .txt [(]for the data: .csv or .json[)]"
+    wrong 'rmax > a.gif' "'rmax' cannot write 'a.gif'; use .csv, .json or .txt"
+    wrong 'rmax > a.xlsx' "'rmax' cannot write 'a.xlsx'; use .csv, .json or .txt"
+    wrong 'draw > a.jpg' "'draw' cannot write 'a.jpg'; use .svg, .png, .pdf, .gp or .txt"
+    wrong 'plot growth > a.b' "'plot' cannot write 'a.b'; use .svg, .png, .pdf, .gp or .txt [(]for the data: .csv or .json[)]"
     for what in 'set s 0.3' reset; do
-        wrong "$what > a.csv" "'a.csv' is the name of a data file, which '${what%% *}' cannot write; use .txt"
+        wrong "$what > a.csv" "'${what%% *}' cannot write 'a.csv'; use .txt"
     done
-    wrong 'effect row 12; effect placement 5 mm; placement 10000000 > a.svg' "is the name of a picture, which 'placement' cannot write; use .csv, .json or .txt; 'draw' and 'plot' write pictures"
+    wrong 'effect row 12; effect placement 5 mm; placement 10000000 > a.svg' "'placement' cannot write 'a.svg'; use .csv, .json or .txt"
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 

@@ -51,21 +51,6 @@ screens() {
     [ "$(wc -L <"$BATS_TEST_TMPDIR/screen")" -le 60 ] || same width "60 columns" "$(cat "$BATS_TEST_TMPDIR/screen")"
 }
 
-@test "a terminal that is too small for a picture gets one message that says so, and a file has the picture" {
-    for size in '20 6' '30 24' '80 12'; do
-        read -r columns rows <<<"$size"
-        for scene in draw 'plot growth' 'effect row 6; draw'; do
-            NO_COLOR=1 on_terminal "$columns" "$rows" "$scene" >"$BATS_TEST_TMPDIR/screen" && false
-            # The message is broken between words, and is all that the terminal gets.
-            paste -sd ' ' "$BATS_TEST_TMPDIR/screen" |
-                grep -qE "^-e:1: [a-z]+: the terminal has $columns x $rows characters, but a picture needs 31 x 13; enlarge the terminal, or enter '[a-z]+ > [a-z]+\.txt'$"
-        done
-    done
-    on_terminal 20 6 "draw > $BATS_TEST_TMPDIR/draw.txt"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/draw.txt")" -gt 13 ]
-    on_terminal 20 6 'set output csv; draw' | grep -q ,
-}
-
 @test "colours change no characters" {
     local scene='effect row 6; effect friction 0.1; plot fall'
     plain() { sed 's/\x1b\[[0-9;]*m//g'; }

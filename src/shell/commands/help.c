@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands help, apropos, complete and details. */
 #define _GNU_SOURCE /* strcasestr */
-#include "io/terminal.h"
 #include "commands/tables.h"
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"
+#include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "prompt/input.h"
@@ -17,89 +17,68 @@
 
 /* A help topic. A text that the topic does not have is NULL. */
 struct topic {
-    const struct command *command;     /* the command; NULL for other topics */
-    const struct parameter *parameter; /* the parameter or effect; NULL for other topics */
+    const struct command *command;     /* NULL for a parameter or an effect */
+    const struct parameter *parameter; /* NULL for a command */
     const char *name, *kind, *summary, *equation, *text, *example, *synonyms;
     char usage[96], keys[ANSWER_HEADER];
     char see[128]; /* the related topics that this build has; may be "" */
 };
 
-static void topic_of_command(const struct command *c, struct topic *t)
+/* Fills in topic number k, or returns false if there is none. Commands come first, in the order of 'help',
+ * then parameters and effects. */
+static bool topic_at(int k, struct topic *t)
 {
-    *t = (struct topic){.command = c,
-                        .name = c->name,
-                        .kind = "command",
-                        .summary = c->summary,
-                        .equation = c->equation,
-                        .text = c->help,
-                        .example = c->example,
-                        .synonyms = c->synonyms};
-    command_usage_write(c, t->usage);
-    for (const struct column *k = c->columns; k && k->key; k++)
-        text_add(t->keys, sizeof t->keys, "%s%s", *t->keys ? " " : "", k->key);
-    for (const char *word = c->see; word && *word; word += strspn(word, " ")) {
+    const struct command *c = command_at(k);
+    const struct parameter *p = c ? NULL : session_parameters + (k - command_count());
+    if (!c && !p->name)
+        return false;
+    *t = (struct topic){.command = c, .parameter = p};
+    t->name = c ? c->name : p->name;
+    t->kind = c ? "command" : p->effect ? "effect" : "parameter";
+    t->summary = c ? c->summary : p->meaning;
+    t->equation = c ? c->equation : p->effect ? p->effect->source : NULL;
+    t->text = c ? c->help : p->help;
+    t->example = c ? c->example : p->example;
+    t->synonyms = c ? c->synonyms : p->synonyms;
+    if (c)
+        command_usage_write(c, t->usage);
+    else
+        snprintf(t->usage, sizeof t->usage, "set %s", parameter_usage(p));
+    for (const struct column *key = c ? c->columns : NULL; key && key->key; key++)
+        text_add(t->keys, sizeof t->keys, "%s%s", *t->keys ? " " : "", key->key);
+    for (const char *word = c ? c->see : NULL; word && *word; word += strspn(word, " ")) {
         char name[32];
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(word, " "), word);
+        name_copy(word, strcspn(word, " "), name, sizeof name);
         if (command_find(name) || parameter_find(name))
             text_add(t->see, sizeof t->see, "%s%s", *t->see ? " " : "", name);
         word += strcspn(word, " ");
     }
+    return true;
 }
-
-static void topic_of_parameter(const struct parameter *p, struct topic *t)
-{
-    *t = (struct topic){.parameter = p,
-                        .name = p->name,
-                        .kind = p->effect ? "effect" : "parameter",
-                        .summary = p->meaning,
-                        .equation = p->effect ? p->effect->source : NULL,
-                        .text = p->help,
-                        .example = p->example,
-                        .synonyms = p->synonyms};
-    snprintf(t->usage, sizeof t->usage, "set %s", parameter_usage(p));
-}
-
-/* Fills in topic number k, or returns false if there is none. Commands come first, in the order of 'help',
- * then parameters and effects. */
-static bool topic_at(int k, struct topic *topic)
-{
-    const struct parameter *p = session_parameters;
-    for (const struct command_group *g = command_groups(); g->title; g++)
-        for (const struct command *c = g->commands; c->name; c++)
-            if (k-- == 0) {
-                topic_of_command(c, topic);
-                return true;
-            }
-    while (p->name && k-- > 0)
-        p++;
-    if (p->name)
-        topic_of_parameter(p, topic);
-    return p->name;
-}
-
-/* A word occurs in the name, the summary, the synonyms, or the words for a parameter's values, or only in
- * details: the help text, the equations or the columns. */
-enum match { MATCH_TOPIC, MATCH_DETAILS, MATCH_NONE };
 
 static bool mentions(const char *text, const char *word)
 {
     return text && strcasestr(text, word);
 }
 
-static enum match topic_match(const struct topic *t, const char *word)
+/* Returns true if a topic is about a word: its name, its summary, its synonyms, or the words for its values.
+ */
+static bool topic_is_about(const struct topic *t, const char *word)
 {
     bool is_about = mentions(t->name, word) || mentions(t->summary, word) || mentions(t->synonyms, word);
-    bool in_details = mentions(t->text, word) || (t->command && mentions(t->equation, word));
-    const struct word *w = t->parameter && !t->parameter->effect ? t->parameter->words : NULL;
-    const char *const *e = t->parameter && t->parameter->effect ? t->parameter->effect->equations : NULL;
-    const struct column *k = t->command ? t->command->columns : NULL;
-    for (; w && w->name; w++)
-        is_about = is_about || mentions(w->name, word);
-    for (; e && *e; e++)
-        in_details = in_details || mentions(*e, word);
-    for (; k && k->key; k++)
-        in_details = in_details || mentions(k->key, word) || mentions(k->meaning, word);
-    return is_about ? MATCH_TOPIC : in_details ? MATCH_DETAILS : MATCH_NONE;
+    const char *value;
+    for (int k = 0; t->parameter && !t->parameter->effect && (value = parameter_words(t->parameter, k)); k++)
+        is_about = is_about || mentions(value, word);
+    return is_about;
+}
+
+/* Returns true if the text, the equations or the columns of a topic mention a word. */
+static bool topic_mentions(const struct topic *t, const char *word)
+{
+    bool found = mentions(t->text, word) || (t->command && mentions(t->equation, word));
+    for (const struct column *k = t->command ? t->command->columns : NULL; k && k->key; k++)
+        found = found || mentions(k->key, word) || mentions(k->meaning, word);
+    return found;
 }
 
 static const struct column topic_columns[] = {
@@ -268,13 +247,8 @@ static void help_parameter(struct session *session, const struct topic *t)
 
 static void columns_write(FILE *out, const struct column *columns)
 {
-    int key = 12, unit = 6; /* minimum widths, so that most help pages look alike */
-    for (const struct column *k = columns; k->key; k++) {
-        key = (int)strlen(k->key) > key ? (int)strlen(k->key) : key;
-        unit = (int)strlen(k->unit) > unit ? (int)strlen(k->unit) : unit;
-    }
     for (const struct column *k = columns; k->key; k++)
-        wrapped(out, k->meaning, fprintf(out, "  %-*s %-*s ", key, k->key, unit, k->unit));
+        wrapped(out, k->meaning, fprintf(out, "  %-14s %-6s ", k->key, k->unit));
 }
 
 static void help_command(FILE *out, const struct topic *t)
@@ -377,14 +351,15 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
     const char *word = query->given->word[0];
     bool found = false;
     struct topic topic;
-    /* Topics about the word come before topics that only mention the word in their details. */
-    for (enum match match = MATCH_TOPIC; match < MATCH_NONE; match++)
+    /* Topics about the word come before those that only mention it in their text, equations or columns. */
+    for (int pass = 0; pass < 2; pass++)
         for (int k = 0; topic_at(k, &topic); k++) {
-            if (topic_match(&topic, word) != match)
+            const bool is_about = topic_is_about(&topic, word);
+            if (pass == 0 ? !is_about : is_about || !topic_mentions(&topic, word))
                 continue;
             found = true;
-            if (topic.parameter && answer_for_people(a))
-                snprintf(topic.usage, sizeof topic.usage, "set %s", topic.parameter->name);
+            if (topic.parameter)
+                snprintf(topic.usage, sizeof topic.usage, "set %s", topic.name);
             if (answer_for_people(a))
                 entry_write(a->out, 0, topic.usage, topic.summary);
             else

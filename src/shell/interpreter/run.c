@@ -19,31 +19,6 @@
 
 #define DOUBLE_NOTE "This answer is computed in double precision."
 
-/* Returns true if the answer of the command is always a picture. */
-static bool is_picture(const struct command *c)
-{
-    return c->writes == WRITES_PICTURES || c->writes == WRITES_FILMS;
-}
-
-/* Runs the command's function for this answer: `act` or `run` (see struct command), or the function of a
- * feature that draws the answer. If the terminal is too small for a picture, reports a problem instead. */
-static bool run_function(struct session *session, const struct command *c, const struct query *query,
-                         struct answer *answer, struct problem *problem)
-{
-    if (is_picture(c) && !c->access.files && answer->style.format->for_people && !answer->path) {
-        int width, height;
-        terminal_size(answer->out, &width, &height);
-        if (width && height && (width < PICTURE_LEAST_WIDTH || height < PICTURE_LEAST_HEIGHT))
-            return problem_error(problem,
-                                 "the terminal has %d x %d characters, but a picture needs %d x %d; enlarge "
-                                 "the terminal, or enter '%s > %s.txt'",
-                                 width, height, PICTURE_LEAST_WIDTH, PICTURE_LEAST_HEIGHT, c->name, c->name);
-    }
-    if (c->act)
-        return c->act(session, query->given, answer, problem);
-    return command_compute(c, query, answer, problem);
-}
-
 /* Keeps the answer for 'ans', and its rest for 'details'. Prints the rest at once if the command ends with
  * this word. */
 static void answer_keep(struct session *session, const struct command *c, const struct query *query,
@@ -133,7 +108,8 @@ static bool run_command(struct session *session, const struct command *c, const 
     session->made[0] = '\0';
     double begun = session->state.settings.timing ? terminal_clock() : 0;
     progress_begin();
-    bool done = run_function(session, c, query, &answer, problem);
+    bool done = c->act ? c->act(session, query->given, &answer, problem)
+                       : command_compute(c, query, &answer, problem);
     progress_end();
     if (done && c->columns && dom_raised(answer.progress.interrupt))
         done = problem_status(problem, query->scene, DOM_INTERRUPTED);
@@ -162,40 +138,20 @@ static bool run_command(struct session *session, const struct command *c, const 
 
 /* ---- Files ---- */
 
-/* Lists the extensions of the files that a command can write, for messages. */
-static const char *endings_of(const struct command *c)
-{
-    return c->writes == WRITES_PICTURES   ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
-           : c->writes == WRITES_FILMS    ? ".gif (for the data: .csv or .json)"
-           : c->columns || c->access.runs ? ".csv, .json or .txt"
-                                          : ".txt";
-}
-
 static bool extension_fits(const struct command *c, const char *path, struct problem *problem)
 {
-    const struct extension *extension = extension_of(path);
-    const bool draws = is_picture(c);
-    bool fits = true;
-    if (extension->kind == EXTENSION_OTHER)
-        return problem_error(problem, "the file extension of '%s' is unknown; use %s", names_shown(path),
-                             endings_of(c));
-    if (c->writes == WRITES_FILMS || extension->kind == EXTENSION_FILM)
-        fits = c->writes == WRITES_FILMS &&
-               (extension->kind == EXTENSION_FILM || extension->kind == EXTENSION_DATA);
-    else if (extension->kind == EXTENSION_DATA)
-        fits = c->columns || c->access.runs || c->writes == WRITES_PAGES;
-    else if (extension->kind == EXTENSION_SHEET)
-        fits = draws;
-    return fits || problem_error(problem, "'%s' is the name of a %s, which '%s' cannot write; use %s%s",
-                                 names_shown(path),
-                                 extension->kind == EXTENSION_DATA   ? "data file"
-                                 : extension->kind == EXTENSION_FILM ? "film"
-                                 : extension->terminal               ? "picture"
-                                                                     : "text",
-                                 c->name, endings_of(c),
-                                 extension->kind == EXTENSION_FILM ? "; 'animate' writes films"
-                                 : draws || !extension->terminal   ? ""
-                                                                   : "; 'draw' and 'plot' write pictures");
+    const enum extension_kind kind = extension_of(path)->kind;
+    const bool films = c->writes == WRITES_FILMS, draws = c->writes == WRITES_PICTURES,
+               has_data = c->columns || c->access.runs || films || c->writes == WRITES_PAGES;
+    const bool fits = kind == EXTENSION_FILM    ? films
+                      : kind == EXTENSION_DATA  ? has_data
+                      : kind == EXTENSION_SHEET ? draws
+                                                : kind != EXTENSION_OTHER && !films;
+    return fits || problem_error(problem, "'%s' cannot write '%s'; use %s", c->name, names_shown(path),
+                                 draws      ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
+                                 : films    ? ".gif (for the data: .csv or .json)"
+                                 : has_data ? ".csv, .json or .txt"
+                                            : ".txt");
 }
 
 /* At a terminal, says which file has been written, and what it contains. Scripts get no such message. */
