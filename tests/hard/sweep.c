@@ -343,6 +343,30 @@ static void check_point(struct point *point)
     ref_close(point->ref);
 }
 
+void sweep_check(const struct ref_input *input, enum precision precision, const enum ref_quantity *check,
+                 struct tally tally[REF_COUNT])
+{
+    const struct sweep sweep = {.precision = precision};
+    struct point point = {.sweep = &sweep,
+                          .input = *input,
+                          .tally = tally,
+                          .train = library_train(input, precision),
+                          .sharp = true};
+    struct answers answers;
+    library_nothing(&answers);
+    point.ref = ref_open_for(input, digits_of(&sweep));
+    for (; *check != REF_COUNT; check++)
+        if (*check == REF_R_MAX || *check == REF_PAIR) {
+            check_growth(&point, *check, &answers);
+        } else if (*check == REF_STOP) {
+            check_stop(&point, &answers);
+        } else {
+            library_ask(&point.train, input->tilt, *check, &answers);
+            compare(&point, *check, &answers);
+        }
+    ref_close(point.ref);
+}
+
 struct share {
     const struct sweep *sweep;
     struct tally (*tally)[REF_COUNT]; /* one for each job */

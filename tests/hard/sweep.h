@@ -29,4 +29,8 @@ struct sweep {
  */
 long sweep_run(const struct sweep *sweep, struct tally tally[REF_COUNT]);
 
+/* Compares some quantities of one train at the smallest tolerance. The list `check` ends with REF_COUNT. */
+void sweep_check(const struct ref_input *input, enum precision precision, const enum ref_quantity *check,
+                 struct tally tally[REF_COUNT]);
+
 #endif
