@@ -406,7 +406,7 @@ struct dom_effect {
     const char *source; /* the publication from which the mathematics comes */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
     unsigned needs; /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
-    /* What takes energy from moving dominoes, in a few words, or NULL if nothing does; see dom_law. */
+    /* What takes energy from moving dominoes, in a few words, or NULL if nothing does. */
     const char *dissipates;
     /* The equations that the effect adds or changes, one each, ended by NULL; NULL if there are none. */
     const char *const *equations;
@@ -424,12 +424,8 @@ const struct dom_effect *dom_effect(enum dom_effect_name name);
 /* Returns the first effect that is on in a train and changes anything besides tau, or NULL. */
 const struct dom_effect *dom_first_effect(const struct dom_train *train);
 
-/* The two laws of motion. With dom_energy_balance, energy is conserved between collisions. With
- * dom_equation_of_motion, dominoes lose energy while they move. */
-extern const struct dom_effect dom_energy_balance, dom_equation_of_motion;
-
-/* Returns the law of motion of a train. */
-const struct dom_effect *dom_law(const struct dom_train *train);
+/* Returns true if dominoes lose energy while they move. If not, energy is conserved between collisions. */
+bool dom_dissipates(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
 

@@ -266,7 +266,7 @@ static struct step *step_add(struct derivation *d, const char *name, int depth)
 static unsigned conditions(const struct domq_train *train, bool detached, bool reach)
 {
 #define CONDITION(effect, member, status) (unsigned)(train->member != 0) * CONDITION_##effect |
-    return DOM_DYNAMICS(CONDITION)(domq_law(train)->dissipates ? HAS_LOSS : 0u) |
+    return DOM_DYNAMICS(CONDITION)(domq_dissipates(train) ? HAS_LOSS : 0u) |
            (train->fuel == DOM_FUEL_PAPER ? HAS_PAPER : 0u) | (detached ? HAS_DETACHED : 0u) |
            (reach && train->rho == 0 ? HAS_REACH : 0u);
 }

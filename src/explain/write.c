@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes derivations, with the equations as they are typed or with Greek letters. */
-#include "io/terminal.h"
 #include "explain/derivation.h"
+#include "io/terminal.h"
 #include "language/quad.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -158,12 +158,18 @@ static void meanings_write(const struct writer *w)
                 w->explained->name, isnan(value) ? "" : " ", isnan(value) ? "" : quad_text(value, 10));
 }
 
+/* Domino i has the weight S_i in the sum of the equations of motion, so that the contact forces cancel. */
+static const char *const losses[] = {
+    "(A/2) dw/dtheta + B w = C",          "A = sum r^(-(q+1) i) S_i theta_i'",
+    "B = sum r^(-(q+1) i) S_i theta_i''", "C = 1/2 sum r^(-q i) S_i (x_i - d y_i)",
+    "S_0 = 1, S_(i+1) = S_i a_i/b_i",     NULL};
+
 /* Writes the equations of an effect or of a law of motion. */
-static void effect_write(const struct writer *w, const char *with, const struct domq_effect *e)
+static void effect_write(const struct writer *w, const char *name, const char *const *line)
 {
-    if (e->equations)
-        fprintf(w->out, "\n%s%s:\n", with, e->name);
-    for (const char *const *line = e->equations; line && *line; line++)
+    if (line)
+        fprintf(w->out, "\n%s:\n", name);
+    for (; line && *line; line++)
         fprintf(w->out, "    %s\n", *line);
 }
 
@@ -188,11 +194,14 @@ static void equations_write(const struct writer *w)
             fputs(given++ ? "" : "\ngiven:\n", w->out);
             meaning_write(w, &d->step[k]);
         }
-    if (ends)
-        effect_write(w, "", domq_law(&scene->train));
+    if (ends && domq_dissipates(&scene->train))
+        effect_write(w, "equation of motion", losses);
     for (int k = 0; k < DOM_DYNAMICS_COUNT && ends; k++)
-        if (scene->effect[k].on)
-            effect_write(w, "with ", effect_at(k));
+        if (scene->effect[k].on) {
+            char name[40];
+            snprintf(name, sizeof name, "with %s", effect_at(k)->name);
+            effect_write(w, name, effect_at(k)->equations);
+        }
 }
 
 bool explain_write(struct answer *a, const struct derivation *d, const struct explained *e,

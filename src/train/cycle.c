@@ -119,7 +119,7 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
                 paper = has_paper ? cell_computed(f.paper) : cell_real(DOMQ_NAN);
     struct cell used = query->scene->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct domq_launch launch;
-    if (domq_law(&query->scene->train)->dissipates) {
+    if (domq_dissipates(&query->scene->train)) {
         status = any_launch_find(&query->scene->train, &query->scene->compute, &launch);
         if (status != DOM_OK && status != DOM_NO_FUEL)
             return query_status(query, problem, status);
@@ -313,7 +313,7 @@ static bool run_cycle(const struct query *query, struct answer *a, struct proble
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){cell_word("")}, verdict_reason(verdict));
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
         return query_status(query, problem, table.status != DOM_OK ? table.status : verdict);
-    if (domq_law(&query->scene->train)->dissipates)
+    if (domq_dissipates(&query->scene->train))
         answer_detail(a, "Energy lost to %s since the launch: %.4g %s.", losses_of(&query->scene->train),
                       (double)(table.last.friction_work * walk_units(query, 1).energy),
                       walk_units(query, 1).energy_unit);

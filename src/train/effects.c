@@ -34,9 +34,9 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
                          cell_word(method_of(k)), cell_word(effect_at(k)->adds),
                          cell_word(effect_at(k)->source));
     answer_say(a, "An effect that is off costs nothing. This scene is computed by %s.",
-               scene_has_engine(query->scene)               ? "the rigid-body engine"
-               : domq_law(&query->scene->train)->dissipates ? "the equation of motion"
-                                                            : "the energy balance");
+               scene_has_engine(query->scene)          ? "the rigid-body engine"
+               : domq_dissipates(&query->scene->train) ? "the equation of motion"
+                                                       : "the energy balance");
     return true;
 }
 

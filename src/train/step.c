@@ -112,7 +112,7 @@ static void launch_detail(const struct place *p)
                   omega_at(p, l.omegasq / (l.velocity_ratio * l.velocity_ratio)).text,
                   omega_at(p, l.omegasq).text, (double)(100 * p->state.lost / p->state.before),
                   energy_at(p, l.kinetic).text);
-    if (!domq_law(&w->train)->dissipates && w->train.rho == 0)
+    if (!domq_dissipates(&w->train) && w->train.rho == 0)
         answer_detail(p->answer,
                       "J(0) omega(0) = (J(0) - 1) omega_1(theta_c), with J(0) = %.6g, so the collision takes "
                       "the share 1/J(0) of the energy (22; c4).",
@@ -293,7 +293,7 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
     struct place p = {.query = query, .walk = w, .answer = a, .units = walk_units(query, w->cycle)};
     const struct walk_units *u = &p.units;
     const struct domq_state *s = &p.state;
-    if (!domq_law(&w->train)->dissipates)
+    if (!domq_dissipates(&w->train))
         answer_leave_out(a, "rubbed");
     if (w->verdict == DOM_NO_FUEL)
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},

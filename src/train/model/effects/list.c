@@ -4,31 +4,6 @@
 #include "effects/effects.h"
 #include "geometry/far.h"
 
-const struct dom_effect dom_energy_balance = {
-    .name = "energy balance",
-    .adds = "no effect: contacts without friction dissipate no energy",
-    .help = "The sum of kinetic and potential energy is constant during a cycle (21; c3), and the collision "
-            "conserves angular momentum (22; c4). This gives a closed form for the kinetic energy of a train "
-            "whose cycles repeat (24; c6).",
-    .source = "J. M. J. van Leeuwen, Domino Magnification",
-};
-
-const struct dom_effect dom_equation_of_motion = {
-    .name = "equation of motion",
-    .adds = "the loss of energy while dominoes move",
-    .help =
-        "Energy is not conserved during a cycle, so the equations of motion of all dominoes are added up. "
-        "Domino i has the weight S_i in this sum, so that the contact forces cancel. The sum is an equation "
-        "for w = tau^2 omega^2, which is solved over the whole cycle. In the collision the angular velocity "
-        "is multiplied by (A(0) - 1)/A(0).",
-    .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
-    .dissipates = "losses",
-    .equations =
-        (const char *const[]){"(A/2) dw/dtheta + B w = C", "A = sum r^(-(q+1) i) S_i theta_i'",
-                              "B = sum r^(-(q+1) i) S_i theta_i''", "C = 1/2 sum r^(-q i) S_i (x_i - d y_i)",
-                              "S_0 = 1, S_(i+1) = S_i a_i/b_i", NULL},
-};
-
 static const struct dom_effect *const effects[DOM_EFFECT_COUNT] = {
 #define EFFECT(effect)                   [DOM_EFFECT_##effect] = &dom_effect_##effect,
 #define DYNAMICS(effect, member, status) EFFECT(effect)
@@ -120,10 +95,10 @@ const struct dom_effect *dom_first_effect(const struct dom_train *train)
     return k < DOM_DYNAMICS_COUNT ? effects[k] : NULL;
 }
 
-const struct dom_effect *dom_law(const struct dom_train *train)
+bool dom_dissipates(const struct dom_train *train)
 {
     const dom_real value[] = {DOM_DYNAMICS(VALUE)};
-    return dynamics_dissipate(value) ? &dom_equation_of_motion : &dom_energy_balance;
+    return dynamics_dissipate(value);
 }
 
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
