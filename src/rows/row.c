@@ -75,22 +75,16 @@ bool row_list(const struct query *query, size_t only, struct answer *a, struct p
 {
     struct scene_row scene;
     struct problem no_room = {.kind = PROBLEM_NONE};
-    char *others = NULL;
     if (!scene_row_list(query->scene, &scene, problem))
         return false;
     const size_t count = scene.row.count, from = only > 0 ? only - 1 : 0, to = only > 0 ? only : count;
     const bool good =
-        (to <= count || problem_error(problem, "the row has %zu domino%s", count, count == 1 ? "" : "es")) &&
-        (!a->path || rowfile_others(&query->scene->listed, &others) ||
-         query_status(query, problem, DOM_NO_MEMORY));
+        to <= count || problem_error(problem, "the row has %zu domino%s", count, count == 1 ? "" : "es");
     if (good) {
-        a->csv.extra = others;
         dominoes_write(query, a, &scene, from, to);
-        a->csv.extra = NULL;
         if (!scene_walls_fit(query->scene, &scene, &no_room) && answer_for_people(a))
             answer_say(a, "This row has no answer yet: %s.", no_room.text);
     }
-    free(others);
     free(scene.domino);
     return good;
 }

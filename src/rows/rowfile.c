@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/io.h"
 #include "language/names.h"
 #include "language/quad.h"
 #include "rows/rows.h"
@@ -138,42 +137,25 @@ static bool row_keep(struct csv_table *csv, domq_real slope, domq_real position,
     return true;
 }
 
-/* Reads all dominoes. Writes the unknown columns to `others`, with a NUL byte after each line. */
-static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row *rows, FILE *others)
-{
-    if (csv->column[MEASURE_MASS] && csv->column[DENSITY])
-        return csv_wrong(&csv->file, csv->head.cell[csv->column[DENSITY] - 1].at,
-                         "both mass and density are given; leave one of these columns out");
-    csv_write_others(csv, true, others);
-    putc('\0', others);
-    rows->has_masses = csv->column[MEASURE_MASS] || csv->column[DENSITY];
-    bool good = true;
-    domq_real position = 0;
-    while (good && csv_next(csv)) {
-        good = row_keep(csv, slope, position, rows);
-        position = csv->value[POSITION];
-        csv_write_others(csv, false, others);
-        putc('\0', others);
-    }
-    rows->from_volumes = !csv->column[MEASURE_MASS] && (rows->has_masses || !csv->column[RELATIVE]);
-    return !*csv->file.problem.text;
-}
-
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows)
 {
-    size_t size;
+    bool good = true;
+    domq_real position = 0;
     *rows = (struct listed_row){.holders = malloc(sizeof *rows->holders)};
     if (rows->holders)
         *rows->holders = 1;
-    FILE *others = rows->holders ? io_memory(&rows->others, &size) : NULL;
-    bool good = others && rows_read(csv, slope, rows, others) && !ferror(others);
-    if (others)
-        good = fclose(others) == 0 && good;
-    if (!good && !*csv->file.problem.text)
+    else
         csv_wrong(&csv->file, csv->file.at, "out of memory");
-    if (!good)
+    if (csv->column[MEASURE_MASS] && csv->column[DENSITY])
+        csv_wrong(&csv->file, csv->head.cell[csv->column[DENSITY] - 1].at,
+                  "both mass and density are given; leave one of these columns out");
+    rows->has_masses = csv->column[MEASURE_MASS] || csv->column[DENSITY];
+    rows->from_volumes = !csv->column[MEASURE_MASS] && (rows->has_masses || !csv->column[RELATIVE]);
+    for (; good && !*csv->file.problem.text && csv_next(csv); position = csv->value[POSITION])
+        good = row_keep(csv, slope, position, rows);
+    if (*csv->file.problem.text)
         listed_free(rows);
-    return good;
+    return !*csv->file.problem.text;
 }
 
 static bool row_read(const struct scene *scene, const char *name, const struct run_context *run_context,
@@ -216,25 +198,4 @@ bool rowfile_load(struct scene *scene, const char *name, const struct run_contex
     scene->effect[DOM_EFFECT_row] = (struct effect_state){.on = true};
     scene_apply_lengths(scene);
     return true;
-}
-
-bool rowfile_others(const struct listed_row *row, char **others)
-{
-    size_t size;
-    *others = NULL;
-    if (!row->others)
-        return true;
-    FILE *out = io_memory(others, &size);
-    const char *line = row->others; /* the names of the columns */
-    if (!out)
-        return false;
-    fwrite(line, 1, strlen(line) + 1, out);
-    for (size_t k = 0, i = 0; k < (row->changes ? row->changes : row->count); k++) {
-        /* the line of domino i follows that of domino i - 1 or, at first, the names */
-        for (const size_t origin = row->changes ? row->change[k].origin : k; i <= origin; i++)
-            line += strlen(line) + 1;
-        fwrite(line, 1, strlen(line) + 1, out);
-    }
-    const bool good = !ferror(out);
-    return fclose(out) == 0 && good;
 }

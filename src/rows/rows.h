@@ -79,7 +79,7 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
  * - If there is no column "density" either, the column "relative" may give the ratios of the masses. If it is
  *   missing, too, all dominoes have the density 1.
  * - A lean is the distance of the top from plumb. If a domino leans backwards, its lean is negative.
- * - The column "domino" is ignored. Unknown columns are kept as text.
+ * - The column "domino" is ignored. Unknown columns are ignored, too.
  */
 /* The columns of the file. The first columns are the measurements of enum row_measure, in the same order. */
 extern const struct csv_kind rowfile_kind;
@@ -102,10 +102,6 @@ bool rowfile_load(struct scene *scene, const char *name, const struct run_contex
 
 /* A names_list (see names.h) of the measurements that can change. */
 const char *row_measure_names(const void *context, int k);
-
-/* Stores the unknown columns of the row's dominoes, in the form of row->others, in *others. The caller frees
- * them. They are NULL if there are no such columns. Returns false if memory runs out. */
-bool rowfile_others(const struct listed_row *row, char **others);
 
 /* ---- Changes of a row (row_edit.c) ---- */
 

@@ -86,10 +86,8 @@ bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
 /* ---- Kinds of tables ---- */
 
-/* CSV_COLUMNS_MOST is the maximum number of columns that a kind of table knows. A file may also have unknown
- * columns, but at most CSV_OTHERS_MOST. When a row is saved, the unknown columns are written next to the
- * known ones, and a line can have at most CSV_CELLS_MOST columns. */
-enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
+/* The maximum number of columns that a kind of table knows. A file may also have unknown columns. */
+enum { CSV_COLUMNS_MOST = 16 };
 
 /* Properties of a column, as bits. */
 enum {
@@ -185,10 +183,6 @@ bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV
 
 /* Returns true if a value is in the range of column k. Otherwise sets the file's problem. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
-
-/* Writes the unknown columns of the file. Each of them is preceded by a comma. If `names` is true, writes the
- * headings of the columns. Otherwise writes their cells in the current row. */
-void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 /* Opens a csv file and reads the first line of its table. The file may be beside the running script, or else
  * in the current directory. On failure, sets

