@@ -340,7 +340,6 @@ enum dom_status row_study_begin(const struct dom_row *row, const struct dom_comp
     status = row_begin(&request, &s->row, verdict ? &verdict->domino : &wrong);
     if (status != DOM_OK || !verdict)
         return status;
-    s->row.request.block = NULL; /* dominoes will change */
     s->mark = malloc(request.count * sizeof *s->mark);
     if (!s->mark)
         return DOM_NO_MEMORY;
@@ -364,7 +363,12 @@ static enum dom_status study_change(struct study *s, size_t first, size_t last, 
         return status;
     s->last = last + 1;
     s->row.made = s->row.made < from ? s->row.made : from;
-    status = study_falls(s, from, verdict);
+    if (from == 0) { /* the launch needs the first domino */
+        status = row_geometry(&s->row.request, 0, s->row.geometry);
+        s->row.made = 1;
+    }
+    if (status == DOM_OK)
+        status = study_falls(s, from, verdict);
     s->row.made = s->row.made < from ? s->row.made : from;
     if (status == DOM_OK && verdict->end == DOM_ROW_FALLS && verdict->domino == count && s->known < count) {
         marks_join(s->mark, s->known, count);

@@ -24,12 +24,9 @@ struct request {
     const volatile sig_atomic_t *interrupt;
 };
 
-struct block; /* row.h */
-
 /* A row and the options of the computation, like struct dom_row and struct dom_compute of the API. */
 struct row_request {
     const struct dom_domino *domino;
-    const struct block *block; /* what the run needs of the dominoes; may be NULL */
     size_t count;
     dom_real g, push, release;
     dom_real effect[DOM_DYNAMICS_COUNT];

@@ -26,30 +26,37 @@ static real row_width(const struct row_request *row, size_t k)
     return domino->width > 0 ? (real)(domino->width / domino->height) : (real)1 / 2;
 }
 
-KERNEL struct block block_of(const struct row_request *row, size_t k)
+/* Returns the thickness of domino k divided by its height. */
+static real row_thickness(const struct row_request *row, size_t k)
 {
-    if (row->block)
-        return row->block[k];
-    const struct dom_domino *domino = &row->domino[k];
-    real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
-    dom_real effect[DOM_DYNAMICS_COUNT];
-    dynamics_of_domino(row, k, effect);
-    real g = (real)row->g, factor = inertia_factor(d, row_width(row, k), effect);
-    return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * factor), factor, m * g * h / 2};
+    return (real)(row->domino[k].thickness / row->domino[k].height);
+}
+
+KERNEL real row_tau(const struct row *row, size_t k)
+{
+    const struct geometry *self = &row->geometry[k];
+    return sqrt((real)row->request.domino[k].height / (3 * (real)row->request.g) * (1 + self->d * self->d) *
+                self->inertia_factor);
+}
+
+KERNEL real row_unit(const struct row *row, size_t k)
+{
+    const struct dom_domino *self = &row->request.domino[k];
+    return (real)self->mass * (real)row->request.g * (real)self->height / 2;
 }
 
 /* Sets the geometry of the contact between domino k and its follower k - 1. */
 static void joint_shape(const struct row_request *row, size_t k, struct geometry *geometry)
 {
-    struct block self = block_of(row, k), previous = block_of(row, k - 1);
-    real gap = (real)row->domino[k].gap;
-    geometry->r = self.height / previous.height;
-    geometry->s = gap / self.height;
-    geometry->L = geometry->s + self.d;
-    geometry->rs = gap / previous.height;
+    const real height = (real)row->domino[k].height, previous = (real)row->domino[k - 1].height,
+               gap = (real)row->domino[k].gap;
+    geometry->r = height / previous;
+    geometry->s = gap / height;
+    geometry->L = geometry->s + geometry->d;
+    geometry->rs = gap / previous;
     geometry->rL = geometry->r * geometry->L;
-    geometry->short_of = fmax((previous.height - gap) / previous.height, 0);
-    geometry->leave_at = geometry->short_of * (1 + gap / previous.height);
+    geometry->short_of = fmax((previous - gap) / previous, 0);
+    geometry->leave_at = geometry->short_of * (1 + gap / previous);
     geometry->leave_by = 2 * geometry->d * geometry->L * geometry->r * geometry->r;
     real v = geometry->leave_at / geometry->leave_by;
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
@@ -58,11 +65,11 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
-    struct block self = block_of(row, k), previous = block_of(row, k - 1);
     joint_shape(row, k, geometry);
-    geometry->weight = previous.mass / self.mass / geometry->r;
-    geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) /
-                        (1 + self.d * self.d) * (previous.inertia_factor / self.inertia_factor);
+    geometry->weight = (real)row->domino[k - 1].mass / (real)row->domino[k].mass / geometry->r;
+    geometry->inertia = geometry->weight / geometry->r * (1 + follower->d * follower->d) /
+                        (1 + geometry->d * geometry->d) *
+                        (follower->inertia_factor / geometry->inertia_factor);
     geometry->follower = follower;
     if (geometry->rolls)
         rounded_joint(geometry, follower);
@@ -89,7 +96,7 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
 
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt)
 {
-    struct geometry next = {.d = block_of(row, k + 1).d, .lean = (real)row->domino[k + 1].lean};
+    struct geometry next = {.d = row_thickness(row, k + 1), .lean = (real)row->domino[k + 1].lean};
     joint_shape(row, k + 1, &next);
     *contact = geometry_contact(&next, geometry_rest(&next));
     *tilt = tilt_follower_back(geometry_rest(&next), *contact);
@@ -114,14 +121,14 @@ static struct tilt row_end(const struct row_request *row, size_t k, const struct
     return lean_touch(row, k, &contact, &tilt) ? tilt : contact.arm > 0 ? geometry_rest(geometry) : lies;
 }
 
-KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row)
+KERNEL_SHARED enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row)
 {
     struct geometry *geometry = &row[k];
     *geometry = (struct geometry){.tol = (real)request->tol,
                                   .flow = row[0].flow,
                                   .interrupt = request->interrupt,
                                   .work = request->work,
-                                  .d = block_of(request, k).d,
+                                  .d = row_thickness(request, k),
                                   .width = row_width(request, k),
                                   .inertia_factor = 1,
                                   .lean = row_lean(request, k),
@@ -146,21 +153,22 @@ static bool positive(dom_real value)
     return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
 }
 
-/* The values in `self` are computed from the sizes. They may underflow or overflow even if the sizes do not,
- * so they are checked too. */
+/* Values that are computed from the sizes may underflow or overflow even if the sizes do not, so they are
+ * checked, too. */
 KERNEL_SHARED enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
-    const struct block self = block_of(row, k);
+    const real own = row_thickness(row, k);
     const real walls = walls_of_domino(row, k), thin = d->thickness / d->height;
     const bool leans = row_lean(row, k) != 0, rounds = row->effect[DOM_EFFECT_edges] != 0;
-    return !positive(d->height)                                          ? DOM_BAD_HEIGHT
-           : !positive(d->thickness) || !positive(self.d)                ? DOM_BAD_THICKNESS
-           : !positive(d->mass) || !positive(self.unit)                  ? DOM_BAD_MASS
+    return !positive(d->height)                        ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(own) ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive((real)d->mass * (real)row->g * (real)d->height / 2)
+               ? DOM_BAD_MASS
            : !(d->gap >= 0) || !isfinite(d->gap)                         ? DOM_BAD_GAP
            : !(d->radius >= 0 && (!rounds || d->radius < d->height / 2)) ? DOM_BAD_RADIUS
            : rounds && 2 * edges_of_domino(row, k) > thin                ? DOM_NO_ROUND
-           : walls != 0 && !walls_fit(self.d, walls)                     ? DOM_NO_ROOM
+           : walls != 0 && !walls_fit(own, walls)                        ? DOM_NO_ROOM
            : leans && edges_of_domino(row, k) != 0                       ? DOM_NO_LEAN
            /* a leaning domino with sharp edges must not tip over the front or back edge of its foot */
            : leans && !(fabs(d->lean + row->effect[DOM_EFFECT_slope]) < atan(thin)) ? DOM_BAD_LEAN
@@ -198,11 +206,7 @@ KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
 {
     struct row_request *request = &row->request;
     size_t count = request->count;
-    request->block = NULL;
     enum dom_status status = row_check(request, wrong);
-    for (size_t k = 0; k < count && status == DOM_OK; k++)
-        row->block[k] = block_of(request, k);
-    request->block = row->block;
     while (status == DOM_OK && count > 1 && row_repeats(request, count - 1))
         count--;
     for (row->made = 0; row->made < count && status == DOM_OK; row->made++) {
@@ -220,11 +224,11 @@ KERNEL_SHARED enum dom_status row_begin(const struct row_request *request, struc
     *row = (struct row){.request = *request};
     if (request->count == 0)
         return DOM_BAD_COUNT;
-    row->block = malloc(request->count * sizeof *row->block);
     row->geometry = malloc(request->count * sizeof *row->geometry);
-    if (row->geometry)
-        row->geometry[0] = (struct geometry){.flow = NULL};
-    return row->block && row->geometry ? row_read(row, wrong) : DOM_NO_MEMORY;
+    if (!row->geometry)
+        return DOM_NO_MEMORY;
+    row->geometry[0] = (struct geometry){.flow = NULL};
+    return row_read(row, wrong);
 }
 
 KERNEL_SHARED void row_free(struct row *row)
@@ -232,5 +236,4 @@ KERNEL_SHARED void row_free(struct row *row)
     if (row->geometry)
         dynamics_end(row->geometry);
     free(row->geometry);
-    free(row->block);
 }

@@ -116,12 +116,12 @@ static enum dom_status descent_segment(struct descent *d, real end)
 static enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct geometry *self = &run->row->geometry[k];
-    const struct block block = block_of(&run->row->request, k);
+    const real unit = row_unit(run->row, k), tau = row_tau(run->row, k);
     const real end = tilt_angle(self->c);
     const struct tilt rest = geometry_rest(self);
     *d = (struct descent){.run = run,
                           .head = k,
-                          .tau = block.tau,
+                          .tau = tau,
                           .st = {.geometry = *self,
                                  .lo = self->lean,
                                  .start = {.from = rest, .omegasq = run->omegasq},
@@ -145,18 +145,18 @@ static enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     if (status != DOM_OK)
         return status;
     run->moving = d->moving;
-    run->carried = d->st.start.kinetic * block.unit;
-    fall->omega = sqrt(run->omegasq) / block.tau;
-    fall->kinetic = kinetic * block.unit;
-    fall->margin = d->least_margin < (real)INFINITY ? d->least_margin * block.unit : (real)fall->kinetic;
+    run->carried = d->st.start.kinetic * unit;
+    fall->omega = sqrt(run->omegasq) / tau;
+    fall->kinetic = kinetic * unit;
+    fall->margin = d->least_margin < (real)INFINITY ? d->least_margin * unit : (real)fall->kinetic;
     fall->barrier = fall->kinetic - fall->margin;
     fall->theta_m = d->theta_m;
     bool ends = d->stops || d->locks;
     fall->theta = ends ? d->stop : end;
-    fall->duration = run->times && !ends ? d->time * block.tau : REAL_NAN;
+    fall->duration = run->times && !ends ? d->time * tau : REAL_NAN;
     fall->friction_work = ends ? REAL_NAN : 0;
     if (!ends && !self->conservative)
-        fall->friction_work = fmax((real)fall->kinetic - d->climbed * block.unit - run->carried, 0);
+        fall->friction_work = fmax((real)fall->kinetic - d->climbed * unit - run->carried, 0);
     return DOM_OK;
 }
 
@@ -164,13 +164,13 @@ static enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
  * energy is the potential energy that it has lost (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
-    const struct block block = block_of(&run->row->request, 0);
+    const real unit = row_unit(run->row, 0);
     const struct geometry *geometry = &run->row->geometry[0];
-    real theta_u = geometry_theta_u(geometry), barrier = geometry_rise_u(geometry) * block.unit;
+    real theta_u = geometry_theta_u(geometry), barrier = geometry_rise_u(geometry) * unit;
     const struct tilt top = tilt_half(geometry_half_u(geometry));
     bool tips = geometry_lift(geometry, geometry->c) < 0;
     if (geometry->lean != 0)
-        barrier = (geometry->steepest - geometry_height(geometry, geometry_rest(geometry))) * block.unit;
+        barrier = (geometry->steepest - geometry_height(geometry, geometry_rest(geometry))) * unit;
     *fall = (struct dom_fall){.domino = 1,
                               .time = REAL_NAN,
                               .duration = REAL_NAN,
@@ -192,12 +192,12 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     else if (tips)
         status = losses_tipped(geometry, &omegasq);
     if (status == DOM_OK && run->hooks->tips)
-        status = run->hooks->tips(run, &d->st, block.tau);
+        status = run->hooks->tips(run, &d->st, row_tau(run->row, 0));
     d->st.start.from = geometry->c;
     d->st.start.J = geometry_inertia(geometry, geometry->c);
     d->st.start.omegasq = omegasq;
-    run->carried = d->st.start.J * omegasq * block.unit;
-    fall->friction_work = losses_end_alone(geometry) ? 0 : released * block.unit - run->carried;
+    run->carried = d->st.start.J * omegasq * unit;
+    fall->friction_work = losses_end_alone(geometry) ? 0 : released * unit - run->carried;
     run->verdict.end = tips ? DOM_ROW_FALLS : DOM_ROW_LEANS;
     return status;
 }
@@ -232,7 +232,6 @@ static enum dom_row_end hit_ends(const struct row *row, size_t k)
 static enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at)
 {
-    const struct row_request *request = &run->row->request;
     const struct geometry *geometry = &run->row->geometry[k + 1];
     run->verdict.end = hit_ends(run->row, k);
     if (run->verdict.end != DOM_ROW_FALLS)
@@ -244,7 +243,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
         return DOM_OK;
     }
     velocity_ratio = collision_velocity_ratio(inertia_ratio) / geometry_hit_slope(geometry);
-    real slower = block_of(request, k + 1).tau / block_of(request, k).tau;
+    real slower = row_tau(run->row, k + 1) / row_tau(run->row, k);
     run->inertia_ratio = inertia_ratio;
     run->omegasq = velocity_ratio * velocity_ratio * slower * slower * at->omegasq;
     run->moving++;
@@ -254,7 +253,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
 KERNEL_SHARED struct run row_launch(struct row *row, const struct run_hooks *hooks, void *hooked)
 {
     static const struct run_hooks none = {.every = false};
-    const real push = row->request.push, omega = isnan(push) ? 0 : push * block_of(&row->request, 0).tau;
+    const real push = row->request.push, omega = isnan(push) ? 0 : push * row_tau(row, 0);
     return (struct run){.row = row,
                         .moving = 1,
                         .omegasq = omega * omega,

@@ -15,25 +15,18 @@
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
-/* One domino, in SI units. */
-struct block {
-    real height, d, mass, tau; /* d = thickness / height */
-    /* moment of inertia, divided by that of a solid block of the same size and mass */
-    real inertia_factor;
-    real unit; /* unit of energy, m g h / 2 */
-};
-
-KERNEL struct block block_of(const struct row_request *row, size_t k);
-
 /* A row that has been checked, with the memory that its runs need. */
 struct row {
     struct row_request request;
-    struct block *block; /* what the run needs of the dominoes */
     /* geometry[k] describes domino k, both as a head and as the follower of domino k + 1 */
     struct geometry *geometry;
     /* number of elements of `geometry` that are filled in so far; a run fills in more when it needs them */
     size_t made;
 };
+
+/* Return tau of domino k in s, and its unit of energy m g h / 2 in J. Its geometry must be filled in. */
+KERNEL real row_tau(const struct row *row, size_t k);
+KERNEL real row_unit(const struct row *row, size_t k);
 
 /* row_begin checks a row and prepares its runs. Call row_free afterwards, even after an error. If a domino is
  * bad, sets *wrong to its number, counted from 1. */
@@ -48,7 +41,7 @@ KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong);
 KERNEL_SHARED enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
 /* Fills in row[k], from row[k - 1] and from the law of motion in row[0]. */
-KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
+KERNEL_SHARED enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 
 /* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */
 KERNEL bool row_repeats(const struct row_request *row, size_t k);
