@@ -24,7 +24,7 @@ static struct setup friction_train(double s, double r, double d, double q, doubl
 
 /*
  * Compares r_max of thin dominoes with quad, which has enough digits in any case, and durations with known
- * values. The barrier is at theta ~ d. Up to there the solution of the flow (losses.c) changes by only d^2,
+ * values. The barrier is at theta ~ d. Up to there the solution of the flow (dynamics.c) changes by only d^2,
  * and after that by about 1.
  */
 TEST(thin_dominoes_with_friction)

@@ -1,5 +1,292 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dynamics/dynamics.h"
+#include <stdlib.h>
+
+/* ---- The equation of motion of dominoes that lose energy ---- */
+
+KERNEL enum dom_status dynamics_begin(struct geometry *geometry)
+{
+    if (geometry->conservative)
+        return DOM_OK;
+    geometry->flow = calloc(1, sizeof *geometry->flow);
+    return geometry->flow ? DOM_OK : DOM_NO_MEMORY;
+}
+
+KERNEL void dynamics_end(struct geometry *geometry)
+{
+    if (geometry->flow)
+        num_linear_free(&geometry->flow->solution);
+    free(geometry->flow);
+    geometry->flow = NULL;
+}
+
+/* The largest number of visits to dominoes that one solution may make, in all its passes along the chain. In
+ * double precision, this many visits take half a second. */
+#define FLOW_DOMINOES ((size_t)8000000)
+
+struct flow_context {
+    const struct geometry *geometry;
+    enum dom_status status;
+    real locked;     /* the last tilt at which friction was found to lock the motion */
+    size_t dominoes; /* number of dominoes visited so far */
+};
+
+/* Computes the coefficients of dw/dtheta = (-2 B / A) w + 2 C / A. */
+static bool flow_rate(real theta, void *context, struct num_rate *rate)
+{
+    struct flow_context *f = context;
+    struct tilt head;
+    struct equation_of_motion equation = {.n = 0};
+    f->status = geometry_tilt(f->geometry, theta, &head);
+    if (f->status == DOM_OK)
+        f->status = chain_equation(f->geometry, head, &equation);
+    f->dominoes += f->status == DOM_OK ? equation.n : 0;
+    if (f->dominoes > FLOW_DOMINOES)
+        f->status = DOM_TOO_LONG;
+    if (f->status == DOM_OK && equation.locks) {
+        f->status = DOM_LOCKS;
+        f->locked = theta;
+    }
+    if (f->status != DOM_OK)
+        return false;
+    const real units = 32 * ROUNDOFF / equation.A, of_A = equation.A_size / equation.A;
+    *rate = (struct num_rate){.p = -2 * equation.B / equation.A,
+                              .c = 2 * equation.C / equation.A,
+                              .p_noise = units * (equation.B_size + fabs(equation.B) * of_A),
+                              .c_noise = units * (equation.C_size + fabs(equation.C) * of_A)};
+    return true;
+}
+
+/*
+ * Solves the equation of motion over one piece, in which no domino detaches. Near the start, the solution
+ * changes on two scales that may be tiny:
+ * - The first scale is d. Up to theta ~ d, u changes by only d^2. Afterwards it changes by much more.
+ * - The second scale is sqrt(1 - r s). When the head has this tilt, followers that started near pi/2 have
+ *   come down.
+ *
+ * So the panels near the start are narrow. Each panel ends at 8 times the tilt at which the previous panel
+ * ends.
+ */
+static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, real hi)
+{
+    const struct geometry *geometry = c->geometry;
+    const bool begins = lo <= REAL_MIN || lo == geometry->lean;
+    real to = geometry_finest(geometry);
+    enum num_status solver = NUM_OK;
+    /* Scales below the initial tilt of the head do not matter. */
+    while (to <= lo && to < hi / 8)
+        to *= 8;
+    for (; begins && solver == NUM_OK && lo < to && to < hi / 8; lo = to, to *= 8)
+        solver = num_linear_solve(flow_rate, c, lo, to, tol / 8, &geometry->flow->solution);
+    if (solver == NUM_OK)
+        solver = num_linear_solve(flow_rate, c, lo, hi, tol / 8, &geometry->flow->solution);
+    return solver == NUM_OK ? DOM_OK : model_status(c->status, solver);
+}
+
+#define FLOW_FINER 64
+
+/*
+ * Empties the solution and returns a copy of the geometry with a finer tolerance. A sum over the chain leaves
+ * out the last dominoes, whose terms are below the tolerance. How many dominoes it leaves out depends on the
+ * tilt, and the sum jumps where this number changes. With the finer tolerance, the jumps are too small to
+ * disturb a Chebyshev series.
+ */
+static struct geometry flow_begin(const struct geometry *geometry)
+{
+    struct geometry fine = *geometry;
+    fine.tol = fmax(geometry->tol / FLOW_FINER, 64 * REAL_EPSILON);
+    geometry->flow->solution.panels = 0;
+    geometry->flow->tol = geometry->tol;
+    return fine;
+}
+
+KERNEL enum dom_status flow_solve(const struct geometry *geometry)
+{
+    struct flow *flow = geometry->flow;
+    if (flow->solution.panels > 0 && flow->tol <= geometry->tol)
+        return DOM_OK;
+    struct geometry fine = flow_begin(geometry);
+    real edge[CHAIN_EDGES];
+    int edges;
+    size_t moving = CHAIN_ENDLESS;
+    enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
+    /* In the collision that begins a cycle, the chain of all other dominoes hits the upright new head. */
+    struct sums sums = {0};
+    struct geometry hitting = fine;
+    hitting.n = fine.n == CHAIN_ENDLESS ? CHAIN_ENDLESS : fine.n - 1;
+    if (status == DOM_OK)
+        status = dynamics_inertia_ratio(&fine, &hitting, fine.c, REAL_NAN, &flow->inertia_ratio);
+    if (status == DOM_OK)
+        status = chain_sum(&hitting, fine.c, &sums);
+    flow->J0 = fine.upright_inertia + fine.inertia * sums.J;
+    flow->J_c = sums.J;
+    /*
+     * All sums over one piece must include the same dominoes. If the number of dominoes were computed from
+     * the tilt, rounding could make it wrong near an end of the piece. So the loop below sets the number once
+     * for each piece.
+     */
+    const bool counted = moving != CHAIN_ENDLESS;
+    fine.detaches = fine.detaches && !counted;
+    struct flow_context c = {.geometry = &fine};
+    for (int i = 1; i < edges && status == DOM_OK; i++) {
+        fine.n = counted ? moving-- : fine.n;
+        status = flow_piece(&c, geometry->tol, edge[i - 1], edge[i]);
+    }
+    return status;
+}
+
+/* Returns the tilt at which the solution ends, or lo if there is no solution yet. */
+static real flow_end(const struct flow *flow, real lo)
+{
+    return flow->solution.panels > 0 ? flow->solution.panel[flow->solution.panels - 1].hi : lo;
+}
+
+/*
+ * Solves the equation of motion up to the tilt at which friction locks the motion (A = 0). The term 2 B / A
+ * has a pole there, and near the pole, panels must be short. So each step covers only half of the remaining
+ * distance.
+ */
+static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
+{
+    struct flow_context c = {.geometry = fine, .status = DOM_OK, .locked = locked};
+    struct flow *flow = fine->flow;
+    for (;;) {
+        real from = flow_end(flow, lo), to = from + (c.locked - from) / 2;
+        if (!(c.locked - from > tol * c.locked && to > from && to < c.locked))
+            break;
+        enum num_status solver = num_linear_solve(flow_rate, &c, from, to, tol / 8, &flow->solution);
+        if (solver == NUM_NOT_CONVERGED && c.status == DOM_OK)
+            break; /* panels this close to the pole have no significant digits */
+        if (solver != NUM_OK && c.status != DOM_LOCKS)
+            return model_status(c.status, solver);
+    }
+    *hi = flow_end(flow, lo);
+    return DOM_LOCKS;
+}
+
+KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J0, real lo, real *hi)
+{
+    struct geometry fine = flow_begin(geometry);
+    struct flow_context c = {.geometry = &fine, .locked = REAL_NAN};
+    geometry->flow->J0 = J0;
+    enum dom_status status = flow_piece(&c, geometry->tol, lo, *hi);
+    return status == DOM_LOCKS ? flow_to_lock(&fine, geometry->tol, lo, c.locked, hi) : status;
+}
+
+KERNEL_SHARED void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
+{
+    num_linear_at(&geometry->flow->solution, theta, ln_G, u);
+    *u = -*u;
+}
+
+KERNEL_SHARED bool flow_rough(const struct geometry *geometry, real hi)
+{
+    struct flow_context c = {.geometry = geometry};
+    geometry->flow->solution.panels = 0;
+    /* A domino that touches the next one has no way to fall, and then there is no solution. */
+    return hi > 0 &&
+           num_linear_solve(flow_rate, &c, 0, hi, (real)INFINITY, &geometry->flow->solution) == NUM_OK;
+}
+
+/* If the motion stops soon after lo, a long piece would have panels that are too wide to locate the stop. So
+ * this function solves a short piece that contains the stop and lowers *hi to the end of the short piece. */
+static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
+                                     real *hi)
+{
+    struct equation_of_motion equation = {.n = 0};
+    real ln_G, u, omegasq = start->omegasq, J0 = geometry->flow->J0;
+    bool cut = false;
+    enum dom_status status = chain_equation(geometry, start->from, &equation);
+    flow_at(geometry, lo, &ln_G, &u);
+    const real slope = -2 * equation.C / (equation.A * exp(ln_G)); /* du/dtheta */
+    if (status != DOM_OK || !(slope > 0))
+        return status;
+    for (real close = lo + 4 * omegasq / slope; close < *hi && close > lo; close = lo + 4 * (close - lo)) {
+        cut = true;
+        status = flow_solve_piece(geometry, J0, lo, &close);
+        if (status != DOM_OK)
+            return status;
+        flow_at(geometry, close, &ln_G, &u);
+        if (u >= omegasq) {
+            *hi = close;
+            return DOM_OK;
+        }
+    }
+    /* The motion stops so late in this piece that the solution over the whole piece is accurate enough. */
+    return cut ? flow_solve_piece(geometry, J0, lo, hi) : DOM_OK;
+}
+
+KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,
+                                  const real edge[2], real *hi)
+{
+    real first = fmin(*hi, edge[1]), spent = first;
+    enum dom_status status = flow_spent_in(geometry, start, edge[0], &spent);
+    if (status != DOM_OK || spent < first || first == *hi) {
+        *hi = spent;
+        return status;
+    }
+    /* the motion continues beyond edge[1], so the flow of the whole cycle is needed again */
+    geometry->flow->solution.panels = 0;
+    return flow_solve(geometry);
+}
+
+/*
+ * Finds the launch of a train whose cycles repeat, in place of (24; c6). Let w = tau^2 omega^2. A cycle
+ * begins with the value w(0), and by the solution in dynamics.h it ends with w(theta_c) = G (w(0) - u). The
+ * next cycle begins after the collision, and its w is in the units of a new head, which is r times as tall.
+ * The collision and the change of units together multiply w(theta_c) by kappa = r (T / (1 + T))^2, where T is
+ * the inertia ratio of the collision. The cycles repeat if the product kappa w(theta_c) equals w(0).
+ */
+static enum dom_status flow_collide(const struct geometry *geometry, struct launch *launch)
+{
+    real ln_G, u;
+    enum dom_status status = flow_solve(geometry);
+    if (status != DOM_OK)
+        return status;
+    const struct flow *flow = geometry->flow;
+    flow_at(geometry, tilt_angle(geometry->c), &ln_G, &u);
+    real G = exp(ln_G), velocity_ratio = collision_velocity_ratio(flow->inertia_ratio),
+         kappa = geometry->r * velocity_ratio * velocity_ratio;
+    real omegasq = -kappa * G * u / (1 - kappa * G);
+    *launch = (struct launch){
+        .fuel = -flow->J_c * G * u,
+        .J0 = flow->J0,
+        .inertia_ratio = flow->inertia_ratio,
+        .velocity_ratio = velocity_ratio,
+        .omegasq = omegasq,
+        .kinetic = flow->J0 * omegasq,
+        .kinetic_at_hit = flow->J_c * omegasq / (geometry->r * velocity_ratio * velocity_ratio),
+    };
+    return isfinite(omegasq) ? DOM_OK : DOM_NOT_FINITE;
+}
+
+/* The error consists of the error of the solution, and of the error from leaving out the tail of the
+ * chain. */
+KERNEL real flow_required_error(const struct geometry *geometry)
+{
+    if (geometry->conservative)
+        return 0;
+    const struct num_linear *solution = &geometry->flow->solution;
+    real ln_G, u;
+    flow_at(geometry, tilt_angle(geometry->c), &ln_G, &u);
+    return geometry->flow->J0 *
+           (solution->v_error + (solution->ln_G_error + TAIL_SHARE * geometry->tol / FLOW_FINER) * fabs(u));
+}
+
+KERNEL enum dom_status losses_tipped(const struct geometry *geometry, real *omegasq)
+{
+    struct geometry alone = *geometry;
+    alone.n = 1;
+    real hi = tilt_angle(geometry->c), ln_G, u;
+    enum dom_status status = flow_solve_piece(&alone, REAL_NAN, geometry_theta_u(geometry), &hi);
+    if (status != DOM_OK)
+        return status;
+    flow_at(&alone, hi, &ln_G, &u);
+    *omegasq = fmax(-exp(ln_G) * u, 0);
+    return DOM_OK;
+}
+
+/* ---- Both laws ---- */
 
 KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel)
 {
@@ -60,8 +347,6 @@ KERNEL enum dom_status dynamics_collide(const struct geometry *geometry, enum do
     return isfinite(kinetic) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-/* ---- Motion ---- */
-
 KERNEL enum dom_status dynamics_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {
@@ -69,7 +354,7 @@ KERNEL enum dom_status dynamics_slope(const struct geometry *geometry, struct ti
         return chain_slope(geometry, head, rough, slope);
     struct equation_of_motion equation = {.C = 0};
     if (rough) {
-        *slope = flow_solved_slope(geometry, tilt_angle(head));
+        *slope = -num_linear_moved(&geometry->flow->solution, tilt_angle(head), REAL_EPSILON) / REAL_EPSILON;
         return DOM_OK;
     }
     enum dom_status status = chain_equation(geometry, head, &equation);
@@ -115,8 +400,17 @@ KERNEL enum dom_status dynamics_near_rest(const struct geometry *geometry, real 
 {
     struct tilt head, rest;
     struct sums at;
-    if (!geometry->conservative)
-        return flow_near_rest(geometry, end, by, slowness);
+    if (!geometry->conservative) {
+        const struct num_linear *solution = &geometry->flow->solution;
+        real ln_G, u;
+        flow_at(geometry, end - by, &ln_G, &u);
+        /* w is G (u(end) - u), computed without cancellation. */
+        const real left = by < 0 ? num_linear_moved(solution, end - by, -by)
+                                 : -num_linear_moved(solution, end, by),
+                   w = exp(ln_G) * left;
+        *slowness = w > 0 ? 1 / w : REAL_NAN;
+        return DOM_OK;
+    }
     /* At the start, rounding may put `end - by` slightly below the initial tilt. */
     enum dom_status status = geometry_tilt(geometry, fmax(end - by, geometry->lean), &head);
     if (status == DOM_OK)

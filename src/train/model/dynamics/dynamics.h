@@ -180,15 +180,8 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
 /* Finds ln G, unless it is NULL, and u at a tilt from the last solution. */
 KERNEL_SHARED void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u);
 
-/* Returns du/dtheta, with a reliable sign. */
-KERNEL real flow_solved_slope(const struct geometry *geometry, real theta);
-
 /* Returns an estimate of the error of required energies, which may be large compared with a small barrier. It
  * is 0 for the energy balance. */
 KERNEL real flow_required_error(const struct geometry *geometry);
-
-/* dynamics_collide and dynamics_near_rest of this law. */
-KERNEL enum dom_status flow_collide(const struct geometry *geometry, struct launch *launch);
-KERNEL enum dom_status flow_near_rest(const struct geometry *geometry, real end, real by, real *slowness);
 
 #endif

@@ -38,7 +38,8 @@ static enum dom_status air_apply(struct geometry *geometry, real value)
     }
     geometry->inertia_factor = factor;
     geometry->entrained = more / factor;
-    geometry->drag = air_drag(geometry->d, value, AIR_COEFFICIENT) / factor;
+    const real d = geometry->d; /* the torque divided by omega^2 and by the inertia of a solid block */
+    geometry->drag = 3 * AIR_COEFFICIENT * value / (8 * d * (1 + d * d)) / factor;
     geometry->conservative = false;
     return DOM_OK;
 }

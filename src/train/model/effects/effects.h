@@ -99,14 +99,8 @@ KERNEL inline bool walls_fit(real d, real walls)
 /* The usual drag coefficient of a domino. */
 #define AIR_COEFFICIENT ((real)12 / 10)
 
-/* These two functions are for air (air.c) whose density is `air` times the density of the domino. Returns the
- * torque of the drag, divided by omega^2 and by the moment of inertia of a solid block of the same mass. */
-KERNEL inline real air_drag(real d, real air, real coefficient)
-{
-    return 3 * coefficient * air / (8 * d * (1 + d * d));
-}
-
-/* Returns the moment of inertia of the air that moves along, relative to that of a solid block. */
+/* Returns the moment of inertia of the air that moves along (air.c), relative to that of a solid block. The
+ * density of the air is `air` times that of the domino. */
 KERNEL inline real air_entrained(real d, real width, real air)
 {
     return PI * air * width / (4 * d * (1 + d * d));

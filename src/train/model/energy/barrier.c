@@ -243,13 +243,6 @@ static enum dom_status barrier_pieces(const struct geometry *geometry, struct ti
     return status;
 }
 
-KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
-                                     struct barrier *b)
-{
-    *b = (struct barrier){.theta_m = lo, .half = half_of_tilt(from), .edge = {lo, hi}, .edges = 2};
-    return barrier_pieces(geometry, from, -1, geometry->tol / 8, b);
-}
-
 KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
                                      const struct barrier *whole, real end, struct barrier *b)
 {
@@ -309,11 +302,6 @@ KERNEL real barrier_most(const struct geometry *geometry)
      * less than h(theta_u) - h(0), the rise of a head that moves alone from 0 to theta_u.
      */
     return geometry_rise_u(geometry);
-}
-
-KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *b)
-{
-    return launch->fuel <= 0 ? DOM_NO_FUEL : launch->kinetic >= b->height ? DOM_OK : DOM_STOPS;
 }
 
 KERNEL real balance_tol(real tol, real left, real whole)

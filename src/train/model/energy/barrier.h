@@ -44,11 +44,6 @@ KERNEL bool barrier_single(const struct geometry *geometry);
 /* Returns an upper bound on the barrier. The bound holds for trains of any length, if r >= 1. */
 KERNEL real barrier_most(const struct geometry *geometry);
 
-/* Finds the barrier over [lo, hi], where H must be smooth. Heights are relative to H at `from`, the tilt
- * lo. */
-KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
-                                     struct barrier *barrier);
-
 /* Finds the barrier from whole->edge[0] to the tilt `end`. The edges of `whole` must be known. Heights are
  * relative to H at `from`. */
 KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
@@ -62,13 +57,6 @@ KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct til
  */
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
                                        struct launch *launch, struct barrier *barrier);
-
-/*
- * Decides whether a train keeps falling (26; c8, corrected: the paper leaves out the factor J(0)). Both
- * arguments come from barrier_balance for a whole cycle. Returns DOM_OK, DOM_STOPS or DOM_NO_FUEL. Every
- * result about a cycle uses this verdict; the search for r_max compares the same energies (growth/limit.h).
- */
-KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
 
 /* Returns the relative tolerance to which two terms must be computed, so that their difference is known to
  * the relative tolerance tol. Both terms are about `whole`, and their difference is about `left`. */

@@ -132,15 +132,6 @@ KERNEL real geometry_rise_u(const struct geometry *geometry)
     return half * (geometry->h.x * (1 + u.y) - geometry->h.y * u.x) + geometry->rounded.roll * 2 * atan(half);
 }
 
-KERNEL real geometry_tips_at(const struct geometry *geometry)
-{
-    const struct rounded *of = &geometry->rounded;
-    if (of->rho == 0)
-        return geometry->h.x / geometry->steepest;
-    const real theta = geometry_theta_u(geometry);
-    return of->rho * theta + of->tall * sin(theta);
-}
-
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine)
 {
     real u = geometry->steepest; /* h(theta_u) (6; b2) */

@@ -207,10 +207,6 @@ KERNEL_SHARED real geometry_theta_u(const struct geometry *geometry);
 KERNEL_SHARED real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
-/* Returns r s for the smallest growth at which domino 1 tips over by itself before it hits the next domino
- * (5; b0). */
-KERNEL real geometry_tips_at(const struct geometry *geometry);
-
 /* Finds the sine and cosine of theta_c - theta_u. If the sine is negative, domino 1 hits the next domino
  * before it tips over (5; b0). With rounded edges on a slope, only the sign of the sine is right. */
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);

@@ -126,7 +126,10 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     *found = no_limit;
     /* If the growth is less than first.r, domino 1 does not tip over by itself before it hits the next domino
      * (5; b0). */
-    struct margin_sample first = {.r = fmax(geometry_tips_at(&c->geometry) / c->s, 1)};
+    const struct rounded *of = &c->geometry.rounded;
+    const real theta_u = geometry_theta_u(&c->geometry),
+               tips_at = of->rho * theta_u + of->tall * sin(theta_u);
+    struct margin_sample first = {.r = fmax(tips_at / c->s, 1)};
     if (first.r > c->geometry.span / c->s)
         return DOM_OK;
     first.margin = margin_sign(c, first.r, true);

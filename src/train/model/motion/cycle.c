@@ -20,9 +20,12 @@ KERNEL enum dom_status motion_begin(const struct request *train, struct motion *
         .from = standing, .J = launch->J0, .omegasq = launch->omegasq, .kinetic = launch->kinetic};
     st->gain = 1;
     st->inertia_ratio = launch->inertia_ratio;
-    status = barrier_verdict(launch, &st->barrier);
-    m->stops = status == DOM_STOPS;
-    return m->stops ? DOM_OK : status;
+    if (launch->fuel <= 0)
+        return DOM_NO_FUEL;
+    /* (26; c8), corrected: the paper leaves out the factor J(0). The search for r_max compares the same
+     * energies (growth/limit.h). */
+    m->stops = !(launch->kinetic >= st->barrier.height);
+    return DOM_OK;
 }
 
 KERNEL_SHARED void motion_end(struct motion *m)

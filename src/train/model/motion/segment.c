@@ -78,7 +78,8 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     st->locks = status == DOM_LOCKS;
     status = st->locks ? DOM_OK : status;
     if (status == DOM_OK && st->lo < st->hi)
-        status = barrier_piece(&st->geometry, start->from, st->lo, st->hi, &st->barrier);
+        status = barrier_up_to(&st->geometry, start->from,
+                               &(struct barrier){.edge = {st->lo, st->hi}, .edges = 2}, st->hi, &st->barrier);
     return status;
 }
 
