@@ -3,10 +3,8 @@
 
 from __future__ import annotations
 
-import csv
 import ctypes
 import math
-import re
 from typing import Any, Iterable
 
 from . import _api as api
@@ -46,8 +44,8 @@ class Row:
     """An immutable row of dominoes.
 
     Row([(0.05, 0.008), (0.06, 0.009, 0.02)]) takes height, thickness and gap in m; see Domino. A row can also be made
-    of a train, a csv file or a pandas DataFrame with the columns height, thickness, gap and, if known, mass, lean,
-    radius and width, whose units stand in brackets: "height (mm)". Without masses, all dominoes have the same density.
+    of a train, or of a pandas DataFrame with the columns height, thickness, gap and, if known, mass, lean, radius and
+    width. Without masses, all dominoes have the same density.
 
     friction, slope (rad), edges (radius over height), walls (m) and air (kg/m^3) are effects; drag is the drag
     coefficient in air, if it is not 1.2. In air, masses count: in kg. push is the angular velocity of the
@@ -79,57 +77,28 @@ class Row:
         return cls([(c.height, c.thickness, c.gap, c.mass, 0, 0, c.width) for c in dominoes], **effects)
 
     @classmethod
-    def from_csv(cls, path: Any, **effects: Any) -> Row:
-        """Reads a row from a file whose first line names the columns, with their units: height (mm), gap (cm)."""
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            lines = [line for line in file if line.strip() and not line.startswith("#")]
-        separator = next((c for c in ";\t" if lines and c in lines[0]), ",")
-        rows = [row for row in csv.reader(lines, delimiter=separator) if any(map(str.strip, row))]
-        if len(rows) < 2:
-            raise ValueError(f"{path}: no row of dominoes; the first line must name the columns, and each line after it describes a domino")
-        if separator != ",":
-            rows[1:] = [[cell.replace(",", ".") for cell in row] for row in rows[1:]]
-        names = [cell.strip() for cell in rows[0]]
-        table = {name: [row[k].strip() if k < len(row) else "" for row in rows[1:]] for k, name in enumerate(names)}
-        return cls._of_columns(table, str(path), effects)
-
-    @classmethod
     def from_pandas(cls, frame: Any, **effects: Any) -> Row:
-        """Takes a row from a DataFrame with the columns of a csv file: "height (mm)"."""
-        return cls._of_columns({str(name): list(frame[name]) for name in frame.columns}, "the DataFrame", effects)
+        """Takes a row from a DataFrame whose columns name their units: "height (mm)". Other columns are not used.
 
-    @classmethod
-    def _of_columns(cls, table: dict[str, list[Any]], where: str, effects: dict[str, Any]) -> Row:
+        pandas.read_csv(path, comment="#", na_values="-", skipinitialspace=True) reads a csv file of the program.
+        """
         columns: dict[str, list[float]] = {}
-        for head, cells in table.items():
-            name, unit = re.fullmatch(r"\s*([^([,]*?)\s*(?:[(\[,]\s*([^)\]]*?)\s*[)\]]?)?\s*", head).groups()
-            name = name.lower()
-            if name not in COLUMNS:
-                continue
-            scale = UNITS[COLUMNS[name]].get(unit or "")
-            if scale is None:
-                known = ", ".join(UNITS[COLUMNS[name]])
-                raise ValueError(f"{where}: the column {head!r} needs its unit, one of {known}: '{name} ({known.split(',')[0]})'")
-            columns[name] = [cls._cell(cell, name, k, where) * scale for k, cell in enumerate(cells)]
+        for head in frame.columns:
+            name, _, unit = str(head).lower().rstrip(" )]").replace("[", "(").partition("(")
+            name = name.strip()
+            if name in COLUMNS:
+                units = UNITS[COLUMNS[name]]
+                if unit not in units:
+                    raise ValueError(f"the column {head!r} needs its unit, one of {', '.join(units)}: '{name} ({next(iter(units))})'")
+                columns[name] = [0.0 if math.isnan(cell) else cell * units[unit] for cell in map(float, frame[head])]
         for name in ("height", "thickness", "gap"):
             if name not in columns:
-                raise ValueError(f"{where}: there is no column '{name} (mm)'")
+                raise ValueError(f"there is no column '{name} (mm)'")
         rows = [dict(zip(columns, values)) for values in zip(*columns.values())]
         for row in rows:
-            if "lean" in row:  # in a file a lean is how far the top is off, as a plumb line shows it
+            if "lean" in row:  # in a table a lean is how far the top is off, as a plumb line shows it
                 row["lean"] = math.asin(row["lean"] / row["height"])
         return cls([Domino(**row) for row in rows], **effects)
-
-    @staticmethod
-    def _cell(cell: Any, name: str, k: int, where: str) -> float:
-        if cell in ("", "-", None) or cell != cell:
-            if name in ("height", "thickness") or (name == "gap" and k > 0):
-                raise ValueError(f"{where}: domino {k + 1} has no {name}")
-            return 0.0
-        try:
-            return float(cell)
-        except ValueError:
-            raise ValueError(f"{where}: the {name} of domino {k + 1} is no number: {cell!r}") from None
 
     # ---- Questions ----
 
