@@ -113,23 +113,6 @@ static const char *unit_measured(const struct sweeper *w, const struct question 
                : "";
 }
 
-/* Returns the columns of the answer at a point, without those for the parameters of the grid. */
-static const struct column *answered_columns(const struct sweeper *w)
-{
-    return w->sweep->answers > 1 ? w->columns.answer : w->sweep->answer->command->columns;
-}
-
-/* Returns the name of the parameter that a column of the answer only repeats, or "". An argument may give
- * another value for this parameter, as 0.4 does for s in 'rmax 0.4'. */
-static const char *repeated_by(const struct question *q)
-{
-    const char *echo = q->command->sweep.echo;
-    for (int i = 0; echo && i < q->count; i++)
-        if (q->command->argument[i].parameter && strcmp(q->command->argument[i].parameter, echo) == 0)
-            return "";
-    return echo ? echo : "";
-}
-
 /* Stores the values of the parameters at point k in w->assigned and w->value. */
 static void point_values(struct sweeper *w, size_t k)
 {
@@ -175,11 +158,11 @@ static bool sweeper_columns(struct sweeper *w, struct problem *problem)
     }
     for (int k = 0; w->sweep->answers == 1 && q->command->columns[k].key; k++) {
         struct column column = q->command->columns[k];
-        const char *slow = q->command->sweep.slow_column, *repeated = repeated_by(q);
+        const char *slow = q->command->sweep.slow_column, *repeated = q->command->sweep.echo;
         const bool is_fixed = unit_varies(q, k) && !q->command->is_print;
         bool is_left_out = slow && strcmp(slow, column.key) == 0;
         for (int i = 0; i < w->grid->axes; i++)
-            is_left_out = is_left_out || (strcmp(column.key, repeated) == 0 &&
+            is_left_out = is_left_out || (repeated && strcmp(column.key, repeated) == 0 &&
                                           strcmp(column.key, w->grid->axis[i].parameter->name) == 0);
         if (is_fixed)
             column.unit = unit_at(q, k, &at);
@@ -300,7 +283,7 @@ static bool point_answer(struct sweeper *w, size_t k)
         w->to->style = a.style;
     else
         a.out = NULL;
-    a.columns = answered_columns(w);
+    a.columns = w->sweep->answers > 1 ? w->columns.answer : w->sweep->answer->command->columns;
     a.sink.take = row_take;
     a.sink.context = w;
     bool done = is_assigned && (w->sweep->answers > 1 ? list_ask(w, &at, &a)

@@ -120,6 +120,5 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
 
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
-const char *assert_names(const void *context, int k); /* a names_list of the commands with a verdict */
 
 #endif

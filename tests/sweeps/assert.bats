@@ -34,7 +34,7 @@ load ../shell/common
     "$DOMINO" -e 'assert prove verdict; assert prove rmax 0.4; assert prove count 1' >proved
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'set r 2; assert prove verdict'
     same proof '-e:1: assert: not true: there is a proof that the train keeps falling' "$stderr"
-    wrong 'assert rmax' "'rmax' has no verdict; enter one of barrier, .*fall, verdict, design"
+    wrong 'assert rmax' "'rmax' has no verdict; enter a command that answers yes or no, such as barrier, or a comparison"
     wrong 'assert' 'COMMAND is missing; usage: assert COMMAND'
     wrong 'assert verdit' "did you mean 'verdict'"
     wrong 'assert verdict' 'there is no row; first'
