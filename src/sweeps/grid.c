@@ -203,23 +203,12 @@ static bool answer_begins(struct reader *r, const struct parsed *s)
     return !reader_ends(r) || form_wrong(r, s, what);
 }
 
-/* A names_list (see names.h) of the commands that can be swept. */
-static const char *sweepable_names(const void *context, int k)
-{
-    const struct command *c;
-    (void)context;
-    for (int i = 0; (c = command_at(i)) != NULL; i++)
-        if (c->columns && !c->sweep.refusal && k-- == 0)
-            return c->name;
-    return NULL;
-}
-
 /* Parses a command or an expression. The name of the question does not include the word 'print'. */
 static bool answer_parse(struct reader *r, struct question *q)
 {
     const char *begin = r->at;
     q->key = -1;
-    const struct command *c = q->command = command_read_inner(r, sweepable_names);
+    const struct command *c = q->command = command_read_inner(r, question_names);
     if (!c)
         return false;
     if (c->sweep.refusal)

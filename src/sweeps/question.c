@@ -32,7 +32,7 @@ const char *question_names(const void *context, int k)
     const struct command *c;
     (void)context;
     for (int i = 0; (c = command_at(i)) != NULL; i++)
-        if ((c->principal || c->holds) && !c->sweep.refusal && k-- == 0)
+        if (c->columns && !c->sweep.refusal && k-- == 0)
             return c->name;
     return NULL;
 }

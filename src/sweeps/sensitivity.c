@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'sensitivity', which shows how much an answer changes with each parameter. */
 #include "language/quad.h"
+#include "language/text.h"
 #include "sweeps/sweeps.h"
 #include "train/falling.h"
 #include <stdlib.h>
@@ -26,6 +27,7 @@ struct influence {
     const struct parameter *parameter;
     domq_real value, step, less, more;
     const char *step_text;
+    domq_real size; /* the larger of |less| and |more|, or -1 if neither is known */
 };
 
 enum { INFLUENCES_MOST = 32 };
@@ -45,47 +47,40 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
     return i->step > 0; /* the step is 0 for a value of 0, such as a mass that is not known */
 }
 
-/* Returns the size of an influence: the larger of |less| and |more|. If one of them is unknown, returns the
- * other one, and if both are unknown, returns -1. */
-static domq_real size_of(const struct influence *i)
-{
-    domq_real less = isfinite(i->less) ? quad(fabs)(i->less) : -1,
-              more = isfinite(i->more) ? quad(fabs)(i->more) : -1;
-    return quad_larger(less, more);
-}
-
 /* For qsort: the larger change comes first, and equal changes are sorted by name. */
 static int compare(const void *one, const void *other)
 {
     const struct influence *a = one, *b = other;
-    domq_real sa = size_of(a), sb = size_of(b);
-    return sa > sb ? -1 : sa < sb ? 1 : strcmp(a->parameter->name, b->parameter->name);
+    return a->size > b->size ? -1 : a->size < b->size ? 1 : strcmp(a->parameter->name, b->parameter->name);
 }
 
 /* Returns the relative change of the answer if the parameter is set to `value`. If the answer is 0 now,
- * returns the change itself. A change of at most 10 times the tolerance counts as 0. */
-static domq_real change(struct probe *p, domq_real value, domq_real now)
+ * returns the change itself. A change of at most 10 times the tolerance counts as 0. Adds it to *size. */
+static domq_real change(struct probe *p, domq_real value, domq_real now, domq_real *size)
 {
-    domq_real by = probe_at(p, value) - now, size = quad(fabs)(now);
-    by /= size > 0 ? size : 1;
-    return quad(fabs)(by) <= 10 * p->query->scene->compute.tol ? 0 : by;
+    domq_real by = (probe_at(p, value) - now) / (now != 0 ? quad(fabs)(now) : 1);
+    by = quad(fabs)(by) <= 10 * p->query->scene->compute.tol ? 0 : by;
+    *size = isfinite(by) ? quad_larger(*size, quad(fabs)(by)) : *size;
+    return by;
 }
 
 /* Lists the influences of all parameters that can be varied, the largest first. */
-static bool influences_find(const struct query *query, struct problem *problem, struct probe *probe,
-                            domq_real now, struct influence *list, int *count)
+static bool influences_find(struct problem *problem, struct probe *probe, domq_real now,
+                            struct influence *list, int *count)
 {
+    const struct query *query = probe->query;
     *count = 0;
     for (const struct parameter *p = session_parameters; p->name && *count < INFLUENCES_MOST; p++) {
         struct influence *i = &list[*count];
         if (!step_choose(query, p, i))
             continue;
         probe->parameter = p;
-        i->less = change(probe, i->value - i->step, now);
-        i->more = change(probe, i->value + i->step, now);
+        i->size = -1;
+        i->less = change(probe, i->value - i->step, now, &i->size);
+        i->more = change(probe, i->value + i->step, now, &i->size);
         if (dom_raised(query->scene->compute.interrupt))
             return problem_status(problem, query->scene, DOM_INTERRUPTED);
-        *count += size_of(i) >= 0;
+        *count += i->size >= 0;
     }
     qsort(list, (size_t)*count, sizeof *list, compare);
     return true;
@@ -101,18 +96,16 @@ bool run_sensitivity(const struct query *query, struct answer *a, struct problem
     domq_real now = probe_at(&probe, 0);
     if (isnan(now))
         return probe_report(&probe, problem);
-    if (!influences_find(query, problem, &probe, now, list, &count))
+    if (!influences_find(problem, &probe, now, list, &count))
         return false;
     if (now == 0) { /* if the answer is 0, its change cannot be given as a percentage */
         struct column *columns = answer_columns(a, sensitivity_columns);
         columns[3].unit = columns[4].unit = "";
     }
-    for (int k = 0, n = 0; k < count && !answer_lost(a); k++) {
+    for (int k = 0; k < count && !answer_lost(a); k++) {
         const struct influence *i = &list[k];
-        if (answer_for_people(a) && size_of(i) == 0) {
-            if (n < (int)sizeof without)
-                n += snprintf(without + n, sizeof without - (size_t)n, "%s%s", n ? ", " : "",
-                              i->parameter->name);
+        if (answer_for_people(a) && i->size == 0) {
+            text_add(without, sizeof without, "%s%s", *without ? ", " : "", i->parameter->name);
             continue;
         }
         struct cell value = cell_real(i->value);

@@ -46,12 +46,10 @@ struct sweeper {
     struct sweep_columns columns;
     struct cell sample[ANSWER_COLUMNS]; /* a sample row of the sweep, set by sample_find */
     struct tally *tally;                /* of all workers */
-    /* The values of the parameters at the point that is being computed. */
-    struct assigned assigned[ASSIGNED_MAX];
-    struct cell value[ASSIGNED_MAX];
-    struct answer *to;         /* receives the rows: &answer, or NULL to discard them */
-    bool answered;             /* true if the answer at this point has at least one row */
-    char reason[SWEEP_REASON]; /* why a value is missing, or "" */
+    struct cell value[ASSIGNED_MAX];    /* of the parameters at the point that is being computed */
+    struct answer *to;                  /* receives the rows: &answer, or NULL to discard them */
+    bool answered;                      /* true if the answer at this point has at least one row */
+    char reason[SWEEP_REASON];          /* why a value is missing, or "" */
     struct problem problem;
     bool failed; /* the question is wrong; `problem` says why */
 };
@@ -113,24 +111,18 @@ static const char *unit_measured(const struct sweeper *w, const struct question 
                : "";
 }
 
-/* Stores the values of the parameters at point k in w->assigned and w->value. */
-static void point_values(struct sweeper *w, size_t k)
-{
-    for (int i = w->grid->axes - 1; i >= 0; i--) {
-        const struct axis *axis = &w->grid->axis[i];
-        w->assigned[i] =
-            (struct assigned){.parameter = axis->parameter, .value = axis_value(axis, k % axis->count)};
-        w->value[i] = axis_cell(axis, w->assigned[i].value);
-        k /= axis->count;
-    }
-}
-
-/* Makes *at the query at point k. */
+/* Makes *at the query at point k, and stores the values of the parameters there in w->value. */
 static bool point_query(struct sweeper *w, size_t k, struct state *state, struct query *at,
                         struct problem *problem)
 {
-    point_values(w, k);
-    bool good = query_with(w->query, w->assigned, w->grid->axes, state, at, problem);
+    struct assigned assigned[ASSIGNED_MAX];
+    for (int i = w->grid->axes - 1; i >= 0; k /= w->grid->axis[i--].count) {
+        const struct axis *axis = &w->grid->axis[i];
+        assigned[i] =
+            (struct assigned){.parameter = axis->parameter, .value = axis_value(axis, k % axis->count)};
+        w->value[i] = axis_cell(axis, assigned[i].value);
+    }
+    bool good = query_with(w->query, assigned, w->grid->axes, state, at, problem);
     state->settings.threads = 1; /* a point uses one thread, because whole points are computed in parallel */
     return good;
 }
@@ -177,23 +169,19 @@ static bool sweeper_columns(struct sweeper *w, struct problem *problem)
 
 /* ---- Rows ---- */
 
-/* Stores the reason for a missing value, unless the point already has a reason. */
-static void reason_keep(struct sweeper *w, const char *reason)
-{
-    if (reason && !*w->reason)
-        snprintf(w->reason, sizeof w->reason, "%.*s", (int)sizeof w->reason - 1, reason);
-}
-
+/* Writes a row. Keeps the first reason for a missing value at this point. */
 static void row_write(struct sweeper *w, const struct cell *row, const char *reason)
 {
-    reason_keep(w, reason);
-    if (!w->to)
-        return;
-    /* In csv and json every row has a reason, which may be "". */
-    answer_row(w->to, row, w->to->style.format->for_people ? NULL : reason ? reason : "");
-    if (*w->to->late_reason)
-        reason_keep(w, w->to->late_reason);
-    w->to->late_reason[0] = '\0'; /* the sweep reports the reason itself */
+    const char *late = "";
+    if (w->to) {
+        /* In csv and json every row has a reason, which may be "". */
+        answer_row(w->to, row, w->to->style.format->for_people ? NULL : reason ? reason : "");
+        late = w->to->late_reason;
+    }
+    if (!*w->reason)
+        snprintf(w->reason, sizeof w->reason, "%.*s", (int)sizeof w->reason - 1, reason ? reason : late);
+    if (w->to)
+        w->to->late_reason[0] = '\0'; /* the sweep reports the reason itself */
 }
 
 /* A callback that receives a row of the answer at a point and writes it as a row of the sweep. The columns of
@@ -383,7 +371,9 @@ static void tally_say(struct sweeper *w, struct answer *a)
 {
     const struct tally *t = w->tally;
     char where[256] = "", number[CELL_TEXT];
-    point_values(w, t->first);
+    struct state state;
+    struct query at;
+    (void)point_query(w, t->first, &state, &at, &(struct problem){.kind = PROBLEM_NONE});
     for (int i = 0; i < w->grid->axes; i++)
         text_add(where, sizeof where, "%s%s = %s", i ? ", " : "", w->grid->axis[i].parameter->name,
                  cell_text(w->value[i], 6, false, number));

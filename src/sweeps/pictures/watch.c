@@ -19,13 +19,11 @@ enum {
 };
 
 struct watch {
-    const struct sweep *varied;
+    const struct parameter *parameter;
     struct probe probe;
     double from, to;
     double curve[STEPS / COARSE + 1]; /* the answers along the curve, or NaN if there is no answer */
     double x;                         /* the value of the parameter at the moving point */
-    int step;                         /* number of the small step nearest to x, 0 .. STEPS */
-    enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE } state;
 };
 
 static double watch_x(const struct watch *w, int step)
@@ -36,7 +34,6 @@ static double watch_x(const struct watch *w, int step)
 /* Computes the curve and puts the point at the parameter's value. Fails if the curve has no points. */
 static bool watch_begin(struct watch *w, struct problem *problem)
 {
-    const struct parameter *p = w->varied->grid.axis->parameter;
     int answers = 0;
     for (int i = 0; i <= STEPS / COARSE; i++) {
         w->curve[i] = (double)probe_at(&w->probe, (domq_real)watch_x(w, COARSE * i));
@@ -44,8 +41,7 @@ static bool watch_begin(struct watch *w, struct problem *problem)
         if (w->probe.wrong || dom_raised(w->probe.query->scene->compute.interrupt))
             return probe_report(&w->probe, problem);
     }
-    w->x = fmin(fmax((double)parameter_get(w->probe.query->state, p), w->from), w->to);
-    w->step = (int)lround(STEPS * (w->x - w->from) / (w->to - w->from));
+    w->x = fmin(fmax((double)parameter_get(w->probe.query->state, w->parameter), w->from), w->to);
     return answers > 0 || probe_report(&w->probe, problem);
 }
 
@@ -64,17 +60,16 @@ static void watch_draw(struct watch *w, FILE *out)
     chart_point(&chart, point, x, y);
     chart.x.low = w->from;
     chart.x.high = w->to;
-    snprintf(chart.x.label, sizeof chart.x.label, "%s", w->varied->grid.axis->parameter->name);
+    snprintf(chart.x.label, sizeof chart.x.label, "%s", w->parameter->name);
     chart_prepare(&chart); /* an empty chart is shown if there are no points */
     fputs("\033[H\033[J", out);
     char answer[160];
     if (isfinite(y))
-        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->varied->answer->name, y,
+        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->probe.question->name, y,
                  expression_unit_text(w->probe.unit));
     else
         snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
-    fprintf(out, "%s = %.6g: %.*s\n", w->varied->grid.axis->parameter->name, x, width > 24 ? width - 20 : 4,
-            answer);
+    fprintf(out, "%s = %.6g: %.*s\n", w->parameter->name, x, width > 24 ? width - 20 : 4, answer);
     if (height >= 8 && width >= 34) /* a smaller window has no room for a chart */
         chart_text(&chart, display_of(out), width - 1, height - 3, out);
     fputs(width >= 72 ? "left, right: large steps  up, down: small steps  Enter: keep it  q: quit"
@@ -84,26 +79,15 @@ static void watch_draw(struct watch *w, FILE *out)
     chart_free(&chart);
 }
 
-static void key_take(struct watch *w, int key)
+/* Handles keys until a key, a signal or the end of the input ends the command. Returns true if the value is
+ * to be kept. */
+static bool watch_run(struct watch *w, FILE *out)
 {
     static const int steps[] = {1, -1, COARSE, -COARSE}; /* up, down, right, left */
-    if (key >= KEY_UP && key <= KEY_LEFT) {
-        w->step += steps[key - KEY_UP];
-        w->step = w->step < 0 ? 0 : w->step > STEPS ? STEPS : w->step;
-        w->x = watch_x(w, w->step);
-    } else if (key == '\n' || key == '\r') {
-        w->state = WATCH_KEEP;
-    } else if (key == KEY_END) {
-        w->state = WATCH_LEAVE;
-    }
-}
-
-/* Handles keys until a key, a signal or the end of the input ends the command. */
-static void watch_run(struct watch *w, FILE *out)
-{
-    int width = 0, height = 0, key = KEY_BACK;
+    int width = 0, height = 0, key = KEY_BACK,
+        step = (int)lround(STEPS * (w->x - w->from) / (w->to - w->from));
     double shown = (double)NAN;
-    while (w->state == WATCH_ON) {
+    while (key != '\n' && key != '\r' && key != KEY_END) {
         int across, down;
         terminal_size(out, &across, &down);
         if (across != width || down != height || w->x != shown || key == KEY_BACK)
@@ -112,8 +96,13 @@ static void watch_run(struct watch *w, FILE *out)
         height = down;
         shown = w->x;
         key = screen_key(1, w->probe.query->scene->compute.interrupt);
-        key_take(w, key);
+        if (key >= KEY_UP && key <= KEY_LEFT) {
+            step += steps[key - KEY_UP];
+            step = step < 0 ? 0 : step > STEPS ? STEPS : step;
+            w->x = watch_x(w, step);
+        }
     }
+    return key != KEY_END;
 }
 
 /* Checks that the session is interactive, and that the terminal can move its cursor. */
@@ -130,32 +119,31 @@ static bool watch_possible(const struct session *session, struct problem *proble
 static bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
                       struct problem *problem)
 {
-    const struct sweep *varied = given->bound;
+    const struct sweep *asked = given->bound;
+    const struct axis *axis = asked->grid.axis;
     const struct query query = session_query(session);
-    struct watch w = {
-        .varied = varied, .from = (double)varied->grid.axis->from, .to = (double)varied->grid.axis->to};
+    struct watch w = {.parameter = axis->parameter, .from = (double)axis->from, .to = (double)axis->to};
     w.probe = (struct probe){.query = &query,
                              .command = problem->command,
-                             .question = varied->answer,
-                             .parameter = varied->grid.axis->parameter};
+                             .question = asked->answer,
+                             .parameter = axis->parameter};
     if (!watch_possible(session, problem))
         return false;
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    bool begun = watch_begin(&w, problem);
+    bool begun = watch_begin(&w, problem), is_kept = false;
     progress_end();
     FILE *screen = begun ? screen_begin(session->output->out) : NULL;
     if (screen) {
-        watch_run(&w, screen);
+        is_kept = watch_run(&w, screen);
         screen_end();
     }
     gsl_set_error_handler(handler);
     domq_real value = w.x;
-    if (w.state == WATCH_KEEP &&
-        !parameter_set(&session->state, varied->grid.axis->parameter, &value, 1, NULL, problem))
+    if (is_kept && !parameter_set(&session->state, w.parameter, &value, 1, NULL, problem))
         return false;
     if (begun)
-        answer_say(a, "%s %s %.6g", varied->grid.axis->parameter->name,
-                   w.state == WATCH_KEEP ? "is now" : "stays as it was; the point was at", w.x);
+        answer_say(a, "%s %s %.6g", w.parameter->name,
+                   is_kept ? "is now" : "stays as it was; the point was at", w.x);
     return begun;
 }
 
