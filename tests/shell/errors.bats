@@ -22,7 +22,6 @@ junk() { # PATTERN
     all_wrong stdin -e script <<'END'
 1|foo|^unknown command 'foo'.*'help'
 1|q 3|^'q' is a parameter; enter 'set q VALUE'
-1|sqrt 2|^'sqrt' is a function; write its arguments in parentheses, as in 'sqrt\(2\)'$
 8|4.8 cm in mm|'to' converts, as in '4.8 cm to mm'$
 6|rmax hollow|^rmax: S at 'hollow': 'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 1|hollow|^'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$

@@ -35,7 +35,6 @@ END
 5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$
 7|sweep mu 0 0.3 4 : rmax|^sweep: unknown parameter 'mu'; did you mean 'friction'\?$
 7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
-1|mu = 0.2|^unknown parameter 'mu'; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
 7|print gravity|'gravity' has no value; did you mean 'g'\?$
 35|echo x > /dev/null; animate speed 2 rad|animate: the value is a plain number
 10|set fuel ecaxt|^set: .*'ecaxt'; did you mean 'exact'\?

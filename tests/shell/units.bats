@@ -174,7 +174,6 @@ END
 8|set s 0,3|^set: unexpected ',3' after the value of s; use a decimal point, as in 0\.5$
 10|count 112,5 m|^count: unexpected ',5 m' after the value of H; use a decimal point
 29|print rmax with friction 0.2, s 0.3|^print: unexpected ', s 0.3' after the value of MU; separate values by blanks
-9|budget s%|^budget: unexpected '%' after the value of P; write the fraction as 0\.95 or 95/100$
 END
 }
 

@@ -68,7 +68,6 @@ END
     wrong 'let f(a) = f(a); f(1)' "'f\(a\)' uses itself"
     wrong 'let f(a) = a; let k(a) = f(a); let f(a) = k(a); k(1)' "'k\(a\)' uses itself"
     wrong 'let x = (1 m)^12' 'an exponent above 9'
-    wrong 'frictoin = 0.2' "did you mean 'friction'"
     wrong 'z(a) = 3' "'let z\(...\) = VALUE' defines a function"
 }
 

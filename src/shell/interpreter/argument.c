@@ -6,7 +6,8 @@
 #include "session/row.h"
 #include <string.h>
 
-struct quantity argument_unit(const struct argument *a)
+/* Returns the unit in which the value of an argument is stored, as a quantity such as 1 m. */
+static struct quantity argument_unit(const struct argument *a)
 {
     const struct parameter *p = a->kind == ARGUMENT_VALUE_OF ? parameter_find(a->parameter) : NULL;
     return p ? expression_unit(p->value[a->which].unit)

@@ -228,10 +228,6 @@ static inline bool command_allowed(const struct run_context *run_context, const 
 struct answer answer_kept(const struct query *query, const struct command *command,
                           struct cell kept[ANSWER_CELLS]);
 
-/* Returns the unit in which the value of an argument is stored, as a quantity such as 1 m. For a plain
- * number, the quantity is 1. */
-struct quantity argument_unit(const struct argument *argument);
-
 /* Checks the unit and the range of an argument's value, and stores the value in SI units. On failure, sets
  * *problem and returns false. */
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,

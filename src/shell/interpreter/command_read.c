@@ -30,23 +30,14 @@ const char *definition_head(const char *c, struct variable *v)
     return c && c[0] == '=' && c[1] != '=' ? c + 1 : NULL;
 }
 
-/* A names_list (see names.h) of the words that have a meaning in expressions. They cannot be names of
- * variables or functions. */
-static const char *language_words(const void *context, int k)
-{
-    static const char *const words[] = {"to", "with", "and", "or", "not", NULL};
-    (void)context;
-    return words[k];
-}
-
 bool name_free(struct problem *problem, const char *name)
 {
-    const char *is = parameter_find(name)                             ? "a parameter"
-                     : command_find(name)                             ? "a command"
-                     : names_exact(expression_units, NULL, name) >= 0 ? "a unit"
-                     : names_exact(value_names, NULL, name) >= 0      ? "a built-in value"
-                     : names_exact(language_words, NULL, name) >= 0   ? "a word of the expression language"
-                                                                      : NULL;
+    const char *is = parameter_find(name)                                ? "a parameter"
+                     : command_find(name)                                ? "a command"
+                     : names_exact(expression_units, NULL, name) >= 0    ? "a unit"
+                     : names_exact(value_names, NULL, name) >= 0         ? "a built-in value"
+                     : names_index("to with and or not", ' ', name) >= 0 ? "a word of the expression language"
+                                                                         : NULL;
     return !is || problem_error(problem, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
 }
 
@@ -96,7 +87,6 @@ static bool is_expression(const struct state *state, const struct head *h, bool 
  * and 'let' if it is a variable. If NAME is unknown, reports a problem and returns NULL. */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
 {
-    char message[NAMES_MESSAGE] = "";
     reader_place(r, r->at);
     if (v->count == 0 && parameter_find(v->name))
         return command_find("set");
@@ -104,10 +94,7 @@ static const struct command *assignment_read(struct reader *r, const struct vari
         return command_find("let");
     if (!name_free(r->problem, v->name))
         return NULL;
-    if (v->count == 0 && parameter_search(parameter_names, "parameter", v->name, message) != NAMES_CLOSE)
-        message[0] = '\0';
-    problem_error(r->problem, "%s%s%s 'let %s%s = VALUE' defines a %s", *message ? "" : "'",
-                  *message ? message : v->name, *message ? "" : "' is not a parameter;", v->name,
+    problem_error(r->problem, "'%s' is not a parameter; 'let %s%s = VALUE' defines a %s", v->name, v->name,
                   v->count ? "(...)" : "", v->count ? "function" : "variable");
     return NULL;
 }
@@ -131,10 +118,6 @@ static const struct command *shorthand_read(struct reader *r)
         reader_place(r, h.begin);
         r->at = h.end;
         return h.command;
-    }
-    if (*h.begin == '?') {
-        r->at += strspn(r->at, "?");
-        return command_find("help");
     }
     if (h.end > h.begin && *h.next == '?' && command_ends(skip_blanks(h.next + strspn(h.next, "?"))))
         return command_find("help");
@@ -164,9 +147,6 @@ static void command_unknown(struct reader *r, const char *name, int k, char mess
     if (variable_find(&r->query->state->variables, name))
         problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
-    else if (!synonym && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
-        problem_error(r->problem, "'%s' is a function; write its arguments in parentheses, as in '%s(2)'",
-                      name, name);
     else if (parameter_by_value(name, message))
         problem_error(r->problem, "%s", message);
     else if (named)

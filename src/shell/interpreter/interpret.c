@@ -2,7 +2,6 @@
 #define _GNU_SOURCE /* asprintf */
 #include "interpreter/interpret.h"
 #include "interpreter/question.h"
-#include "interpreter/run.h"
 #include "io/output.h"
 #include <errno.h>
 #include <stdlib.h>

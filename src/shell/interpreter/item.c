@@ -17,7 +17,6 @@ static bool end_check(struct reader *r, const char *name, const char *end)
         return problem_error(r->problem, "unexpected '%s' after the value of %s; %s", names_shown(end), name,
                              *end == ',' && isdigit((unsigned char)end[1]) ? "use a decimal point, as in 0.5"
                              : *end == ',' ? "separate values by blanks, without a comma"
-                             : *end == '%' ? "write the fraction as 0.95 or 95/100"
                                            : "an operator or a blank is missing");
     const char *next = skip_blanks(end);
     if (!r->last || next == end || !isalpha((unsigned char)*next) ||

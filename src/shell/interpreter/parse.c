@@ -19,9 +19,9 @@ static struct tree *make_node(struct reader *r, enum tree_kind kind, const char 
 {
     if (++r->nodes > NODES_MAX)
         return parse_fail(r, "the expression has more than %d values", NODES_MAX);
-    struct tree *t = arena_take(r->arena, sizeof *t);
+    struct tree *t = reader_memory(r, sizeof *t);
     if (!t)
-        return parse_fail(r, "out of memory");
+        return NULL;
     t->kind = kind;
     t->at = at;
     return t;
@@ -158,8 +158,8 @@ static struct tree *parse_name(struct reader *r)
                             !variable_find(&r->query->state->variables, first);
     length = has_blanks ? (size_t)(end - at) : length;
     struct tree *t = make_node(r, TREE_NAME, at);
-    if (!t || !(t->name = has_blanks ? name : arena_text(r->arena, at, length)))
-        return parse_fail(r, "out of memory");
+    if (!t || !(t->name = has_blanks ? name : reader_copy(r, at, length)))
+        return NULL;
     r->at += length;
     if (*r->at == '(' && !parse_arguments(r, t))
         return NULL;
@@ -189,8 +189,8 @@ static struct tree *parse_name(struct reader *r)
     }
     if (r->at[0] == '.' && name_start(r->at[1])) {
         size_t n = name_length(r->at + 1);
-        if (!(t->key = arena_text(r->arena, r->at + 1, n)))
-            return parse_fail(r, "out of memory");
+        if (!(t->key = reader_copy(r, r->at + 1, n)))
+            return NULL;
         r->at += 1 + n;
     }
     return !r->names || r->names(r, t) ? t : NULL;

@@ -17,7 +17,7 @@
 
 /*
  * Returns the command of a line and moves the reader to its arguments. Most lines begin with the name of a
- * command. The others are shorthands, such as 2+2 for 'print', r = 2 for 'set', q alone for 'show', or ?rmax
+ * command. The others are shorthands, such as 2+2 for 'print', r = 2 for 'set', q alone for 'show', or rmax?
  * for 'help'. If a command and a parameter have the same name, the name stands for the command. If the name
  * of a parameter is also an abbreviation of a command, the name stands for the parameter, so 'q' does not
  * mean 'quit'.
@@ -156,7 +156,7 @@ bool with_apply(struct evaluation *e, const struct assignment *with, const struc
  * NULL. Returns false. */
 bool item_wrong(struct problem *problem, const struct text *text, const char *name);
 
-/* ---- Questions (question_parse.c, question_ask.c) ---- */
+/* ---- Questions (question_parse.c, lookup.c) ---- */
 
 struct question {
     const struct command *command;
@@ -199,5 +199,9 @@ void *arguments_take(struct arguments *given, size_t size, const struct query *q
  * numbers (answer/cell.h). */
 bool command_compute(const struct command *command, const struct query *query, struct answer *answer,
                      struct problem *problem);
+
+/* Parses and runs the command at the reader's position, writes its answer to standard output or a file, and
+ * moves the reader to where parsing ended. */
+void run_command_at(struct session *session, struct reader *line);
 
 #endif
