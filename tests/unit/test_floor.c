@@ -180,8 +180,8 @@ struct links {
 };
 
 /* The tip of each follower touches the back face of its leader: sin(theta_1 - theta) = r ((s + d) cos theta -
- * d). The list goes on for MORE dominoes behind those that move. */
-static struct links links_at(const struct setup *train, double theta)
+ * d). The list ends with a domino whose follower has detached, or MORE dominoes behind those that move. */
+static struct links links_at(const struct setup *train, const struct domq_angles *angles, double theta)
 {
     enum { MORE = 40 };
     const double r = (double)train->r, d = (double)train->d, far = (double)train->s + d;
@@ -189,6 +189,8 @@ static struct links links_at(const struct setup *train, double theta)
     size_t n = 0;
     for (size_t slow = 0; slow < MORE && n + 1 < LINKS; n++) {
         const double leader = links.theta[n], angle = asin(r * (far * cos(leader) - d));
+        if (angles->detaches && leader >= (double)angles->theta_leave)
+            break;
         links.theta[n + 1] = leader + angle;
         links.slope[n + 1] = links.slope[n] * (1 - r * far * sin(leader) / cos(angle));
         slow += links.slope[n + 1] <= 1e-3;
@@ -204,99 +206,118 @@ static double torque(const double at[2], const double force[2])
 }
 
 /*
- * Returns the largest |R_x| / R_z under the dominoes of a train with sharp edges, without friction, from
- * Newton's laws for each of them, beginning with the last. Masses, lengths and g are 1 for the head. Dominoes
- * slower than a thousandth of the head's speed are left out; *decides is the one that needs most.
+ * Returns the largest |R_x| / R_z under the dominoes of a train with sharp edges, from Newton's laws for each
+ * of them, beginning with the last: at a tilt or, if `step` is 0, in the collision, where R is an impulse.
+ * Masses, lengths and g are 1 for the head. Dominoes slower than a thousandth of the head's speed are left
+ * out; *decides is the one that needs most.
  */
-static double train_needs(const struct setup *train, double theta, size_t *decides)
+static double train_needs(const struct setup *train, const struct domq_angles *angles, double theta,
+                          double step, size_t *decides)
 {
-    const double step = 1e-6 * theta, r = (double)train->r, d = (double)train->d, s = (double)train->s;
-    const struct links here = links_at(train, theta), after = links_at(train, theta + step);
+    const bool hit = step == 0;
+    const double r = (double)train->r, d = (double)train->d, s = (double)train->s, mu = (double)train->mu,
+                 tausq = (1 + d * d) / 3, gravity = hit ? 0 : 1;
+    /* the dominoes one step later, or those of the train that hits the head */
+    const struct links here = links_at(train, angles, theta),
+                       other = links_at(train, angles, hit ? (double)angles->theta_c : theta + step);
     struct domq_state state;
+    domq_real w_c;
     assert_status(ask_cycle_state(train, theta, &state), DOM_OK);
-    const double tausq = (1 + d * d) / 3;
-    double behind = 0, most = 0;    /* the contact force of the follower */
-    double from_behind[2] = {0, 0}; /* the same as a vector, and where it acts */
-    double at_behind[2] = {0, 0};
-    size_t slow = here.count;
-    for (size_t j = 0; j < here.count; j++)
-        slow = here.slope[j] <= 1e-3 && j < slow ? j : slow;
-    assert_true(slow < here.count);
+    assert_status(ask_cycle_omegasq(train, angles->theta_c, &w_c), DOM_OK);
+    const double w = (double)state.omegasq;
+    /* the force of the follower, and where it acts */
+    double most = 0, behind[2] = {0, 0}, at[2] = {0, 0};
+    size_t slow = 0;
+    while (slow + 1 < here.count && here.slope[slow] > 1e-3)
+        slow++;
     for (size_t j = here.count; j-- > 0;) {
         const double h = pow(r, -(double)j), m = pow(r, (1 - (double)train->q) * (double)j),
-                     x = sin(here.theta[j]), y = cos(here.theta[j]),
-                     bend = j < after.count ? (after.slope[j] - here.slope[j]) / step : 0,
-                     omegasq = here.slope[j] * here.slope[j] * (double)state.omegasq / tausq,
-                     alpha =
-                         (here.slope[j] * (double)state.acceleration + bend * (double)state.omegasq) / tausq,
-                     centre_x = h * (x - d * y) / 2, centre_z = h * (y + d * x) / 2;
+                     x = sin(here.theta[j]), y = cos(here.theta[j]), tip[2] = {h * x, h * y},
+                     centre_x = h * (x - d * y) / 2, centre_z = h * (y + d * x) / 2,
+                     bend = j < other.count ? (other.slope[j] - here.slope[j]) / step : 0,
+                     turn = hit ? here.slope[j] * sqrt(w) -
+                                      (j > 0 ? other.slope[j - 1] * sqrt((double)(train->r * w_c)) : 0)
+                                : (here.slope[j] * (double)state.acceleration + bend * w) / tausq,
+                     omegasq = hit ? 0 : here.slope[j] * here.slope[j] * w / tausq;
         double onto[2] = {0, 0};
-        if (j > 0) { /* the force on the tip, normal to the back face of the leader */
-            const double lx = sin(here.theta[j - 1]), ly = cos(here.theta[j - 1]), tip[2] = {h * x, h * y},
-                         away[2] = {-ly, lx};
-            const double missing =
-                m * h * h * (1 + d * d) / 3 * alpha - m * centre_x - torque(at_behind, from_behind);
-            behind = missing / torque(tip, away);
-            onto[0] = behind * away[0];
-            onto[1] = behind * away[1];
-            const double leader_h = h * r;
-            const double force_x = m * (centre_z * alpha - centre_x * omegasq) - from_behind[0] - onto[0],
-                         force_z = m * (1 - centre_x * alpha - centre_z * omegasq) - from_behind[1] - onto[1],
-                         needs = fabs(force_x) / force_z;
-            if (j <= slow && needs > most) {
-                most = needs;
-                *decides = j;
-            }
-            at_behind[0] = tip[0] - (s + d) * leader_h;
-            at_behind[1] = tip[1];
-            from_behind[0] = -onto[0];
-            from_behind[1] = -onto[1];
-            continue;
+        if (j > 0) { /* the force on the tip, normal to the back face of the leader, and along it */
+            const double lx = sin(here.theta[j - 1]), ly = cos(here.theta[j - 1]),
+                         away[2] = {mu * lx - ly, lx + mu * ly},
+                         missing = m * h * h * tausq * turn - gravity * m * centre_x - torque(at, behind),
+                         force = missing / torque(tip, away);
+            onto[0] = force * away[0];
+            onto[1] = force * away[1];
         }
-        const double force_x = m * (centre_z * alpha - centre_x * omegasq) - from_behind[0],
-                     force_z = m * (1 - centre_x * alpha - centre_z * omegasq) - from_behind[1],
-                     needs = fabs(force_x) / force_z;
-        if (needs > most) {
+        const double force_x = m * (centre_z * turn - centre_x * omegasq) - behind[0] - onto[0],
+                     force_z = m * (gravity - centre_x * turn - centre_z * omegasq) - behind[1] - onto[1],
+                     needs = force_z > 0 ? fabs(force_x) / force_z : (double)INFINITY;
+        if (j <= slow && needs > most) {
             most = needs;
-            *decides = 0;
+            *decides = j;
         }
+        at[0] = tip[0] - (s + d) * h * r;
+        at[1] = tip[1];
+        behind[0] = -onto[0];
+        behind[1] = -onto[1];
     }
     return most;
 }
 
-/* Checks trains in which the deciding domino is so light that it does not count for the energy. */
-TEST(light_followers)
+/* Checks trains with and without friction. In every third train, the deciding domino may be so light that it
+ * does not count for the energy. */
+TEST(trains_need_what_newton_says)
 {
     uint64_t seed = 102;
-    int checked = 0, light = 0;
-    for (int i = 0; i < 60; i++) {
+    int checked = 0, light = 0, rubs = 0, detach = 0, by_head = 0;
+    for (int i = 0; i < 150; i++) {
         struct setup train = setup_default();
         struct domq_angles angles;
         struct domq_limit limit;
         struct dom_floor floor;
         size_t decides = 0;
-        train.s = random_log(&seed, 0.02, 0.1);
-        train.d = random_log(&seed, 0.004, 0.04);
+        const bool thin = i % 3 == 0;
+        train.s = thin ? random_log(&seed, 0.02, 0.1) : random_log(&seed, 0.1, 0.9);
+        train.d = thin ? random_log(&seed, 0.004, 0.04) : random_log(&seed, 0.03, 0.5);
         train.q = 3 + i % 2;
+        train.mu = i % 3 == 1 ? random_log(&seed, 0.01, 1) : 0;
         assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
         if (limit.ends == DOM_END_NONE)
             continue;
         train.r = 1 + ((double)limit.r_max - 1) * (0.3 + 0.65 * random_unit(&seed));
-        if (ask_angles_find(&train, &angles) != DOM_OK || angles.detaches ||
-            ask_cycle_floor(&train, &floor) != DOM_OK || !isfinite(floor.motion))
+        if (ask_angles_find(&train, &angles) != DOM_OK || ask_cycle_floor(&train, &floor) != DOM_OK)
             continue;
-        double most = 0;
-        for (int k = 1; k < TILTS; k++) {
-            size_t here = 0;
-            double needs = train_needs(&train, (double)angles.theta_c * pow((double)k / TILTS, 4), &here);
-            decides = needs > most ? here : decides;
-            most = fmax(most, needs);
+        const double step = 1e-7 * (double)angles.theta_c;
+        for (int k = 1; k < TILTS && isfinite(floor.motion); k++) {
+            const double theta = (double)angles.theta_c * pow((double)k / TILTS, thin ? 4 : 1),
+                         needs = train_needs(&train, &angles, theta, step, &decides);
+            if (!(needs <= floor.motion * (1 + 1e-3)))
+                fail_train("friction of the floor at another tilt", &train, floor.motion, needs);
         }
-        if (!(fabs(floor.motion - most) <= 1e-3 * most))
-            fail_train("friction of the floor", &train, floor.motion, most);
+        /* At the tilt that needs most, a domino may just detach. */
+        double off = 1;
+        for (int side = -1; side <= 1 && isfinite(floor.motion); side += 2) {
+            const double theta = fmax(floor.theta, step),
+                         needs = train_needs(&train, &angles, theta, side * step, &decides);
+            off = fmin(off, fabs(needs / floor.motion - 1));
+        }
+        if (isfinite(floor.motion) && !(off <= 1e-3))
+            fail_train("friction of the floor", &train, floor.motion, off);
+        size_t struck = 0;
+        const double hit = train_needs(&train, &angles, 0, 0, &struck), d = (double)train.d,
+                     a = sqrt(1 - pow((double)(train.r * train.s), 2)) / (double)train.r;
+        if (isfinite(floor.hit) || isfinite(hit))
+            assert_near("in the collision", floor.hit, hit, 1e-8);
+        if (train.mu == 0 && floor.hit_domino == 0) {
+            assert_near("the struck domino", floor.hit, fabs(0.5 - (1 + d * d) / (3 * a)) / (d / 2), 1e-11);
+            by_head++;
+        }
         checked++;
+        rubs += train.mu > 0;
+        detach += angles.detaches;
         light += pow((double)train.r, -(double)train.q * (double)decides) < 1e-6;
     }
-    print_message("# %d trains, %d with a light domino that decides\n", checked, light);
-    assert_true(checked > 10 && light > 3);
+    print_message(
+        "# %d trains, %d with friction, %d detach, %d with a light domino that decides, %d by the head\n",
+        checked, rubs, detach, light, by_head);
+    assert_true(checked > 60 && rubs > 15 && detach > 10 && light > 3 && by_head > 1);
 }

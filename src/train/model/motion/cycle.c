@@ -242,41 +242,31 @@ KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, 
 
 /* ---- The cycle as a table ---- */
 
-struct table {
-    struct motion m;
-    dom_state_visit *visit;
-    void *context;
-    bool ended; /* true after the visitor has ended the walk */
-};
-
-static enum dom_status table_row(struct table *t, real theta, const struct dom_event *event)
-{
-    struct dom_state state;
-    enum dom_status status = motion_state(&t->m, theta, &state);
-    if (status == DOM_OK)
-        t->ended = !t->visit(&state, event, t->context);
-    return status;
-}
-
 KERNEL enum dom_status cycle_walk(const struct request *train, size_t states, enum dom_spacing by,
                                   dom_state_visit *visit, void *context)
 {
-    struct table t = {.visit = visit, .context = context};
+    struct motion m;
     struct dom_event events[DOM_EVENTS_MAX];
     int count = 0, next = 0;
-    enum dom_status status = motion_prepare(train, true, &t.m);
+    bool more = true;
+    enum dom_status status = motion_prepare(train, true, &m);
     if (status == DOM_OK)
-        status = motion_events(&t.m, events, &count);
-    for (size_t k = 0; k < states && status == DOM_OK && !t.ended; k++) {
-        real part = states > 1 ? (real)k / (real)(states - 1) : 1, theta = part * t.m.end;
+        status = motion_events(&m, events, &count);
+    for (size_t k = 0; k < states && status == DOM_OK && more; k++) {
+        real part = states > 1 ? (real)k / (real)(states - 1) : 1, theta = part * m.end;
         if (by == DOM_BY_TIME && part > 0 && part < 1)
-            status = clock_tilt(&t.m.clock, part * clock_time(&t.m.clock, t.m.end), &theta);
-        for (; next < count && status == DOM_OK && !t.ended && events[next].theta <= theta; next++)
-            status = table_row(&t, fmin(events[next].theta, t.m.end), &events[next]);
-        bool between = next < count && theta > events[next > 0 ? next - 1 : 0].theta;
-        if (between && status == DOM_OK && !t.ended)
-            status = table_row(&t, theta, NULL);
+            status = clock_tilt(&m.clock, part * clock_time(&m.clock, m.end), &theta);
+        /* First the events up to this state, then the state, unless it is that of an event. */
+        for (bool happens = true; happens && status == DOM_OK && more;) {
+            struct dom_state state;
+            happens = next < count && events[next].theta <= theta;
+            if (!happens && !(next < count && theta > events[next > 0 ? next - 1 : 0].theta))
+                break;
+            status = motion_state(&m, happens ? fmin(events[next].theta, m.end) : theta, &state);
+            more = status == DOM_OK && visit(&state, happens ? &events[next] : NULL, context);
+            next += happens;
+        }
     }
-    motion_end(&t.m);
-    return status == DOM_OK && t.m.stops ? DOM_STOPS : status;
+    motion_end(&m);
+    return status == DOM_OK && m.stops ? DOM_STOPS : status;
 }
