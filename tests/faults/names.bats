@@ -31,6 +31,7 @@ readable() { # WHAT NAME
             no_crash "$call $(printf %q "$name")" "$status"
             same "$call $(printf %q "$name"): standard output" '(nothing)' "$(cat ../out)"
             if [ "$status" -eq 0 ]; then
+                ! LC_ALL=C grep -q '[[:cntrl:]]' <<<"$name" || same "$call $(printf %q "$name")" refused written
                 [ "$call" = save ] || same "$(printf %q "$name")" "$answer" "$(cat ./"$name")"
                 rm ./"$name"
             else

@@ -57,14 +57,6 @@ harmless() { # FILE
     "$DOMINO" -e "effect row $name; effects" >table
     harmless table
     grep -qF "$name" table
-    name=$(printf '\x01%.0s' {1..200})
-    printf 'foo\n' >"$name"
-    for line in "effect row \"$name\"" "source $name"; do
-        run -1 --separate-stderr "$DOMINO" --keep-going -e "$line"
-        [[ $stderr =~ (not a block|no block|other fields|one column|unknown command) ]] || same "$line" 'what is wrong' "$stderr"
-    done
-    run -1 --separate-stderr "$DOMINO" --keep-going --safe -e "effect row ${name}.csv"
-    [[ $stderr == *'a safe session cannot do'* ]]
 }
 
 # Texts that a program could run, or could show as something else.
@@ -122,20 +114,6 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
 @test "completion offers no name with control characters" {
     touch row.csv $'r\e[31m' $'r\u009b' $'r\u202e' $'r\nx'
     same files row.csv "$("$DOMINO" -e 'complete source r')"
-}
-
-# bats test_tags=rows,pictures
-@test "no file with control characters in its name is written" {
-    local name
-    for name in $'a\e[31m' $'a\tb' $'a\u009bb' $'a\u202eb' $'\xffb' $'a\rb'; do
-        for line in 'verdict > "NAME"' 'verdict >> "NAME"' 'save "NAME"' 'draw > "NAME.svg"' 'animate > "NAME.gif"'; do
-            run -1 --separate-stderr "$DOMINO" --keep-going -e 'effect row 2' -e "${line/NAME/$name}"
-            [[ $stderr == *'the name contains control characters'* ]] || same "$line" refused "$stderr"
-            same "$line: nothing is written" '(nothing)' "$(ls)"
-        done
-    done
-    # Letters of other scripts are allowed.
-    "$DOMINO" -e 'save "Größe 你好.dom"' && [ -f 'Größe 你好.dom' ]
 }
 
 # bats test_tags=rows

@@ -73,17 +73,17 @@ static int gnuplot_copy(const struct picture *p, pid_t child, int pipe, bool *ha
 }
 
 /* Reports why gnuplot drew nothing: it is not there, or the first line that it wrote to standard error. */
-static bool gnuplot_failed(int status, FILE *errors, struct problem *problem)
+static void gnuplot_failed(int status, FILE *errors, struct problem *problem)
 {
     char line[256] = "";
     if (status == NOT_FOUND)
-        return problem_error(problem, "pictures need gnuplot, which is not installed; run 'apt install "
-                                      "gnuplot-nox', or enter 'set output csv' for the data");
+        problem_error(problem, "pictures need gnuplot, which is not installed; run 'apt install "
+                               "gnuplot-nox', or enter 'set output csv' for the data");
     rewind(errors);
     while (fgets(line, sizeof line, errors) && strspn(line, " \t\n^") == strlen(line))
         ;
     line[strcspn(line, "\n")] = '\0';
-    return problem_error(problem, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
+    problem_error(problem, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
 }
 
 /* Opens a temporary file, which is deleted when it is closed. */
@@ -125,11 +125,13 @@ static bool gnuplot_run(const struct picture *p, struct problem *problem)
         close(ends[1]);
     if (child > 0) {
         const int status = gnuplot_copy(p, child, ends[0], &has_drawn);
-        good = status != 0  ? gnuplot_failed(status, errors, problem)
-               : !has_drawn ? problem_error(problem, "gnuplot drew nothing")
-                            : true;
+        good = status == 0 && has_drawn;
         if (status != 0 && dom_raised(p->interrupt))
             problem_error(problem, "%s", dom_status_text(DOM_INTERRUPTED));
+        else if (status != 0)
+            gnuplot_failed(status, errors, problem);
+        else if (!has_drawn)
+            problem_error(problem, "gnuplot drew nothing");
     }
     if (is_piped)
         close(ends[0]);

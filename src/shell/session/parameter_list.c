@@ -31,41 +31,39 @@ static const char q_help[] =
     "block, and 4 times if it is hollow, like a box whose boards have the same thickness at every size.";
 static const char width_help[] =
     "The width is the size of a domino across the row. In a train, and in the row of 'set row N', every "
-    "domino has the same width relative to its height. If you give a length, as in 'set width 24 mm', it is "
-    "the width of the first domino. In a row from a file, a length is the width of all dominoes for which "
-    "the file gives none. The width counts in masses that follow from a density, in the boxes of "
-    "'set walls', and in the boards to cut. 'w' is short for width.";
+    "domino has the same width relative to its height. A length, as in 'set width 24 mm', is the width of "
+    "the "
+    "first domino or, in a row from a file, of all dominoes for which the file gives none. The width counts "
+    "in masses that follow from a density, in the boxes of 'set walls', and in boards. 'w' is short for "
+    "width.";
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
-    "than the tolerance justifies. Rounding errors can exceed the tolerance where an answer depends strongly "
-    "on a parameter; 'set errors on' shows them. The smallest tolerance is 1e-6 in float, 1e-15 in double "
-    "and 1e-33 in quad precision. If you have not set tol, 'set precision' also sets tol to the default of "
-    "the new precision. 'cost rmax' shows how much time each digit costs.";
+    "than it justifies. Rounding errors can exceed it; 'set errors on' shows them. The smallest tolerance is "
+    "1e-6 in float, 1e-15 in double and 1e-33 in quad precision. If you have not set tol, 'set precision' "
+    "also sets tol. 'cost rmax' shows how much time each digit costs.";
 static const char precision_help[] =
-    "The equations are solved in float, double or quad arithmetic. Parameters are kept with all their "
-    "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If the parameter "
-    "tol has its default, tol changes with the precision. 'set digits 33' shows all digits that quad gives. "
-    "Commands that search for a row or run many rows compute in double, and say so.";
+    "The equations are solved in float, double or quad arithmetic. Parameters keep all their digits, and are "
+    "rounded when they are used: in quad, 7/48 has 34 digits. 'set digits 33' shows all digits that quad "
+    "gives. Commands that search for a row or run many rows compute in double, and say so.";
 static const char errors_help[] =
-    "Each answer is computed a second time, with 30 digits (quad precision, tol 1e-30). A number in a "
-    "table is then followed by +/- and its error ('details' has the numbers of an answer in words): the "
-    "difference between the two computations, plus the rounding error of the number and the digits that "
-    "are not printed. The difference is no proof: a mistake that both computations make does not show. In "
-    "quad precision the second computation has another tolerance, and the difference does not show all "
-    "rounding errors. No error is shown if the two computations come to different conclusions, and where "
-    "only double precision is available, as in studies of many rows. While errors are on, the parameter "
-    "'digits' affects only numbers without an error, such as the values of 'print'. In csv and json the "
-    "error has a column or key of its own, named KEY_error.";
+    "Each answer is computed a second time, with 30 digits. A number in a table is then followed by +/- and "
+    "its error ('details' has the numbers of an answer in words): the difference between the two "
+    "computations, plus the rounding error of the number and the digits that are not printed. This is no "
+    "proof: a mistake that both computations make does not show. No error is shown if the two come to "
+    "different conclusions, and where only double precision is available, as in studies of many rows. While "
+    "errors are on, 'digits' affects only numbers without an error. In csv and json the error has a column "
+    "or key of its own, named KEY_error.";
 static const char density_help[] =
     "If 'mass' is 0, the mass of the first domino is the density times its volume, for which 'set width' "
     "gives the width. With 'set walls', only the volume of the walls counts.";
 static const char method_help[] =
-    "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check. The engine "
-    "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
-    "domino that touches the foot of the next one. The time step is halved until the verdict no longer "
-    "changes. One run of a row takes about a hundred times as long, and a study of many rows a thousand "
-    "times. A row can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' "
-    "or 'set bounce', because the model lacks these two effects. Endless trains always use the model.";
+    "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check: it uses none "
+    "of "
+    "the program's equations, and includes contacts that the model lacks. The time step is halved until the "
+    "verdict no longer changes. One run takes about a hundred times as long, and a row can have at most 200 "
+    "dominoes. With 'model', the engine runs only rows with 'set feet' or 'set bounce'. Endless trains "
+    "always "
+    "use the model.";
 
 static bool fuel_check(const struct state *state, const struct parameter *p, domq_real fuel,
                        struct problem *problem)
