@@ -19,9 +19,9 @@
 enum { GRID = 1000, COARSE = 20, STEP = 10 };
 
 /*
- * A search begins with the smallest number of dominoes that may suffice. It adds at most MORE dominoes. The
- * search for the shortest row can end earlier: once it has found a row, it gives up after LONGER successive
- * attempts that do not find a shorter one.
+ * A search begins with the smallest number of dominoes that may suffice. It adds at most MORE dominoes. If no
+ * row fits into the hall, it ends earlier, after LONGER successive numbers with which no shorter row is
+ * found.
  */
 enum { MORE = 30, LONGER = 8 };
 
@@ -38,7 +38,6 @@ struct planner {
     struct dom_compute compute; /* settings of the search */
     const struct dom_wish *wish;
     const struct dom_limits *limits; /* the sizes that the dominoes may have, or NULL if any are allowed */
-    double hall;                     /* the length that a row may have */
     struct dom_domino *domino;       /* array of `room` dominoes */
     size_t room;
     enum dom_status status;
@@ -198,8 +197,6 @@ static double feet_exact(const struct planner *p, size_t steps, double s)
 static double feet_of(struct planner *p, struct choice c)
 {
     double sum = 0;
-    if (!p->limits)
-        return feet_exact(p, c.steps, (double)c.k / GRID);
     for (size_t k = 0; row_write(p, c) && k <= c.steps; k++)
         sum += p->domino[k].gap + p->domino[k].thickness;
     return sum;
@@ -214,13 +211,13 @@ static int widest(const struct planner *p, size_t steps, double hall)
     return s >= 1 ? GRID : s > 0 ? (int)floor(s * GRID) : 0;
 }
 
-/* Returns true if the row fits into the hall and is safe enough, and so is an endless train of such
- * dominoes. */
-static bool enough(struct planner *p, struct choice c)
+/* Returns true if the row is safe enough, and so is an endless train of such dominoes, and if the row fits
+ * into the hall. */
+static bool enough(struct planner *p, struct choice c, double hall)
 {
     return train_ratio(p, (double)c.k / GRID, growth_of(p, c.steps)) >= p->wish->safety &&
            row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
-           (!p->limits || feet_of(p, c) + p->wish->height <= p->hall);
+           feet_of(p, c) + p->wish->height <= hall;
 }
 
 /* ---- The separation ---- */
@@ -264,28 +261,28 @@ static double separation_find(struct planner *p, int *best)
     return most;
 }
 
-/* Searches for a separation k / GRID at which the row is safe. Starts at k, or at `most` if k is larger.
- * Moves away from there in both directions, in steps of STEP, but not beyond `most`. Returns the first k at
- * which the row is safe, or 0 if there is none. */
-static int nearest(struct planner *p, size_t steps, int k, int most)
+/* Searches for a separation k / GRID at which the row is safe and fits into the hall. Starts at k, or at the
+ * largest separation that fits if k is larger. Moves away from there in both directions, in steps of STEP.
+ * Returns the first k that is found, or 0 if there is none. */
+static int nearest(struct planner *p, size_t steps, int k, double hall)
 {
-    int from = k < most ? k : most;
+    const int most = widest(p, steps, hall), from = k < most ? k : most;
     for (int away = 0; p->status == DOM_OK && (from - away > 0 || from + away <= most); away += STEP)
         for (int side = -1; side <= (away ? 1 : -1); side += 2) {
             struct choice c = {from + side * away, steps};
-            if (c.k > 0 && c.k <= most && enough(p, c))
+            if (c.k > 0 && c.k <= most && enough(p, c, hall))
                 return c.k;
         }
     return 0;
 }
 
-/* Narrows the gaps of a row that is safe with k = `good`, as long as it stays safe. Returns the smallest k.
- */
+/* Narrows the gaps of a row that is safe with k = `good`, as long as it stays safe. Returns the smallest k,
+ * or 0 if `good` is 0. */
 static int closest(struct planner *p, size_t steps, int good)
 {
-    for (int step = COARSE / 2; step > 0;) {
+    for (int step = COARSE / 2; step > 0 && good > 0;) {
         const struct choice closer = {good - step, steps};
-        if (closer.k > 0 && enough(p, closer))
+        if (closer.k > 0 && enough(p, closer, HUGE_VAL))
             good = closer.k;
         else
             step /= 2;
@@ -296,32 +293,30 @@ static int closest(struct planner *p, size_t steps, int good)
 /* ---- The number of dominoes ---- */
 
 /*
- * Finds the row with the fewest dominoes that is safe enough and fits into the hall. If `shortest` is true,
- * finds the shortest row that is safe enough instead, whatever the hall. Only rows with at least `fewest`
- * steps are tried. Returns the length of the row, or infinity if no row is found.
+ * Finds the row with the fewest dominoes that is safe enough and fits into the hall, with k near `best`. If
+ * there is none, finds the shortest row that is safe enough. Only rows with at least `fewest` steps are
+ * tried. Returns the length of the row, or infinity if no row is found.
  */
-static double row_search(struct planner *p, size_t fewest, int k, bool shortest, struct choice *best)
+static double row_search(struct planner *p, size_t fewest, int best, struct choice *found)
 {
-    double length = HUGE_VAL;
+    const double hall = p->wish->hall;
+    double shortest = HUGE_VAL;
     size_t longer = 0;
-    p->hall = shortest ? HUGE_VAL : p->wish->hall;
-    for (size_t n = fewest; n <= fewest + MORE && longer < LONGER && p->status == DOM_OK; n++) {
-        const int most = shortest ? GRID : widest(p, n, p->hall);
-        if (most <= 0 || widest(p, n, length) == 0)
-            break; /* a row with more dominoes would be too long, too */
-        struct choice c = {nearest(p, n, k, most), n};
-        if (c.k > 0 && shortest)
-            c.k = closest(p, n, c.k);
-        const double found = c.k > 0 ? feet_of(p, c) + p->wish->height : HUGE_VAL;
-        longer = found < length || !isfinite(length) ? 0 : longer + 1;
-        if (!(found < length))
-            continue;
-        *best = c;
-        length = found;
-        if (!shortest)
+    /* Beyond a certain number of dominoes, the row would be longer even without gaps. */
+    for (size_t n = fewest; n <= fewest + MORE && longer < LONGER && widest(p, n, shortest) > 0; n++) {
+        struct choice c = {nearest(p, n, best, hall), n};
+        if (c.k == 0 && isfinite(hall))
+            c.k = closest(p, n, nearest(p, n, best, HUGE_VAL));
+        const double length = c.k > 0 ? feet_of(p, c) + p->wish->height : HUGE_VAL;
+        longer = length < shortest || isinf(shortest) ? 0 : longer + 1;
+        if (length < shortest) {
+            *found = c;
+            shortest = length;
+        }
+        if (p->status != DOM_OK || (isfinite(shortest) && shortest <= hall))
             break;
     }
-    return p->status == DOM_OK ? length : HUGE_VAL;
+    return p->status == DOM_OK ? shortest : HUGE_VAL;
 }
 
 /* An edge_test: returns true if the row p->pushed is safe enough with this push. */
@@ -366,9 +361,7 @@ static struct choice design_search(struct planner *p, struct dom_design *found)
     }
     while (growth_of(p, fewest) > most && fewest < (size_t)MORE * MORE)
         fewest++;
-    double length = row_search(p, fewest, best, false, &c);
-    if (isinf(length) && isfinite(wish->hall))
-        length = row_search(p, fewest, best, true, &c);
+    const double length = row_search(p, fewest, best, &c);
     if (length <= wish->hall && isfinite(length))
         return c;
     if (isfinite(length)) {
