@@ -2,7 +2,7 @@
 /* Confidence intervals for the probability that a row falls, and how large random errors may be if it must
  * fall with a given probability. */
 #include "chance/model/draw.h"
-#include "search/trial.h"
+#include "search/search.h"
 #include <math.h>
 
 /* ---- The exact (Clopper-Pearson) confidence interval ---- */

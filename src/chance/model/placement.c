@@ -20,19 +20,13 @@ struct shared {
     atomic_size_t *stops; /* how many falls ended at each domino, or NULL if not requested */
 };
 
-struct batch {
-    struct draw draw;
-    struct study *study; /* memory of the model that runs the rows, or NULL if an engine runs them */
-};
-
-/* Runs random row number i and adds the result to the counts. */
-static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
+/* Runs random row number i and adds the result to the counts. `study` is NULL if an engine runs the rows. */
+static enum dom_status row_count(struct shared *s, struct draw *draw, struct study *study, size_t i)
 {
     struct dom_verdict verdict;
-    draw_row(&b->draw, s->row, s->placement, i);
-    const enum dom_status status = b->study
-                                       ? row_study(b->study, &b->draw.row, 0, s->row->count - 1, &verdict)
-                                       : dom_row_run(&b->draw.row, &s->compute, false, NULL, NULL, &verdict);
+    draw_row(draw, s->row, s->placement, i);
+    const enum dom_status status = study ? row_study(study, &draw->row, 0, s->row->count - 1, &verdict)
+                                         : dom_row_run(&draw->row, &s->compute, false, NULL, NULL, &verdict);
     if (status != DOM_OK)
         return status;
     const bool falls = verdict.end == DOM_ROW_FALLS,
@@ -45,15 +39,6 @@ static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
     return DOM_OK;
 }
 
-/* Unless an engine runs the rows, checks the row and prepares to run many rows of this kind. */
-static enum dom_status batch_begin(struct batch *b, const struct shared *s)
-{
-    struct dom_row row = *s->row;
-    if (s->row->engine)
-        return DOM_OK;
-    return row_study_begin(&row, &s->compute, &b->study, NULL);
-}
-
 /* A dom_task that runs batch number `index` of the rows, unless another batch has failed. */
 static void batch_run(size_t index, void *context)
 {
@@ -61,17 +46,18 @@ static void batch_run(size_t index, void *context)
     const struct dom_placement *p = s->placement;
     if (atomic_load(&s->status) != DOM_OK)
         return;
-    struct batch b = {.study = NULL};
-    enum dom_status status = draw_begin(&b.draw, s->row);
-    if (status == DOM_OK)
-        status = batch_begin(&b, s);
+    struct draw draw;
+    struct study *study = NULL;
+    enum dom_status status = draw_begin(&draw, s->row);
+    if (status == DOM_OK && !s->row->engine)
+        status = row_study_begin(s->row, &s->compute, &study, NULL);
     for (size_t i = index * BATCH; i < p->rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
-        status = row_count(&b, s, p->first + i);
+        status = row_count(s, &draw, study, p->first + i);
     int none = DOM_OK;
     if (status != DOM_OK)
         atomic_compare_exchange_strong(&s->status, &none, (int)status);
-    row_study_end(b.study);
-    draw_end(&b.draw);
+    row_study_end(study);
+    draw_end(&draw);
 }
 
 /* Checks the arguments of a study. The model cannot check all of them. The study changes the gaps and the

@@ -12,7 +12,7 @@
 #include "numerics/real.h"
 #include "planning/model/shape.h"
 #include "rows/model/boxes.h"
-#include "search/trial.h"
+#include "search/search.h"
 #include <stdlib.h>
 
 /* In the first search, k is a multiple of COARSE. A search for a separation takes steps of STEP. */

@@ -430,37 +430,3 @@ enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *
     request.carries_on = true;
     return status == DOM_OK ? row_run(&request, false, NULL, NULL, visit, context, verdict) : status;
 }
-
-/* ---- Trials of a row with changes ---- */
-
-bool trial_begin(struct trial *t)
-{
-    t->verdict.end = DOM_ROW_STOPS;
-    if (t->row.engine)
-        (void)trial_falls(t); /* an engine cannot start in the middle of a row */
-    else                      /* stores states from which runs of changed rows can start */
-        t->status = row_study_begin(&t->row, &t->compute, &t->study, &t->verdict);
-    if (t->status == DOM_OK) {
-        t->domino = malloc(t->row.count * sizeof *t->domino);
-        if (t->domino)
-            memcpy(t->domino, t->row.domino, t->row.count * sizeof *t->domino);
-        else
-            t->status = DOM_NO_MEMORY;
-        t->row.domino = t->domino;
-    }
-    return trial_judged(t);
-}
-
-bool trial_again(struct trial *t, size_t first, size_t last)
-{
-    t->verdict.end = DOM_ROW_STOPS;
-    if (t->status == DOM_OK)
-        t->status = row_study(t->study, &t->row, first, last, &t->verdict);
-    return trial_judged(t);
-}
-
-void trial_end(struct trial *t)
-{
-    row_study_end(t->study);
-    free(t->domino);
-}

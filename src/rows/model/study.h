@@ -3,8 +3,8 @@
 #ifndef DOM_STUDY_H
 #define DOM_STUDY_H
 
+#include "entry/study.h"
 #include "rows/model/boxes.h"
-#include "search/trial.h"
 
 struct study;
 
@@ -23,14 +23,5 @@ void row_study_end(struct study *study);
 /* Runs a row. At a domino that would stop, the run does not end: the domino gets the energy that it needs. */
 enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,
                            dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
-
-/* Runs the unchanged row. Returns true if all dominoes fall. Also prepares trials that change one domino or
- * the gaps beside it. The caller must call trial_end afterwards, even after a failure. */
-bool trial_begin(struct trial *t);
-void trial_end(struct trial *t);
-
-/* Runs the row prepared by trial_begin after a change of the dominoes from `first` to `last`, counted from
- * 0. */
-bool trial_again(struct trial *t, size_t first, size_t last);
 
 #endif

@@ -3,8 +3,28 @@
  * large. The window of a gap is the range of gaps at which all dominoes fall, if nothing else in the row
  * changes. The position, the height, the thickness and the lean of a domino have windows too, and so does the
  * friction. If a row does not fall, its windows say which change of one value mends it. */
+#include "numerics/decimal.h"
 #include "rows/model/boxes.h"
 #include "rows/model/study.h"
+#include "search/search.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* A series of trials, each of which changes one value of a row and runs the row. If an error occurs, `status`
+ * is set to a value other than DOM_OK. From then on, no more rows are run, and all trials return false. */
+struct trial {
+    struct dom_row row;
+    struct dom_compute compute;
+    struct dom_domino *domino; /* copy of the row's dominoes, which the trials change */
+    int of;                    /* the property that is changed, an enum dom_window_of */
+    size_t k;                  /* index of the domino that is changed, from 0 */
+    /* distance from the back of the first domino to the back of domino k before the change */
+    double place;
+    /* the state for running slightly changed rows, or NULL if an engine runs them */
+    struct study *study;
+    enum dom_status status;
+    enum dom_row_end ends; /* how the fall ended in the last run in which some dominoes did not fall */
+};
 
 /* ---- The value that is changed ---- */
 
@@ -134,25 +154,32 @@ static void value_set(struct trial *t, struct dom_domino *d, double value)
         *at = value;
 }
 
-/* A trial_test. Sets the value, runs the row, and then restores the row. */
-static bool falls_with(struct trial *t, double value)
+/* An edge_test. Sets the value, runs the row, and then restores the row. */
+static bool falls_with(double value, double *spare, void *context)
 {
+    struct trial *t = context;
     const size_t next = t->k + 1 < t->row.count;
     struct dom_domino *d = &t->domino[t->k], self = *d, after = d[next];
     const double mu = t->row.mu;
-    bool falls;
+    struct dom_verdict v = {.end = DOM_ROW_STOPS};
     value_set(t, d, value);
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
-        falls = trial_falls(t);
-        if (t->row.engine && t->status == DOM_NOT_CONVERGED)
+        (void)row_has_spare(&t->row, &t->compute, &v, &t->status);
+        if (t->row.engine && t->status == DOM_NOT_CONVERGED) {
             /* if the engine cannot decide whether the row falls, the row counts as not falling */
             t->status = DOM_OK;
-    } else
-        falls = trial_again(t, t->k, t->k + (next && t->of == DOM_WINDOW_PLACE));
+            v.end = DOM_ROW_STOPS;
+        }
+    } else if (t->status == DOM_OK) {
+        const size_t last = t->k + (next && t->of == DOM_WINDOW_PLACE);
+        t->status = row_study(t->study, &t->row, t->k, last, &v);
+    }
     t->row.mu = mu;
     d[next] = after;
     *d = self;
-    return falls;
+    *spare = v.end == DOM_ROW_FALLS || v.end == DOM_ROW_STOPS ? v.spare : DOM_NAN;
+    t->ends = v.end != DOM_ROW_FALLS ? v.end : t->ends;
+    return t->status == DOM_OK && v.end == DOM_ROW_FALLS;
 }
 
 /* ---- A walk, and a search for each edge ---- */
@@ -182,7 +209,7 @@ static double value_step(const struct trial *t, double from, double end, int i, 
  * `bad`. */
 static double value_edge(struct trial *t, double good, double bad)
 {
-    return trial_edge(t, falls_with, good, &bad, value_digit(t, fmax(fabs(good), fabs(bad))), 0);
+    return edge_find(falls_with, t, good, &bad, value_digit(t, fmax(fabs(good), fabs(bad))), 0);
 }
 
 /* A band of values at which all dominoes fall. A walk from a value begins it at `from` and ends it at `to`.
@@ -198,11 +225,11 @@ struct band {
 static struct band walk(struct trial *t, double from, double end, bool falls, enum dom_row_end beyond)
 {
     struct band band = {.found = falls, .from = from, .to = end, .beyond = beyond};
-    double last = from;
+    double last = from, spare;
     const int steps = t->row.engine ? STEPS_OF_ENGINE : STEPS;
     for (int i = 1; i <= steps && last != end && t->status == DOM_OK; i++) {
         const double x = value_step(t, from, end, i, steps);
-        const bool good = x == last ? band.found : falls_with(t, x);
+        const bool good = x == last ? band.found : falls_with(x, &spare, t);
         if (good && !band.found) {
             band.from = value_edge(t, x, last);
             band.found = true;
@@ -251,16 +278,16 @@ static double edge_near(struct trial *t, double guess, double end, enum dom_row_
 {
     const double now = value_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
     const double first = fmin(fmax(multiple_of(round(guess / digit), digit), fmin(now, end)), fmax(now, end));
-    double good = first, bad = first, step = end < now ? -digit : digit;
-    if (falls_with(t, first))
+    double good = first, bad = first, spare, step = end < now ? -digit : digit;
+    if (falls_with(first, &spare, t))
         for (; good == bad && good != end; step *= 8) {
             bad = fabs(end - good) < fabs(step) ? end : good + step;
-            good = falls_with(t, bad) ? bad : good;
+            good = falls_with(bad, &spare, t) ? bad : good;
         }
     else
         for (; good == bad && good != now; step *= 8) {
             good = fabs(good - now) < fabs(step) ? now : bad - step;
-            bad = falls_with(t, good) ? bad : good;
+            bad = falls_with(good, &spare, t) ? bad : good;
         }
     if (good == bad) /* all dominoes fall even at the end of the range */
         return good;
@@ -286,7 +313,8 @@ static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
     struct band near;
-    if (w->now > range.highest && falls_with(t, range.highest))
+    double spare;
+    if (w->now > range.highest && falls_with(range.highest, &spare, t))
         near = walk(t, range.highest, range.lowest, true, DOM_ROW_FALLS);
     else {
         const struct band out = walk(t, w->now, range.highest, false, DOM_ROW_FALLS);
@@ -316,11 +344,20 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
                                 enum dom_window_of of, dom_progress *progress, void *context,
                                 struct dom_window *windows)
 {
-    struct trial t = trial_of(row, compute);
-    t.of = (int)of;
-    bool falls = trial_begin(&t), one = of == DOM_WINDOW_FRICTION;
+    const bool one = of == DOM_WINDOW_FRICTION;
+    struct dom_verdict planned = {.end = DOM_ROW_STOPS};
+    struct trial t = {.row = *row, .compute = compute_or_default(compute), .of = (int)of, .status = DOM_OK};
+    if (row->engine) /* an engine cannot start in the middle of a row */
+        (void)row_has_spare(row, &t.compute, &planned, &t.status);
+    else /* stores states from which runs of changed rows can start */
+        t.status = row_study_begin(row, &t.compute, &t.study, &planned);
+    if (t.status == DOM_OK && !(t.domino = malloc(row->count * sizeof *t.domino)))
+        t.status = DOM_NO_MEMORY;
+    if (t.status == DOM_OK)
+        memcpy(t.domino, row->domino, row->count * sizeof *t.domino);
+    t.row.domino = t.domino;
+    const bool falls = planned.end == DOM_ROW_FALLS;
     const size_t first = of == DOM_WINDOW_GAP || of == DOM_WINDOW_PLACE, end = one ? 1 : row->count;
-    const struct dom_verdict planned = t.verdict;
     for (t.k = first; t.k < end && t.status == DOM_OK; t.k++) {
         if (t.k > 0)
             t.place += t.domino[t.k - 1].thickness + t.domino[t.k].gap;
@@ -340,6 +377,7 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
         if (progress)
             progress(t.k - first + 1, end - first, context);
     }
-    trial_end(&t);
+    row_study_end(t.study);
+    free(t.domino);
     return t.status;
 }
