@@ -181,10 +181,6 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
                                  "the line has more than %d cells; delete columns that are not used",
                                  CSV_CELLS_MOST);
         }
-        if (good && file->next - begin > CSV_LINE_MOST)
-            return csv_wrong(file, record->at,
-                             "the line is longer than %d bytes; write each row on a line of its own",
-                             CSV_LINE_MOST - 1);
     }
     if (*file->next == '\0' && file->cut_short)
         return csv_wrong(file, file->at, "%s", file->cut_short);

@@ -29,8 +29,8 @@
 #include "language/names.h"
 #include "session/query.h"
 
-/* The maximum number of cells and bytes in a line, and of bytes in a file. */
-enum { CSV_CELLS_MOST = 80, CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
+/* The maximum number of cells in a line, and of bytes in a file. */
+enum { CSV_CELLS_MOST = 80, CSV_FILE_MOST = 64 << 20 };
 
 /* A line of a file, and a character of this line. Both count from 1. */
 struct csv_place {

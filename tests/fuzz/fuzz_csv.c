@@ -23,7 +23,7 @@ static void byte_write(FILE *out, uint8_t byte)
         {"\n48,5;7,5;20", 1},
         {",x", CSV_CELLS_MOST - 3},
         {";1", CSV_CELLS_MOST - 4},
-        {"y", CSV_LINE_MOST - 100},
+        {"y", 65000},
         {"", 0},
     };
     if (byte < sizeof texts / sizeof *texts)
