@@ -133,6 +133,7 @@ static struct peak peak_find(struct line *l, bool is_rough)
 
 static struct peak line_best(struct line *l, bool is_rough)
 {
+    line_place(l);
     for (size_t k = 0; k < l->count; k++)
         l->point[k].value = line_at(l->point[k].x, l);
     return peak_find(l, is_rough);

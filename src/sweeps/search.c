@@ -21,7 +21,6 @@ void search_begin(struct search *s, const struct sweep *sweep, struct probe prob
                                    .whole = axis->parameter->value->whole};
         struct line *l = &s->line[i];
         l->grain = l->whole ? 0.5 : (l->to - l->from) * (i == 0 && sweep->grid.axes == 2 ? 2e-6 : 1e-10);
-        line_place(l);
     }
 }
 
@@ -81,6 +80,7 @@ bool search_points(struct search *s, struct problem *problem)
                              .progress = true,
                              .interrupt = scene->compute.interrupt};
     struct line *l = s->line;
+    line_place(l);
     const enum dom_status status = workers_tasks(l->count, point_task, s, &pool);
     progress_end();
     if (status != DOM_OK)
