@@ -96,7 +96,7 @@ record="effect row \"$root/examples/record.csv\""
 @test "without gnuplot, a one-line error says what to install, and the data are still available" {
     dir=$PWD
     mkdir "$dir/empty"
-    for what in 'plot chain > a.svg' 'draw > a.png' "set row 3; animate > $dir/a.gif"; do
+    for what in 'plot omega > a.svg' 'draw > a.png' "set row 3; animate > $dir/a.gif"; do
         run -1 env PATH="$dir/empty" "$DOMINO" --keep-going -e "$what; print 1"
         [[ ${lines[0]} == *"pictures need gnuplot, which is not installed; run 'apt install gnuplot-nox'"* ]]
         same "$what: the session goes on" 1 "${lines[1]}"

@@ -8,7 +8,7 @@ load ../shell/common
 row='effect row 6; effect friction 0.1'
 
 plots=(fall speed growth 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3 7 : rmax'
-    energy omega chain)
+    energy omega)
 
 # bats test_tags=rows,sweeps
 @test "each plot makes an svg that parses, a png and a pdf, and fits 80 x 24 characters" {
@@ -41,7 +41,6 @@ fall|Energy~to~spare spare~energy~/~energy~needed,~in~% the~weakest,~domino All~
 speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in 
 energy|Energy launch top hit potential~energy kinetic~energy tilt~of~the~head~in~rad
 omega|Angular~velocity launch top hit tilt~of~the~head the~head,~48~mm~tall
-chain|Tilts launch top hit i~=~0,~the~head i~=~1 the~last
 growth|solid~pair hollow~pair hollow~train solid~train reach:~r~=~1/s now:~s~=~0.4,~r~=~1.5 gap~over~height growth~r
 sweep s 0.2 0.6 5 : rmax|rmax~against~s r_max s,~separation
 sweep q 3, 4 s 0.2 0.6 5 : rmax|q~=~3 q~=~4 r_max
@@ -90,7 +89,7 @@ END
     same 'in characters' 'o o o o #' "$(sed -n '/^ *10 +/q;3,$s/.*[|+]//p' picture | grep -o '[o#]' | paste -sd ' ' -)"
 }
 
-@test "plot energy, omega, chain: the data agree with energy, omega and chain, and include the events" {
+@test "plot energy, omega: the data agree with energy and omega, and include the events" {
     csv 'plot energy' >energy
     same keys theta,dH,kinetic,J,event "$(head -n 1 energy)"
     same events 'launch top hit' "$(awk -F, '$5 != "" && NR > 1 { print $5 }' energy | paste -sd ' ' -)"
@@ -109,10 +108,6 @@ END
         close "omegasq at $theta" "$(values omegasq <<<"$answer")" "$omegasq"
         close "omega at $theta" "$(values omega <<<"$answer")" "$omega"
     done
-    same keys i,theta,theta_i,event "$(csv 'plot chain' | head -n 1)"
-    # When the head hits, domino i has the tilt at which domino i + 1 began the cycle.
-    csv 'plot chain' | awk -F, 'NR > 1 && $2 == 0 { first[$1] = $3 } { last[$1] = $3 }
-        END { for (i = 1; i in first; i++) { d = first[i] - last[i - 1]; if (d > 1e-12 || d < -1e-12) exit 1; n++ } exit n < 2 }'
     # There are no values after a stop.
     csv 'set r 1.7; plot omega' | awk -F, 'stopped && $3 != "" { bad = 1 } $4 == "stop" { stopped = 1; bad = bad || $3 != 0; next }
         stopped { after++ } END { exit bad || !after }'
@@ -195,7 +190,7 @@ END
     wrong 'effect row 1; plot fall' 'the only domino of this row starts past its tipping point, so it needs no energy to fall'
     wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'runs this row because bounce is on, and the engine does not compute the energy that a domino needs'
     wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the front has no speed, because the fall ends before domino 2 is hit'
-    for what in 'energy > a.svg' omega chain; do
+    for what in 'energy > a.svg' omega; do
         wrong "set s 0.001; plot $what" 'the fuel P is not positive'
         wrong "set r 9; plot $what" 'r s = 3.6 > 1'
     done

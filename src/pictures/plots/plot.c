@@ -97,11 +97,8 @@ static void curves_fill(const struct plot *plot, const struct plot_rows *rows, c
     for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
         const struct plot_curve *from = &plot->curve[k];
         int x = plot_column(rows, plot->x.key), y = plot_column(rows, from->key);
-        for (size_t i = 0; i < rows->count && y >= 0; i++) {
-            const double *n = rows->row[i].number;
-            if (from->series == 0 || n[0] == from->series - 1)
-                chart_point(chart, &chart->curve[k], n[x], n[y]);
-        }
+        for (size_t i = 0; i < rows->count && y >= 0; i++)
+            chart_point(chart, &chart->curve[k], rows->row[i].number[x], rows->row[i].number[y]);
     }
     double x = 0, y = 0;
     for (int k = 0; k < chart->curves; k++)
@@ -230,8 +227,8 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-extern const struct plot limit_plots[], cycle_plots[];
+extern const struct plot train_plots[];
 
-static const struct plot *const plots[] = {limit_plots, cycle_plots, NULL};
+static const struct plot *const plots[] = {train_plots, NULL};
 
 const struct feature pictures_feature = {.name = "pictures", .groups = groups, .plots = plots};

@@ -52,7 +52,6 @@ struct plot_curve {
     enum chart_kind kind;
     enum ink ink;
     int dash;
-    int series; /* if not 0, only rows whose first number is series - 1 are shown */
 };
 
 enum { PLOT_CURVES = 5 };
@@ -76,11 +75,5 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
 
 /* The entries of plots leave out members. */
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
-/* A column that several plots have. */
-#define COLUMN(key, unit, meaning, width)                                                                    \
-    {                                                                                                        \
-        key, unit, meaning, width                                                                            \
-    }
 
 #endif

@@ -137,9 +137,8 @@ static bool plot_speed(const struct query *query, struct answer *a, struct chart
     return done;
 }
 
-#define DOMINO COLUMN("domino", "", "number of the domino, from 1", 6)
 static const struct column fall_columns[] = {
-    DOMINO,
+    {"domino", "", "number of the domino, from 1", 6},
     {"kinetic", "mgh/2", "kinetic energy of all moving dominoes just after the hit", 0},
     {"barrier", "mgh/2", "energy that is needed to tip this domino over", 0},
     {"margin", "mgh/2", "kinetic - barrier", 0},
@@ -148,7 +147,7 @@ static const struct column fall_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 static const struct column speed_columns[] = {
-    DOMINO,
+    {"domino", "", "number of the domino, from 1", 6},
     {"place", "m", "distance of this domino from domino 1, front foot to front foot", 0},
     {"speed", "m/s", "speed of the front from this domino to the next one", 0},
     {NULL, NULL, NULL, 0},
