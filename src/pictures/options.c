@@ -1,36 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/options.h"
-#include <ctype.h>
-#include <string.h>
+#include "language/text.h"
 
 /* ---- Parsing ---- */
 
 static bool option_fits(const struct option *w, unsigned seen)
 {
     return (seen & ~w->beside) == 0 && (w->after & ~seen) == 0;
-}
-
-/* Returns true if the next word cannot begin a value and so was probably meant as a keyword. */
-static bool is_stray(const struct reader *r)
-{
-    char word[64];
-    int n = (int)strspn(r->at, "abcdefghijklmnopqrstuvwxyz");
-    snprintf(word, sizeof word, "%.*s", n, r->at);
-    return n > 0 && (isspace((unsigned char)r->at[n]) || r->at[n] == '>' || command_ends(r->at + n)) &&
-           names_exact(value_names, r->query->state, word) < 0;
-}
-
-/* Reports a word that is not in the list, or that does not fit the words before it. */
-static bool wrong_word(struct reader *r, const struct options_parsed *p)
-{
-    bool is_many = !is_stray(r);
-    for (const struct option *w = p->list->options; w->name; w++)
-        is_many = is_many || (*w->name && (w->after & ~p->seen) == 0 && word_is_next(r, w->name));
-    const char *word = read_word(r, false);
-    return problem_error(r->problem, "'%s' %s; %s", names_shown(word ? word : ""),
-                         is_many ? "is one argument too many"
-                                 : "is neither a value nor a word that fits here",
-                         p->list->usage);
 }
 
 static bool value_parse(struct reader *r, struct options_parsed *p, int k)
@@ -60,10 +36,19 @@ const struct options_parsed *options_parse(struct reader *r, struct question *q,
         reader_place(r, r->at);
         const int column = r->problem->place;
         for (; (w = &list->options[k])->name; k++)
-            if (option_fits(w, p->seen) && (*w->name ? reader_takes(r, w->name) : !is_stray(r)))
+            if (option_fits(w, p->seen) && (!*w->name || reader_takes(r, w->name)))
                 break;
-        if (w->name ? w->argument && !value_parse(r, p, k) : !wrong_word(r, p))
+        if (!w->name) {
+            const char *word = read_word(r, false);
+            problem_error(r->problem, "'%s' does not fit here; %s", names_shown(word ? word : ""),
+                          list->usage);
             return NULL;
+        }
+        if (w->argument && !value_parse(r, p, k)) {
+            if (!*w->name) /* it may have been meant as a keyword */
+                text_add(r->problem->text, sizeof r->problem->text, "; %s", list->usage);
+            return NULL;
+        }
         p->column[k] = column;
         p->seen |= BIT(k); /* not before its value, which completion may offer beside other words */
     }

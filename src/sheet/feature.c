@@ -2,6 +2,7 @@
 /* The command 'sheet', which writes a page for a class that times a row of equal dominoes, and a page with
  * the answers. */
 #include "interpreter/feature.h"
+#include "io/io.h"
 #include "language/names.h"
 #include "language/quad.h"
 #include "language/text.h"
@@ -144,155 +145,142 @@ static double degrees(domq_real angle)
     return (double)(angle * 180 / QUAD_PI);
 }
 
-/* ---- The page for pupils ---- */
+/* ---- The pages ---- */
 
 /* Says how the class starts the row. */
-static void start_write(const struct class_row *class, FILE *out)
+static void start_write(const struct class_row *class, FILE *page)
 {
     const struct scene_row *scene = &class->row.run.scene;
     const double tilt = degrees(scene_row_tilt(scene)),
                  speed = 100 * (double)(scene->row.push * scene->domino->height);
-    const char *clock = "and stop it when the last domino lies on the table.";
-    char hold[120] = "";
-    if (isinf(scene->row.release))
-        snprintf(hold, sizeof hold, "Lean domino 1 against domino 2 (with a gap of %.40s, at %.3g degrees). ",
-                 length_of(class, class->trial[0].gap).text, tilt);
-    else if (scene->row.release > 0)
-        snprintf(hold, sizeof hold, "Hold domino 1 at a tilt of %.3g degrees. ", tilt);
-    if (row_run_tipped(&class->row.run, 0))
-        fprintf(
-            out,
-            "Tilt domino 1 slowly, until it tips over by itself. Start the clock when it hits domino 2, %s\n",
-            clock);
-    else if (speed > 0)
-        fprintf(out,
-                "%sPush the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. Start the "
-                "clock with the push, %s\n",
-                hold, speed, clock);
-    else
-        fprintf(out, "%sStart the clock when you let it go, %s\n", hold, clock);
+    const char *from = "when you let it go";
+    if (row_run_tipped(&class->row.run, 0)) {
+        fputs("Tilt domino 1 slowly, until it tips over by itself. ", page);
+        from = "when it hits domino 2";
+    } else if (isinf(scene->row.release)) {
+        fprintf(page, "Lean domino 1 against domino 2 (with a gap of %.40s, at %.3g degrees). ",
+                length_of(class, class->trial[0].gap).text, tilt);
+    } else if (scene->row.release > 0) {
+        fprintf(page, "Hold domino 1 at a tilt of %.3g degrees. ", tilt);
+    }
+    if (speed > 0) {
+        fprintf(page, "Push the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. ",
+                speed);
+        from = "with the push";
+    }
+    fprintf(page, "Start the clock %s, and stop it when the last domino lies on the table.\n", from);
 }
 
-/* The table of measurements is the file that 'fit' reads. */
-static void questions_write(const struct class_row *class, FILE *out)
+/* What the class sets up and measures, and the times to expect. The table is the file that 'fit' reads. */
+static void trials_write(const struct class_row *class, FILE *page, FILE *answers)
 {
     const struct trial *first = class->trial;
-    const struct domq_domino *d = class->row.run.scene.domino;
+    const struct row_run *run = &class->row.run;
+    const struct domq_domino *d = run->scene.domino;
     const struct effect_state *slope = &class->query->scene->effect[DOM_EFFECT_slope];
-    fprintf(out,
+    const struct words tall = length_of(class, (double)d->height);
+    fprintf(page,
             "# Set up\n%zu dominoes, each %s tall and %s thick, with gaps of %s. From the front of one "
             "domino to the front of the next it is %s.\n",
-            first->dominoes, length_of(class, (double)d->height).text,
-            length_of(class, (double)d->thickness).text, length_of(class, first->gap).text,
-            length_of(class, first->gap + (double)d->thickness).text);
+            first->dominoes, tall.text, length_of(class, (double)d->thickness).text,
+            length_of(class, first->gap).text, length_of(class, first->gap + (double)d->thickness).text);
     if (slope->on)
-        fprintf(out, "The floor slopes %s, by %.4g degrees.\n",
-                slope->value[0] > 0 ? "down in the direction of the fall" : "up in the direction of the fall",
-                fabs(degrees(slope->value[0])));
-    start_write(class, out);
-    fprintf(out,
+        fprintf(page, "The floor slopes %s the direction of the fall, by %.4g degrees.\n",
+                slope->value[0] > 0 ? "down in" : "up in", fabs(degrees(slope->value[0])));
+    start_write(class, page);
+    fprintf(page,
             "# Measure\nGuess first. The row will take _______ s.\nThen let each row fall three times. Set "
             "it up anew each time.\n|gap (%s)|dominoes|trial 1 (s)|trial 2 (s)|trial 3 (s)|mean (s)\n",
             class->unit);
-    for (int k = 0; k < class->trials; k++)
-        fprintf(out, "|%.4g|%zu||||\n", class->trial[k].gap / class->size, class->trial[k].dominoes);
+    fprintf(answers, "# The times to expect\n");
+    for (const struct trial *t = first; t < first + class->trials; t++) {
+        fprintf(page, "|%.4g|%zu||||\n", t->gap / class->size, t->dominoes);
+        fprintf(answers, "%zu dominoes of %s with gaps of %s: %s\n", t->dominoes, tall.text,
+                length_of(class, t->gap).text, time_of(t->seconds).text);
+    }
+    fprintf(answers, "The clock runs from %s until the last domino lies on the floor.\n",
+            row_run_tipped(run, 0)    ? "the hit of domino 1 on domino 2"
+            : run->scene.row.push > 0 ? "the push"
+                                      : "the release");
+}
+
+/* Writes the questions beside their answers. */
+static void questions_write(const struct class_row *class, FILE *page, FILE *answers)
+{
+    const struct row_run *run = &class->row.run;
+    const struct trial *first = class->trial, *last = first + class->trials - 1, *fastest = first;
+    const struct words length = length_of(class, class->row.stage.right), time = time_of(first->seconds);
+    bool is_narrowest = true;
     int n = 1;
-    fprintf(out,
+    for (const struct trial *t = first; t <= last; t++)
+        fastest = t->dominoes == first->dominoes && t->seconds < fastest->seconds ? t : fastest;
+    for (const struct trial *t = first; t <= last; t++)
+        is_narrowest = is_narrowest && fastest->gap <= t->gap;
+    fprintf(page,
             "# Questions\n%d. The row is %s long. How fast does it fall, length divided by time? _______ "
             "%s/s\n",
-            n++, length_of(class, class->row.stage.right).text, class->unit);
-    if (class->trials > 1)
-        fprintf(out, "%d. Which gap gives the shortest time? _______\n", n++);
-    if (class->trial[class->trials - 1].dominoes > first->dominoes)
-        fprintf(out, "%d. Does a row of twice as many dominoes take twice as long? Why, or why not?\n", n++);
+            n, length.text, class->unit);
+    fprintf(answers, "# Answers\n%d. %s / %s = %s.", n, length.text, time.text,
+            speed_of(class, shown(length) * class->size / shown(time)).text);
+    if (run->hits > 2)
+        fprintf(answers, " At the end the front is faster: %s.",
+                speed_of(class, (first->gap + (double)run->scene.domino->thickness) /
+                                    (double)(run->fall[run->hits - 1].time - run->fall[run->hits - 2].time))
+                    .text);
+    if (class->trials > 1) {
+        fprintf(page, "%d. Which gap gives the shortest time? _______\n", ++n);
+        fprintf(answers, "\n%d. %s.%s", n, length_of(class, fastest->gap).text,
+                is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
+    }
+    if (last->dominoes > first->dominoes) {
+        fprintf(page, "%d. Does a row of twice as many dominoes take twice as long? Why, or why not?\n", ++n);
+        fprintf(answers,
+                "\n%d. It takes %.2f times as long. The start is slow, and there is only one start; later "
+                "the front has a constant speed.",
+                n, shown(time_of(last->seconds)) / shown(time));
+    }
     fprintf(
-        out,
+        page,
         "%d. Would rougher dominoes make the row faster or slower? Try it with paper between them.\n"
         "%d. How far apart are your three times? Why do they differ?\n"
         "# With the program\nType the times into a file class.csv, each on a line, with commas. Its first "
         "line is: gap (%s), dominoes, time (s). In the session of this row, 'fit friction class.csv' "
         "finds the friction between your dominoes.\n",
-        n, n + 1, class->unit);
-}
-
-/* ---- The answers ---- */
-
-static void times_write(const struct class_row *class, FILE *out)
-{
-    const struct row_run *run = &class->row.run;
-    const struct domq_domino *d = run->scene.domino;
-    const struct trial *first = class->trial, *last = &class->trial[class->trials - 1], *fastest = first;
-    bool is_narrowest = true;
-    fputs("# The times to expect\n", out);
-    for (const struct trial *t = first; t <= last; t++) {
-        fprintf(out, "%zu dominoes of %s with gaps of %s: %s\n", t->dominoes,
-                length_of(class, (double)d->height).text, length_of(class, t->gap).text,
-                time_of(t->seconds).text);
-        fastest = t->dominoes == first->dominoes && t->seconds < fastest->seconds ? t : fastest;
-    }
-    for (const struct trial *t = first; t <= last; t++)
-        is_narrowest = is_narrowest && fastest->gap <= t->gap;
-    const struct words length = length_of(class, class->row.stage.right), time = time_of(first->seconds);
-    fprintf(out,
-            "The clock runs from %s until the last domino lies on the floor.\n# Answers\n1. %s / %s = %s.",
-            row_run_tipped(run, 0)    ? "the hit of domino 1 on domino 2"
-            : run->scene.row.push > 0 ? "the push"
-                                      : "the release",
-            length.text, time.text, speed_of(class, shown(length) * class->size / shown(time)).text);
-    if (run->hits > 2)
-        fprintf(out, " At the end the front is faster: %s.",
-                speed_of(class, (first->gap + (double)d->thickness) /
-                                    (double)(run->fall[run->hits - 1].time - run->fall[run->hits - 2].time))
-                    .text);
-    int n = 2;
-    if (class->trials > 1)
-        fprintf(out, "\n%d. %s.%s", n++, length_of(class, fastest->gap).text,
-                is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
-    if (last->dominoes > first->dominoes)
-        fprintf(out,
-                "\n%d. It takes %.2f times as long. The start is slow, and there is only one start; later "
-                "the front has a constant speed.",
-                n++, shown(time_of(last->seconds)) / shown(time));
-    fprintf(out,
+        n + 1, n + 2, class->unit);
+    fprintf(answers,
             "\n%d. Slower: friction between the dominoes takes energy from the row.\n%d. A hand with a "
-            "stopwatch is wrong by about 0.1 s; and no row is set up twice in the same way.\n",
-            n, n + 1);
-}
-
-/* Lists the effects with which the program computed the times. */
-static void effects_write(const struct class_row *class, FILE *out)
-{
-    const struct scene *scene = class->query->scene;
-    char text[300] = "";
-    bool random = false;
-    for (int k = 0; k < EFFECT_COUNT; k++) {
-        if (!scene->effect[k].on || k == DOM_EFFECT_row)
-            continue;
-        const char *name = effect_at(k)->name;
-        const enum share share = parameter_find(name)->share;
-        random = random || effect_is_random(k);
-        text_add(text, sizeof text, "%s%s ", *text ? ", " : "", name);
-        const bool touches = k == DOM_EFFECT_release && isinf(class->row.run.scene.row.release);
-        if (strcmp(effect_at(k)->argument[0].unit, "rad") == 0 && !touches)
-            text_add(text, sizeof text, "%.4g deg", degrees(scene->effect[k].value[0]));
-        else if (share != SHARE_push && scene->length[share].m > 0)
-            text_add(text, sizeof text, "%s", length_of(class, (double)scene->length[share].m).text);
-        else
-            text_add(text, sizeof text, "%s", effect_setting(scene, k));
-    }
-    fputs("# What the program assumes\n", out);
-    if (*text)
-        fprintf(out, "The settings of the session: %s.\n", text);
-    else
-        fputs("No friction, no air, sharp edges, and a level floor.\n", out);
-    if (!scene->effect[DOM_EFFECT_friction].on)
-        fputs("Real dominoes rub against each other, and a real row is slower. 'fit' finds how much.\n", out);
-    if (random)
-        fputs("The times are those of the row without random errors.\n", out);
-    fprintf(out, "g = %.5g m/s^2\n", (double)class->row.run.scene.row.g);
+            "stopwatch is wrong by about 0.1 s; and no row is set up twice in the same way.\n"
+            "# What the program assumes\nThe settings of the session, which 'show' lists, without random "
+            "errors. %s\n"
+            "g = %.5g m/s^2\n",
+            n + 1, n + 2,
+            class->query->scene->effect[DOM_EFFECT_friction].on
+                ? ""
+                : "There is no friction. Real dominoes rub against each other, and a real row is slower. "
+                  "'fit' finds "
+                  "how much.",
+            (double)run->scene.row.g);
 }
 
 /* ---- The command ---- */
+
+/* Writes both pages into a document, the answers on the second one. */
+static bool pages_write(const struct class_row *class, const char *title, struct paper *paper)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *answers = io_memory(&text, &size);
+    bool good = answers && paper_open(paper);
+    if (good) {
+        trials_write(class, paper->out, answers);
+        questions_write(class, paper->out, answers);
+    }
+    good = (!answers || fclose(answers) == 0) && good;
+    if (good)
+        fprintf(paper->out, "\f\n# %s The answers\n%s", title, text);
+    free(text);
+    return good && paper_close(paper);
+}
 
 /* Writes the picture of the row and both pages to the destination of the answer. */
 static bool sheet_write(struct class_row *class, struct answer *a, struct problem *problem)
@@ -300,20 +288,13 @@ static bool sheet_write(struct class_row *class, struct answer *a, struct proble
     static const char title[] = "How fast do dominoes fall?";
     const volatile sig_atomic_t *interrupt = class->query->scene->compute.interrupt;
     struct stage *stage = &class->row.stage;
-    struct paper paper;
-    bool good = paper_open(&paper);
-    if (good) {
-        questions_write(class, paper.out);
-        fprintf(paper.out, "\f\n# %s The answers\n", title);
-        times_write(class, paper.out);
-        effects_write(class, paper.out);
-        good = paper_close(&paper);
-    }
+    struct paper paper = {.out = NULL};
+    bool good = true;
     for (size_t k = 0; k < stage->count; k++)
         stage->domino[k].part = STANDS; /* which domino is the weakest is a question */
     snprintf(stage->caption, CAPTION, "Name ____________________  Date ___________\nThe row, to scale:");
-    if (!good) {
-        problem_status(problem, class->query->scene, DOM_NO_MEMORY);
+    if (!pages_write(class, title, &paper)) {
+        good = problem_status(problem, class->query->scene, DOM_NO_MEMORY);
     } else if (picture_is_filed(a)) {
         good = paper_draw(&paper, title, stage, a, interrupt, problem);
     } else {

@@ -78,7 +78,7 @@ record="effect row \"$root/examples/record.csv\""
         change 9 width 50 cm; change 9 gap 40 cm; change 9 mass +23.0188 %; animate rate 5' | cut -c 1-4)" \
         "$(csv 'set q hollow; count 1 m; animate tower rate 5' | sed 1,2d | cut -c 1-4)"
     wrong 'animate tower > a.gif' "'tower' works only if the last answer was a count"
-    wrong 'count 5 m; animate tower 4 > a.gif' "'4' is one argument too many"
+    wrong 'count 5 m; animate tower 4 > a.gif' "'4' does not fit here; usage: animate"
     same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate')" \
         "$(csv 'set r 1; effect row 12; effect push 6; animate speed 1')"
 }

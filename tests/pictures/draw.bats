@@ -71,8 +71,8 @@ record="effect row \"$root/examples/record.csv\""
     cd "$dir" || false
     one_line 'T = 9 rad is outside the cycle' 'draw 9 > a.svg'
     one_line 'T is an angle, not a length' 'draw 10 mm'
-    one_line "'8' is one argument too many; usage: draw, draw at 2.5 s, " 'draw forces 0.3 8'
-    one_line "'sideways' is neither a value nor a word that fits here; usage: draw" 'draw sideways'
+    one_line "'8' does not fit here; usage: draw, draw at 2.5 s, " 'draw forces 0.3 8'
+    one_line "'sideways' has no value; usage: draw" 'draw sideways'
     one_line 'it stops at 0.02802163121 rad, before the top of the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
     one_line "'animate' cannot write 'a.png'; use .gif" 'animate > a.png'
@@ -289,7 +289,7 @@ END
     one_line "times count from the push and cannot be negative; 'draw at 0' shows the row at the push" 'effect row 5; effect push 5; draw at -1'
     one_line "this needs a time such as 2.5 s, not a length" "$record; draw at 2 m"
     one_line "'at' needs a time, 'domino N' or 'end'; usage: draw, draw at 2.5 s, " "$record; draw at"
-    one_line "'never' is neither a value nor a word that fits here; usage: draw" "$record; draw at never"
+    one_line "'never' has no value; usage: draw" "$record; draw at never"
     one_line "the value of 'domino' is missing; usage: draw, draw at 2.5 s, draw at domino 8" "$record; draw at domino"
     one_line 'speed is 0; it must be in the range 0.001 .. 1000' "$record; animate speed 0 > a.gif"
     one_line 'rate is 1000 frames per second; it must be in the range 1 .. 50 frames per second' "$record; animate rate 1000 > a.gif"
@@ -343,7 +343,7 @@ draw tower|works only if the last answer was a count; first enter 'count 112 m'
 count 1 cm; draw tower|the last 'count' needs no dominoes
 count 112 m 1; draw tower|the last 'count' does not reach its height
 count 112 m with s 0.3; draw tower|the last count was made 'with' settings that the session does not have; first set them, and count again
-count 112 m; draw tower 3|one argument too many
+count 112 m; draw tower 3|'3' does not fit here; usage: draw
 END
 }
 
