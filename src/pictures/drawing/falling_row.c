@@ -66,20 +66,12 @@ void falling_row_reach(struct falling_row *row, bool lying)
     }
 }
 
-double falling_row_smallest(const struct falling_row *row)
+double falling_row_extreme(const struct falling_row *row, size_t count, bool tallest)
 {
-    double smallest = HUGE_VAL;
-    for (size_t k = 0; k < row->dominoes; k++)
-        smallest = fmin(smallest, row->stage.domino[k].height);
-    return smallest;
-}
-
-static double tallest(const struct falling_row *row, size_t count)
-{
-    double most = 0;
-    for (size_t k = 0; k < count; k++)
-        most = fmax(most, row->stage.domino[k].height);
-    return most;
+    double extreme = row->stage.domino[0].height;
+    for (size_t k = 1; k < count; k++)
+        extreme = (tallest ? fmax : fmin)(extreme, row->stage.domino[k].height);
+    return extreme;
 }
 
 bool falling_row_make(const struct query *query, struct problem *problem, bool has_tower,
@@ -103,7 +95,7 @@ bool falling_row_make(const struct query *query, struct problem *problem, bool h
     }
     falling_row_pose(row, NULL);
     falling_row_reach(row, false);
-    row->stage.top = tallest(row, count);
+    row->stage.top = falling_row_extreme(row, count, true);
     return true;
 }
 
@@ -211,8 +203,8 @@ static struct words domino_words(const struct falling_row *row, size_t number)
 
 void falling_row_summary(const struct falling_row *row, char text[SENTENCE])
 {
-    struct measured least = measured((domq_real)falling_row_smallest(row), "m", 3),
-                    most = measured((domq_real)tallest(row, row->dominoes), "m", 3);
+    struct measured least = measured((domq_real)falling_row_extreme(row, row->dominoes, false), "m", 3),
+                    most = measured((domq_real)falling_row_extreme(row, row->dominoes, true), "m", 3);
     bool equal = strcmp(least.text, most.text) == 0;
     snprintf(text, SENTENCE, "%zu domino%s, %.60s%s%.60s tall", row->dominoes, row->dominoes == 1 ? "" : "es",
              least.text, equal ? "" : " to ", equal ? "" : most.text);
@@ -255,29 +247,18 @@ void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
 
 void falling_row_moment(const struct falling_row *row, const struct dom_moment *m, char text[SENTENCE])
 {
-    char what[SENTENCE / 2];
-    const double time = m->time;
-    const bool over = time >= row->end, falls = row->run.verdict.end == DOM_ROW_FALLS;
-    const size_t after = row->dominoes > m->head ? row->dominoes - m->head : 0;
-    const struct words domino = domino_words(row, m->head);
-    const char *plural = after == 1 ? "" : "es", *stand = after == 1 ? "stands" : "stand";
-    if (over && falls)
-        snprintf(what, sizeof what, "%s",
-                 row->has_tower      ? "all have fallen, and so has the tower"
-                 : row->dominoes > 1 ? "all dominoes have fallen"
-                                     : "the domino has fallen");
-    else if (over)
-        snprintf(what, sizeof what, "the fall ends at %.40s; %zu domino%s %s", domino.text, after, plural,
-                 stand);
-    else if (row->has_tower)
-        snprintf(what, sizeof what, "%.40s falls%s", domino.text,
-                 after > 0                  ? "; the tower still stands"
-                 : m->head == row->dominoes ? " towards the tower"
-                                            : "");
-    else if (after == 0)
-        snprintf(what, sizeof what, "%.40s, the last, falls", domino.text);
-    else
-        snprintf(what, sizeof what, "%.40s falls; %zu domino%s still %s", domino.text, after, plural, stand);
-    snprintf(text, SENTENCE, "%.3f s %s the %s: %s.", time < 0 ? -time : time, time < 0 ? "before" : "after",
-             falling_row_start(row), what);
+    const bool over = m->time >= row->end;
+    const size_t after = row->stage.count - m->head;
+    snprintf(text, SENTENCE, "%.3f s %s the %s: ", fabs(m->time), m->time < 0 ? "before" : "after",
+             falling_row_start(row));
+    if (over && row->run.verdict.end == DOM_ROW_FALLS) {
+        text_add(text, SENTENCE, "all have fallen.");
+        return;
+    }
+    text_add(text, SENTENCE, "%s%.40s%s", over ? "the fall ends at " : "", domino_words(row, m->head).text,
+             over ? "" : " falls");
+    if (after > 0)
+        text_add(text, SENTENCE, "; %zu domino%s still stand%s", after, after == 1 ? "" : "es",
+                 after == 1 ? "s" : "");
+    text_add(text, SENTENCE, ".");
 }

@@ -46,8 +46,8 @@ void falling_row_pose(struct falling_row *row, const struct dom_moment *moment);
  * row. */
 void falling_row_reach(struct falling_row *row, bool lying);
 
-/* Returns the height of the smallest domino. */
-double falling_row_smallest(const struct falling_row *row);
+/* Returns the height of the tallest or the smallest one of the first `count` dominoes. */
+double falling_row_extreme(const struct falling_row *row, size_t count, bool tallest);
 
 /* ---- 'draw tower' and 'animate tower' ---- */
 

@@ -240,7 +240,7 @@ static bool film_make(struct film *f)
     if (!falling_row_make(f->query, f->problem, options->has[FILM_TOWER], &f->row))
         return false;
     falling_row_reach(&f->row, true);
-    f->follows = f->row.stage.top > FOLLOWED * falling_row_smallest(&f->row);
+    f->follows = f->row.stage.top > FOLLOWED * falling_row_extreme(&f->row, f->row.dominoes, false);
     const bool done = times_find(f) && (f->is_data     ? frames_watch(f)
                                         : f->out->path ? film_write(f)
                                                        : film_play(f));
