@@ -41,32 +41,26 @@ struct run {
     double fastest;    /* the largest angular velocity of the head since it was hit */
 };
 
-/* Returns the time after which the front face of the head would reach the next box's upper back edge (`edge`)
- * if the head kept its current speed. Returns INFINITY if the face would never reach the edge. */
-static double time_to_edge(const struct world *w, cpVect edge)
-{
-    const size_t k = w->head;
-    const cpVect normal = cpvforangle(-world_tilt(w, k)), from = cpvsub(edge, world_foot(w, k));
-    const double along = cpvdot(from, cpvperp(normal)), distance = cpvdot(from, normal);
-    const double speed = cpvdot(world_velocity(w, k, edge), normal);
-    bool meets = along < w->row->domino[k].height && distance > 0 && speed > 0;
-    return meets ? distance / speed : (double)INFINITY;
-}
-
-/* Returns the time until the head reaches the next box, at the current speed. */
+/* Returns the time until the head reaches the next box if it keeps its current speed. Either its front face
+ * reaches the box's upper back edge, or one of its own front edges reaches the back face. */
 static double time_to_hit(const struct world *w)
 {
     const size_t k = w->head, next = k + 1;
     if (next == w->row->count)
         return (double)INFINITY;
-    const double face = w->body[next].corner.x - w->row->domino[next].thickness;
-    const double height = w->row->domino[next].height;
-    double soonest = time_to_edge(w, cpv(face, height));
+    const double face = w->body[next].corner.x - w->row->domino[next].thickness,
+                 height = w->row->domino[next].height;
+    const cpVect edge = cpv(face, height), normal = cpvforangle(-world_tilt(w, k)),
+                 from = cpvsub(edge, world_foot(w, k));
+    const double along = cpvdot(from, cpvperp(normal)), distance = cpvdot(from, normal),
+                 speed = cpvdot(world_velocity(w, k, edge), normal);
+    const bool meets = along < w->row->domino[k].height && distance > 0 && speed > 0;
+    double soonest = meets ? distance / speed : (double)INFINITY;
     for (int i = 0; i < 2; i++) {
-        cpVect at = world_front(w, k, i == 0);
-        double speed = world_velocity(w, k, at).x;
-        if (speed > 0 && at.y < height) /* a tip above the top of the next box does not hit its back face */
-            soonest = fmin(soonest, (face - at.x) / speed);
+        const cpVect at = world_front(w, k, i == 0);
+        const double forward = world_velocity(w, k, at).x;
+        if (forward > 0 && at.y < height) /* a tip above the top of the next box does not hit its back face */
+            soonest = fmin(soonest, (face - at.x) / forward);
     }
     return soonest;
 }

@@ -377,22 +377,7 @@ static void prepare(cpConstraint *watch, double dt)
     (void)watch, (void)dt;
 }
 
-static double no_impulse(cpConstraint *watch)
-{
-    (void)watch;
-    return 0;
-}
-
-static void watch_add(struct world *w)
-{
-    static const struct cpConstraintClass class = {prepare, before_first, each, no_impulse};
-    w->watch = (struct cpConstraint){.klass = &class,
-                                     .a = w->space->staticBody,
-                                     .b = w->body[0].body,
-                                     .collideBodies = cpTrue,
-                                     .userData = w};
-    cp.cpSpaceAddConstraint(w->space, &w->watch);
-}
+static const struct cpConstraintClass watch_class = {prepare, before_first, each, NULL};
 
 void world_step(struct world *w, double dt)
 {
@@ -401,19 +386,6 @@ void world_step(struct world *w, double dt)
 }
 
 /* ---- The world ---- */
-
-/* Adds the floor, a thick bar beneath the whole row. */
-static void pave(struct world *w)
-{
-    double length = 0, tallest = 0;
-    for (const struct dom_domino *d = w->row->domino; d < w->row->domino + w->row->count; d++) {
-        length += d->gap + d->thickness;
-        tallest = fmax(tallest, d->height);
-    }
-    w->floor = cp.cpSegmentShapeNew(w->space->staticBody, cpv(-10 * tallest, -tallest),
-                                    cpv(length + 10 * tallest, -tallest), tallest);
-    cp.cpSpaceAddShape(w->space, w->floor);
-}
 
 enum dom_status world_make(struct world *w)
 {
@@ -433,10 +405,23 @@ enum dom_status world_make(struct world *w)
     w->space->gravity = cpv(w->row->g * sin(w->row->alpha), -w->row->g * cos(w->row->alpha));
     w->space->collisionSlop = 0;
     w->space->collisionBias = 1;
-    if (isfinite(w->row->feet) || w->row->rho > 0)
-        pave(w);
+    if (isfinite(w->row->feet) || w->row->rho > 0) { /* the floor is a thick bar beneath the whole row */
+        double length = 0, tallest = 0;
+        for (const struct dom_domino *d = w->row->domino; d < w->row->domino + w->row->count; d++) {
+            length += d->gap + d->thickness;
+            tallest = fmax(tallest, d->height);
+        }
+        w->floor = cp.cpSegmentShapeNew(w->space->staticBody, cpv(-10 * tallest, -tallest),
+                                        cpv(length + 10 * tallest, -tallest), tallest);
+        cp.cpSpaceAddShape(w->space, w->floor);
+    }
     world_add_box(w);
-    watch_add(w);
+    w->watch = (struct cpConstraint){.klass = &watch_class,
+                                     .a = w->space->staticBody,
+                                     .b = w->body[0].body,
+                                     .collideBodies = cpTrue,
+                                     .userData = w};
+    cp.cpSpaceAddConstraint(w->space, &w->watch);
     start(w);
     return DOM_OK;
 }

@@ -120,17 +120,6 @@ static void cells_fit(struct chart_axis *a, int cells)
     a->high = high;
 }
 
-static void curve_fit(const struct chart *c, struct chart_curve *curve)
-{
-    for (size_t i = 0; i < curve->count; i++) {
-        struct chart_point *p = &curve->point[i];
-        if (curve->kind == CHART_STEPS && isnan(p->y) && i > 0)
-            p->y = p[-1].y;
-        p->x = axis_within(&c->x, p->x);
-        p->y = axis_within(&c->y, p->y);
-    }
-}
-
 void chart_prepare(struct chart *c)
 {
     double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL;
@@ -152,7 +141,12 @@ void chart_prepare(struct chart *c)
     axis_fit(&c->x, x0, x1, 0);
     axis_fit(&c->y, y0, y1, 0.06);
     for (int k = 0; k < c->curves; k++)
-        curve_fit(c, &c->curve[k]);
+        for (struct chart_point *p = c->curve[k].point; p < c->curve[k].point + c->curve[k].count; p++) {
+            if (c->curve[k].kind == CHART_STEPS && isnan(p->y) && p > c->curve[k].point)
+                p->y = p[-1].y;
+            p->x = axis_within(&c->x, p->x);
+            p->y = axis_within(&c->y, p->y);
+        }
     kept = 0;
     for (int k = 0; k < c->events; k++) {
         const double place = axis_place(&c->x, c->event[k].x);
@@ -217,26 +211,19 @@ struct ticks axis_ticks(const struct chart_axis *a, int most)
 
 /* ---- Events ---- */
 
-struct event_spot event_spot(const struct chart *c, int event, double letter)
+int event_spots(const struct chart *c, double letter, struct event_spot spot[CHART_EVENTS])
 {
     double end[CHART_EVENTS] = {0}; /* for each row, the position where the next name may begin */
-    struct event_spot spot = {0, 0};
-    for (int k = 0; k <= event; k++) {
-        double wide = letter * (double)strlen(c->event[k].name), place = axis_place(&c->x, c->event[k].x);
-        spot.from = fmax(fmin(place - wide / 2, 1 - wide), 0);
-        for (spot.row = 0; spot.row + 1 < CHART_EVENTS && spot.from < end[spot.row];)
-            spot.row++;
-        end[spot.row] = spot.from + wide + letter;
-    }
-    return spot;
-}
-
-int event_rows(const struct chart *c, double letter)
-{
     int rows = 0;
     for (int k = 0; k < c->events; k++) {
-        struct event_spot spot = event_spot(c, k, letter);
-        rows = spot.row >= rows ? spot.row + 1 : rows;
+        const double wide = letter * (double)strlen(c->event[k].name),
+                     from = fmax(fmin(axis_place(&c->x, c->event[k].x) - wide / 2, 1 - wide), 0);
+        int row = 0;
+        while (row + 1 < CHART_EVENTS && from < end[row])
+            row++;
+        end[row] = from + wide + letter;
+        spot[k] = (struct event_spot){from, row};
+        rows = row >= rows ? row + 1 : rows;
     }
     return rows;
 }

@@ -103,16 +103,15 @@ struct ticks {
 /* Chooses up to about `most` ticks for an axis. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
-/* Returns where to write the name of an event. Names that would overlap are put into different rows. `letter`
- * is the width of a character, as a fraction of the x axis. */
+/* Where the name of an event is written. */
 struct event_spot {
     double from; /* where the name begins, as a fraction of the x axis */
     int row;     /* the row above the chart, counted from 0 */
 };
-struct event_spot event_spot(const struct chart *chart, int event, double letter);
 
-/* Returns how many rows the names of the events need. */
-int event_rows(const struct chart *chart, double letter);
+/* Finds where to write the names of the events. Names that would overlap are put into different rows.
+ * `letter` is the width of a character, as a fraction of the x axis. Returns the number of rows. */
+int event_spots(const struct chart *chart, double letter, struct event_spot spot[CHART_EVENTS]);
 
 /* Draws a chart with `width` columns and `height` rows of characters. Returns false if memory runs out. */
 bool chart_text(const struct chart *chart, struct display display, int width, int height, FILE *out);

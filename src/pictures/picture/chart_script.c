@@ -64,15 +64,23 @@ static int legend_script(const struct chart *c, FILE *out)
     return most * ((c->curves + across - 1) / across);
 }
 
-/* Writes the title and the labels. The label of the y axis is written above the axis, because a long label
- * beside the axis would be cut off. Returns the number of lines above and below the axes. */
+/* Writes the events, the title and the labels. The label of the y axis is written above the axis, because a
+ * long label beside the axis would be cut off. Returns the number of lines above and below the axes. */
 static int texts_script(const struct chart *c, FILE *out)
 {
     char title[ROOM], note[ROOM], both[2 * ROOM], x[ROOM], y[ROOM], shades[ROOM];
     const int lines = lines_make(c->title, COLUMNS, title) + lines_make(c->note, COLUMNS, note),
               left = lines_make(c->y.label, COLUMNS, y), below = lines_make(c->x.label, COLUMNS, x),
               right = c->map.value ? lines_make(c->map.label, COLUMNS, shades) : 0;
-    int above = event_rows(c, LETTER);
+    struct event_spot spot[CHART_EVENTS];
+    int above = event_spots(c, LETTER, spot);
+    for (int k = 0; k < c->events; k++) {
+        const double at = c->event[k].x;
+        fprintf(out, "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n",
+                at, at);
+        text_script(out, "set label ", c->event[k].name);
+        fprintf(out, " at graph %.6g, graph 1 left offset 0,%g\n", spot[k].from, 0.6 + spot[k].row);
+    }
     text_script(out, "set label ", y);
     fprintf(out, " at screen 0.02, graph 1 left offset 0,%g\n", above + left + 0.1);
     if (right && utf8_columns(c->y.label) + utf8_columns(c->map.label) > COLUMNS - 4)
@@ -87,18 +95,6 @@ static int texts_script(const struct chart *c, FILE *out)
     text_script(out, "\nset title ", both);
     fprintf(out, " offset 0,%g\nset tmargin %g\n", above + 0.2, above + lines + 1.6);
     return above + lines + below + 3;
-}
-
-static void events_script(const struct chart *c, FILE *out)
-{
-    for (int k = 0; k < c->events; k++) {
-        const struct event_spot spot = event_spot(c, k, LETTER);
-        double x = c->event[k].x;
-        fprintf(out, "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n", x,
-                x);
-        text_script(out, "set label ", c->event[k].name);
-        fprintf(out, " at graph %.6g, graph 1 left offset 0,%g\n", spot.from, 0.6 + spot.row);
-    }
 }
 
 /* Writes a number into the data. gnuplot treats NaN as a missing number. */
@@ -181,7 +177,6 @@ void chart_script(const struct chart *c, FILE *out)
               room = (PICTURE_HEIGHT - lines * LINE_HIGH) * 5 / (9 * LINE_HIGH);
     axis_script(out, &c->x, "x", c->x.whole ? WHOLE_TICKS : X_TICKS);
     axis_script(out, &c->y, "y", c->y.whole ? WHOLE_TICKS : room < 2 ? 2 : room < Y_TICKS ? room : Y_TICKS);
-    events_script(c, out);
     if (c->map.value) { /* a chart with a map has no curves */
         map_script(c, out);
         return;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/picture/paper.h"
-#include "io/terminal.h"
 #include "io/io.h"
+#include "io/terminal.h"
 #include "pictures/picture/picture.h"
 #include <math.h>
 #include <stdlib.h>

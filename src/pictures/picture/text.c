@@ -129,13 +129,14 @@ static void events_draw(struct frame *f)
 {
     struct canvas *c = &f->canvas;
     double wide = c->right - c->left;
+    struct event_spot spot[CHART_EVENTS];
+    event_spots(f->chart, 1 / wide, spot);
     for (int k = 0; k < f->chart->events; k++) {
-        const struct event_spot spot = event_spot(f->chart, k, 1 / wide);
         double x = clamp(dot_x(f, f->chart->event[k].x), c->left * c->across, c->right * c->across - 1);
         int phase = 0;
         canvas_line(c, x, c->bottom * c->down - 1, x, c->top * c->down, INK_GREY, 2, &phase);
-        canvas_text(c, c->left + (int)floor(spot.from * wide), c->top - 1 - spot.row, f->chart->event[k].name,
-                    INK_TEXT);
+        canvas_text(c, c->left + (int)floor(spot[k].from * wide), c->top - 1 - spot[k].row,
+                    f->chart->event[k].name, INK_TEXT);
     }
 }
 
@@ -222,6 +223,7 @@ bool chart_text(const struct chart *chart, struct display display, int width, in
     struct frame f = {
         .chart = chart, .x = chart->x, .y = chart->y, .most = height / 10 > 0 ? height / 10 : 1};
     struct canvas *c = &f.canvas;
+    struct event_spot spot[CHART_EVENTS];
     const int note_rows = *chart->note ? 1 + utf8_columns(chart->note) / (width - 4) : 0;
     if (!canvas_make(c, display, width, height - note_rows))
         return false;
@@ -229,7 +231,7 @@ bool chart_text(const struct chart *chart, struct display display, int width, in
               label_rows = text_put(NULL, AXIS_USUAL, width, 0, f.most, true, chart->x.label),
               legend_rows = legend(&f, -1);
     c->top = title_rows + text_put(c, 0, width, title_rows, f.most, false, chart->y.label) +
-             event_rows(chart, 1.0 / (width - AXIS_USUAL));
+             event_spots(chart, 1.0 / (width - AXIS_USUAL), spot);
     c->bottom -= 2 + label_rows;
     /* Rows of the legend that do not fit are not drawn. */
     const int room = c->bottom - c->top - ROWS_LEAST;

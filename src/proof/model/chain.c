@@ -165,12 +165,6 @@ static struct span log_of(double x)
     return span_add(span_scale(span_of(n - 1), log_2()), twice_atanh(t));
 }
 
-/* Returns ln x for x >= 1. */
-static struct span span_log(struct span x)
-{
-    return (struct span){least_0(log_of(x.lo).lo), log_of(x.hi).hi};
-}
-
 /*
  * Returns e^x for 0 <= x <= 700. The argument is split into x = n ln 2 + y with an integer n and |y| < 1/2,
  * so that e^x = 2^n e^y.
@@ -191,11 +185,6 @@ static struct span exp_of(double x)
     return (struct span){ldexp(sum.lo, (int)n), ldexp(sum.hi, (int)n)}; /* exact */
 }
 
-static struct span span_exp(struct span x)
-{
-    return (struct span){exp_of(least_0(x.lo)).lo, exp_of(x.hi).hi};
-}
-
 /* Returns x^q for x >= 1 and q > 0. Integers q up to 64 need only multiplications. */
 static struct span span_power(struct span x, struct span q)
 {
@@ -204,8 +193,8 @@ static struct span span_power(struct span x, struct span q)
                     most = power_whole(span_of(x.hi), (int)q.lo);
         return (struct span){least.lo, most.hi};
     }
-    struct span power = span_exp(span_scale(q, span_log(x)));
-    return (struct span){larger(power.lo, 1), power.hi};
+    const struct span log = {least_0(log_of(x.lo).lo), log_of(x.hi).hi}, of_power = span_scale(q, log);
+    return (struct span){larger(exp_of(least_0(of_power.lo)).lo, 1), exp_of(of_power.hi).hi};
 }
 
 /* ---- The train ---- */

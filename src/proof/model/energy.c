@@ -40,26 +40,23 @@ static struct dual power_of(const struct growth *g, struct span power, struct sp
     return (struct dual){power, span_negate(span_scale(span_scale(span_of(i), span_over(a, g->r)), power))};
 }
 
-/* Returns dF/dtheta = 1 - r L x / Y with its total derivative with respect to r: if r changes, the tilt of
- * the domino changes too, by dtheta_i/dr = shift. */
-static struct dual step_of(const struct growth *g, const struct contact *c, const struct domino *domino)
-{
-    const struct span y = {least_0(down(1 - domino->v.hi)), up(1 - domino->v.lo)}, shift = domino->shift;
-    const struct dual rL = {{g->low.rL.lo, g->high.rL.hi}, g->shape->L}, x = {c->x, span_scale(y, shift)},
-                      rLx = dual_scale(rL, x);
-    /* X = r (L y - d), so dX/dr = X/r - r L x shift; Y^2 = 1 - X^2 */
-    const struct span X_by_r = span_sub(span_over(c->X, g->r), span_scale(rLx.value, shift));
-    const struct dual Y = {c->Y, span_negate(span_over(span_scale(c->X, X_by_r), c->Y))};
-    return (struct dual){c->slope, span_negate(dual_over(rLx, Y).by_r)};
-}
-
-/* Returns the slope of the follower, dtheta_(i+1)/dtheta, given that of domino i. */
+/* Returns the slope of the follower, dtheta_(i+1)/dtheta, whose value is known, given that of domino i. It is
+ * multiplied by dF/dtheta = 1 - r L x / Y. If r changes, the tilt of the domino changes too, by dtheta_i/dr =
+ * shift. */
 static struct dual slope_next(const struct growth *g, const struct walk *w, const struct contact *c,
                               struct span slope)
 {
+    const struct domino *domino = &w->domino;
+    const struct span y = {least_0(down(1 - domino->v.hi)), up(1 - domino->v.lo)}, shift = domino->shift;
+    const struct dual rL = {{g->low.rL.lo, g->high.rL.hi}, g->shape->L}, x = {c->x, span_scale(y, shift)},
+                      rLx = dual_scale(rL, x);
     if (c->held)
         return (struct dual){slope, span_of(0)};
-    const struct span by_r = dual_scale(step_of(g, c, &w->domino), w->slope).by_r;
+    /* X = r (L y - d), so dX/dr = X/r - r L x shift; Y^2 = 1 - X^2 */
+    const struct span X_by_r = span_sub(span_over(c->X, g->r), span_scale(rLx.value, shift));
+    const struct dual Y = {c->Y, span_negate(span_over(span_scale(c->X, X_by_r), c->Y))},
+                      step = {c->slope, span_negate(dual_over(rLx, Y).by_r)};
+    const struct span by_r = dual_scale(step, w->slope).by_r;
     return (struct dual){slope, c->may_hold ? span_hull(by_r, span_of(0)) : by_r};
 }
 
