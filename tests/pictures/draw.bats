@@ -188,7 +188,7 @@ $record|draw at domino 8|3.348 s after the first hit: domino 8 falls; 2 dominoes
 $record|draw at -0.1|0.100 s before the first hit: domino 1 falls; 9 dominoes still stand.
 $record|draw at end|all have fallen.
 set r 1.6; effect row 12|draw|stops the row: it has 96 % of the energy that it needs.
-set r 1.6; effect row 12|draw at end|the fall ends at domino 2; 10 dominoes still stand.
+set r 1.6; effect row 12|draw at end|the fall ends at domino 2; 10 dominoes 
 set s 0.9; set r 1.2; effect row 4|draw|The fall ends at domino 1: 
 END
     share=$(json 'set r 1.6; effect row 12; fall' | tail -n 1)
