@@ -137,7 +137,7 @@ END
 
 @test "closed streams: files contain the answers, and nothing else" {
     enter
-    command="set timing on; fuel > out; foo; fuel; save saved; fuel >> out"
+    command="set digits 7; fuel > out; foo; fuel; save saved; fuel >> out"
     "$DOMINO" -n --keep-going -e "$command" >/dev/null 2>&1 || :
     mv out out.right && mv saved saved.right
     for closed in '' '<&-' '>&-' '2>&-' '<&- >&-' '<&- 2>&-' '>&- 2>&-' '<&- >&- 2>&-'; do

@@ -316,8 +316,7 @@ static void put_line(struct maker *m)
                 "set output json|set output csv|set output json|set precision float|set precision quad|set "
                 "errors on|"
                 "effect row 3|set angle deg|effect row row.csv|effect friction 0.2|effect walls 1 mm|"
-                "effect floor 0.1|effect placement 1 mm|set r 1e6; effect row 60|set s 1; set r 1|set h 1e9|"
-                "set timing on");
+                "effect floor 0.1|effect placement 1 mm|set r 1e6; effect row 60|set s 1; set r 1|set h 1e9");
     else if (way == 1)
         put_form(m);
     else

@@ -35,7 +35,7 @@ set friction |off on
 effect floor |off on
 set placement 0.1 |m mm cm km in ft yd
 set d|d density digits drag
-show t|tol threads timing
+show t|tol threads
 set output |table csv json
 set fuel |exact paper
 set q |hollow solid
@@ -71,7 +71,7 @@ plot f|fall
 plot growth |(nothing)
 plot sweep fr|friction
 plot sweep s 0.1 0.3 3 : rm|rmax
-cost |fuel launch barrier duration rmax pair
+cost |barrier duration rmax pair
 set precision |float double quad
 set s |(nothing)
 set s b|barrier best
@@ -85,7 +85,7 @@ END
     for name in s r d q tol h g rmax barrier 'count(' ans 'sin(' 'sqrt(' pi; do
         [[ $names == *" $name "* ]] || same 'print' "$name" "$names"
     done
-    for name in output angle timing chain curve set help quit; do
+    for name in output angle chain curve set help quit; do
         [[ $names != *" $name "* ]] || same 'print' "no $name" "$names"
     done
     for call in 'theta1 2*' 'count 1 + ' 'rmax (' 'curve 0.1 0.9*'; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Parameters and settings: set, show and reset; digits and timing.
+# Parameters and settings: set, show and reset; digits.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -24,7 +24,7 @@ columns_in_line() { # WHAT FILLED
 # bats test_tags=rows,chance,engine
 @test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
     json show >all
-    same names 's r d q width tol h g mass density fuel precision method seed threads output header digits angle errors timing' "$(values name <all | paste -sd ' ' -)"
+    same names 's r d q width tol h g mass density fuel precision method seed threads output header digits angle errors' "$(values name <all | paste -sd ' ' -)"
     while read -r name unit value; do
         row=$(json "show $name")
         same "show $name" "$(grep "\"name\":\"$name\"" "$PWD/all")" "$row"
@@ -76,19 +76,6 @@ END
     for s in 0.5 0.3 0.7 0.9 1; do
         same "s $s, r 1/s" 2 "$(json "set s $s; set r 1/$s; thetac; barrier" | grep -cE '"(theta_c|barrier)":[0-9]')"
     done
-}
-
-# bats test_tags=sweeps
-@test "timing: a time follows every answer, in csv and json on standard error" {
-    number='[0-9.e+-]+ ms'
-    for format in table csv json; do
-        run -0 --separate-stderr "$DOMINO" -e "set output $format; set timing on; chain 0.1"
-        [ $format != table ] || stderr=${lines[-1]} output=$(sed '$d' <<<"$output")
-        [[ $stderr =~ ^time:\ $number$ ]] || same $format 'time: ... ms' "$stderr"
-        same "$format: the answer" "$("$DOMINO" -e "set output $format; chain 0.1")" "$output"
-    done
-    same 'nothing to time' '(nothing)' "$("$DOMINO" -e 'set timing on; set s 0.3; reset s' 2>&1)"
-    same 'off' "$(json fuel)" "$(json 'set timing on; set timing off; fuel' 2>&1)"
 }
 
 @test "a parameter's name shows it, '=' and 'to' set it, '?' explains it" {

@@ -4,6 +4,7 @@
 #include "commands/tables.h"
 #include "interpreter/feature.h"
 #include "interpreter/interpret.h"
+#include "interpreter/question.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
@@ -318,28 +319,66 @@ static void help_name(struct session *session, struct answer *a, const char *nam
     }
 }
 
+/* Lists the topics that are about a word or, if `mentioned` is true, only mention it. Returns false if there
+ * are none. */
+static bool topics_write(struct answer *a, const char *word, bool mentioned)
+{
+    bool found = false;
+    struct topic topic;
+    for (int k = 0; topic_at(k, &topic); k++) {
+        const bool is_about = topic_is_about(&topic, word);
+        if (mentioned ? is_about || !topic_mentions(&topic, word) : !is_about)
+            continue;
+        found = true;
+        if (topic.parameter)
+            snprintf(topic.usage, sizeof topic.usage, "set %s", topic.name);
+        if (answer_for_people(a))
+            entry_write(a->out, 0, topic.usage, topic.summary);
+        else
+            topic_row(a, &topic);
+    }
+    return found;
+}
+
+static bool help_parse(struct reader *r, struct question *q)
+{
+    const char *outer = r->stops;
+    offer_names(r, topic_names, NULL);
+    r->stops = "?";
+    q->item[0].word = read_word(r, false);
+    r->stops = outer;
+    r->at = skip_blanks(r->at);
+    r->at += strspn(r->at, "?"); /* as in 'rmax?' */
+    return q->item[0].word != NULL;
+}
+
 static bool run_help(struct session *session, const struct arguments *given, struct answer *a,
                      struct problem *problem)
 {
-    (void)problem;
-    const bool people = answer_for_people(a), has_name = given->count && given->number[0] >= 0;
-    const char *word = given->count && !has_name ? given->word[0] : NULL, *name;
+    const bool people = answer_for_people(a);
+    const char *word = given->count ? given->word[0] : "all", *name, *end;
+    char message[NAMES_MESSAGE];
+    struct quantity value;
     if (people && !given->count)
         help_screen(a->out);
-    else if (people && word && group_named(word))
+    else if (people && group_named(word))
         help_groups(a->out, word);
-    else if (!word || group_named(word))
-        help_name(session, a, has_name ? topic_names(NULL, (int)given->number[0]) : NULL);
+    else if (group_named(word))
+        help_name(session, a, NULL);
     else {
-        const bool is_list = people && topic_by_synonym(word, 1);
-        if (is_list)
-            say(a->out, "'%s' can mean any of these; 'help NAME' explains each:", word);
-        for (int k = 0; (name = topic_by_synonym(word, k)) != NULL; k++)
-            if (is_list)
-                entry_write(a->out, 0, name,
-                            command_find(name) ? command_find(name)->summary : parameter_find(name)->meaning);
-            else
-                help_name(session, a, name);
+        const int k = parameter_search(topic_names, "topic", word, message);
+        const struct feature *feature = k < 0 ? feature_value(word, &name, &end, &value) : NULL;
+        if (k >= 0)
+            help_name(session, a, topic_names(NULL, k));
+        else if (feature && !*end)
+            help_name(session, a, feature->name);
+        else if (is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0)
+            help_name(session, a, "print"); /* such as sin or cm */
+        else if (!topics_write(a, word, false)) {
+            problem->place = given->column[0];
+            return problem_error(problem, k == NAMES_UNKNOWN ? "%s; 'apropos WORD' finds topics" : "%s",
+                                 message);
+        }
     }
     return true;
 }
@@ -349,26 +388,13 @@ static bool run_help(struct session *session, const struct arguments *given, str
 static bool run_apropos(const struct query *query, struct answer *a, struct problem *problem)
 {
     const char *word = query->given->word[0];
-    bool found = false;
-    struct topic topic;
-    /* Topics about the word come before those that only mention it in their text, equations or columns. */
-    for (int pass = 0; pass < 2; pass++)
-        for (int k = 0; topic_at(k, &topic); k++) {
-            const bool is_about = topic_is_about(&topic, word);
-            if (pass == 0 ? !is_about : is_about || !topic_mentions(&topic, word))
-                continue;
-            found = true;
-            if (topic.parameter)
-                snprintf(topic.usage, sizeof topic.usage, "set %s", topic.name);
-            if (answer_for_people(a))
-                entry_write(a->out, 0, topic.usage, topic.summary);
-            else
-                topic_row(a, &topic);
-        }
-    return found || problem_error(problem,
-                                  "nothing was found about '%s'; try another word, such as 'picture' or "
-                                  "'gap', or enter 'help' for a list of all commands",
-                                  names_shown(word));
+    const bool is_about = topics_write(a, word, false);
+    return topics_write(a, word, true) || is_about ||
+           problem_error(
+               problem,
+               "nothing was found about '%s'; try another word, such as 'picture' or 'gap', or enter "
+               "'help' for a list of all commands",
+               names_shown(word));
 }
 
 static const struct column complete_columns[] = {
@@ -412,11 +438,7 @@ static bool run_details(struct session *session, const struct arguments *given, 
 const struct command help_commands[] = {
     {.name = "help",
      .synonyms = "manual man list explain commands",
-     .argument = {{.name = "NAME",
-                   .kind = ARGUMENT_TOPIC,
-                   .noun = "topic",
-                   .choices = topic_names,
-                   .optional = true}},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_WORDS, .parse = help_parse, .optional = true}},
      .summary = "the commands, one command or parameter, or a group of commands",
      .help =
          "'help' shows one screen: lines to type, and the names of all commands in groups. 'help rows' has a "

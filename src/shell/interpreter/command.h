@@ -27,7 +27,6 @@ enum argument_kind {
     ARGUMENT_CHOICE,    /* one of the choices, stored as its index */
     ARGUMENT_PARAMETER, /* the name of a parameter; variables are accepted if no ARGUMENT_VALUE follows */
     ARGUMENT_VALUE,     /* a value of the parameter that an earlier argument names, or a file */
-    ARGUMENT_TOPIC,     /* a command or a parameter */
     ARGUMENT_WORD,      /* a single word, or several words in double quotes */
     ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
     ARGUMENT_REST,      /* the rest of the line, unparsed, including any ';' */
@@ -185,10 +184,6 @@ const char *command_keys(const void *command, int k); /* the columns that sweeps
  * without a value. If `context` is NULL, the list has no variables, nor 'sum' and names of features, which a
  * variable may hide. */
 const char *value_names(const void *context, int k);
-
-/* Returns the name of topic number k, counted from 0, among those with this synonym, or NULL after the last.
- * If the word is the first synonym of a parameter, this parameter is the only one. */
-const char *topic_by_synonym(const char *word, int k);
 
 const struct command *command_find(const char *name);
 

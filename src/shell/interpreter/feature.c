@@ -136,25 +136,6 @@ const char *topic_names(const void *context, int k)
     return NULL;
 }
 
-const char *topic_by_synonym(const char *word, int k)
-{
-    const struct parameter *one = parameter_by_synonym(word, false);
-    one = one ? one : parameter_by_value(word, NULL);
-    if (one)
-        return k == 0 ? one->name : NULL;
-    const char *topic;
-    for (int i = 0; (topic = topic_names(NULL, i)) != NULL; i++) {
-        const struct command *c = command_find(topic);
-        const struct parameter *p = parameter_find(topic);
-        if (((c && names_index(c->synonyms, ' ', word) >= 0) ||
-             (p && names_index(p->synonyms, ' ', word) >= 0) ||
-             (p && !p->effect && names_exact(parameter_words, p, word) >= 0)) &&
-            k-- == 0)
-            return topic;
-    }
-    return NULL;
-}
-
 const char *value_names(const void *context, int k)
 {
     const struct state *state = context;

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "session/parameters.h"
 #include <ctype.h>
@@ -9,7 +8,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-/* ---- Parameters and topics ---- */
+/* ---- Parameters ---- */
 
 /* Returns true if the next word looks like the path of a file rather than the beginning of an expression. The
  * name of any file that exists is a path, unless it is a number. */
@@ -79,47 +78,28 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     return item_parse_value(r, p, i - 1, value->name, item);
 }
 
-/* Parses the name of a parameter or topic. Variables are accepted if no value follows. */
-static bool topic_parse(struct reader *r, const struct argument *a, struct question *q, int i)
+/* Parses the name of a parameter. Variables are accepted if no value follows. */
+static bool name_parse(struct reader *r, const struct argument *a, struct question *q, int i)
 {
     char message[NAMES_MESSAGE];
-    const char *name;
-    struct quantity value;
     const char *outer = r->stops;
-    bool is_topic = a->kind == ARGUMENT_TOPIC,
-         has_value = i + 1 < ARGUMENTS_MAX && a[1].kind == ARGUMENT_VALUE;
+    const bool has_value = i + 1 < ARGUMENTS_MAX && a[1].kind == ARGUMENT_VALUE;
     offer_names(r, a->choices, NULL);
-    if (!has_value && !is_topic)
+    if (!has_value)
         offer_kind(r, OFFER_VARIABLE);
-    r->stops = has_value ? "=" : "?";
+    r->stops = has_value ? "=" : outer;
     const char *word = q->item[i].word = read_word(r, false);
     r->stops = outer;
-    const char *next = skip_blanks(r->at);
-    if (*next == '?') /* 'rmax?' asks for help. */
-        r->at = next + strspn(next, "?");
     if (!word)
         return false;
-    const struct variable *v = is_topic ? NULL : variable_find(&r->query->state->variables, word);
-    if (v && has_value)
-        return problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it", word, word);
-    q->variable = v;
-    if (v)
-        return true;
-    int k = is_topic && group_named(word) ? -1 : parameter_search(a->choices, a->noun, word, message);
-    const struct feature *f = k < 0 && is_topic ? feature_value(word, &name, &next, &value) : NULL;
-    if (f && !*next)
-        k = names_exact(a->choices, NULL, f->name);
-    if (k < 0 && is_topic &&
-        (is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0)) /* such as sin or cm */
-        k = names_exact(a->choices, NULL, "print");
+    q->variable = variable_find(&r->query->state->variables, word);
+    if (q->variable)
+        return !has_value ||
+               problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it", word, word);
+    const int k = parameter_search(a->choices, a->noun, word, message);
     q->item[i].number = k;
-    if (k < 0 && is_topic && (group_named(word) || topic_by_synonym(word, 0)))
-        return true;
-    /* 'show all' names no parameter. */
-    q->parameter = k >= 0 && !is_topic ? parameter_find(a->choices(NULL, k)) : NULL;
-    return k >= 0 ||
-           problem_error(r->problem,
-                         is_topic && k == NAMES_UNKNOWN ? "%s; 'apropos WORD' finds topics" : "%s", message);
+    q->parameter = k >= 0 ? parameter_find(a->choices(NULL, k)) : NULL; /* 'show all' names none */
+    return k >= 0 || problem_error(r->problem, "%s", message);
 }
 
 /* ---- All arguments ---- */
@@ -137,8 +117,7 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     case ARGUMENT_VALUE:
         return setting_parse(r, q, i);
     case ARGUMENT_PARAMETER:
-    case ARGUMENT_TOPIC:
-        return topic_parse(r, a, q, i);
+        return name_parse(r, a, q, i);
     case ARGUMENT_CHOICE:
         return item_parse_choice(r, a, item);
     case ARGUMENT_PLACE:

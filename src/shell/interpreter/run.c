@@ -105,7 +105,6 @@ static bool run_command(struct session *session, const struct command *c, const 
         answer.style.format = output->format;
     problem->place = 0;
     session->made[0] = '\0';
-    double begun = session->state.settings.timing ? terminal_clock() : 0;
     progress_begin();
     bool done = c->act ? c->act(session, query->given, &answer, problem)
                        : command_compute(c, query, &answer, problem);
@@ -127,11 +126,6 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (*answer.made) /* copying an empty text would take a twentieth of the time of a short line */
         snprintf(session->made, sizeof session->made, "%s", answer.made);
     output->answered = output->answered || (done && c->columns) || answer.progress.wrote_text;
-    if (done && session->state.settings.timing && c->columns) {
-        /* Programs may read csv, json and files, so the time must not appear there. */
-        bool is_for_people = answer.style.format->for_people && !answer.path;
-        fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
-    }
     return done;
 }
 

@@ -192,9 +192,6 @@ static const struct parameter every_parameter[] = {
     {ENTRY("errors", settings.style.errors, "", "whether each number is followed by its difference from a computation with 30 digits", .usual = 0),
      .synonyms = "accuracy uncertainty precision difference",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
-    {ENTRY("timing", settings.timing, "", "whether each answer ends with the time that it took", .usual = 0),
-     .synonyms = "seconds speed fast",
-     .words = SWITCH, .words_only = true, .setting = true},
     DOM_DYNAMICS(DYNAMICS)
     DOM_EFFECTS(EFFECT)
     ENGINE_EFFECT(feet)

@@ -122,7 +122,6 @@ struct settings {
     /* Only the members `output`, `header`, `digits`, `angle` and `errors` are used here. state_style returns
      * a copy in which all members are set. */
     struct answer_style style;
-    unsigned timing;
     domq_real threads; /* the number of threads; 0 means one thread for each processor */
 };
 
