@@ -47,20 +47,14 @@ static const struct csv_kind times = {
     .column = time_columns,
     .columns = sizeof time_columns / sizeof *time_columns,
     .rows_most = POINTS_MOST,
-    .item = "measurement",
-    .items = "measurements",
     .names = "domino, time (s) or frame, and, if needed, rate, run, gap (mm), error (s)",
-    .example = "domino, time (s)",
 };
 static const struct csv_kind speeds = {
     .column = speed_columns,
     .columns = sizeof speed_columns / sizeof *speed_columns,
     .rows_most = POINTS_MOST,
-    .item = "measured row",
-    .items = "speeds",
     .names = "gap (mm), speed (m/s), and, if known, error (m/s); or gap (mm), dominoes, time (s); or domino, "
              "time (s); or, for the hits of a sound, only time (s)",
-    .example = "gap (mm), speed (m/s)",
     .otherwise = &times,
 };
 
@@ -75,9 +69,9 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
         *(run = &d->run[d->runs++]) = (struct fit_run){.number = number, .gap = gap, .first = d->points};
     const struct fit_point *last = run->count > 0 ? &d->point[d->points - 1] : NULL;
     if (d->points > 0 && known != d->has_errors)
-        return csv_wrong(&csv->file, csv_cell(csv, csv->column[SHARE] ? SHARE : ERROR).at,
-                         "some %s have an error and some have none; give an error to all of them, or to none",
-                         csv->kind->items);
+        return csv_wrong(
+            &csv->file, csv_cell(csv, csv->column[SHARE] ? SHARE : ERROR).at,
+            "some lines have an error and some have none; give an error to all of them, or to none");
     if (d->kind == FIT_HITS && last && point.domino > 0 && last->domino >= point.domino)
         return csv_wrong(
             &csv->file, csv_cell(csv, DOMINO).at,

@@ -36,11 +36,8 @@ const struct csv_kind rowfile_kind = {
     .column = columns,
     .columns = KINDS,
     .rows_most = 100000,
-    .item = "domino",
-    .items = "dominoes",
     .names =
         "height, thickness, gap (or pitch, or position), and, if known, mass or density, width, radius, lean",
-    .example = "height (mm), thickness (mm), gap (mm)",
 };
 
 const char *row_measure_names(const void *context, int k)

@@ -125,10 +125,7 @@ struct csv_kind {
     const struct csv_column *column;
     int columns; /* at most CSV_COLUMNS_MOST */
     size_t rows_most;
-    /* for messages: the noun for what a row describes, and its plural, such as "domino" and "dominoes" */
-    const char *item, *items;
-    const char *names;   /* for messages: a list of the names of the columns */
-    const char *example; /* for messages: an example of a first line */
+    const char *names; /* for messages: a list of the names of the columns */
     /* If the file lacks a required column of this kind, the table may be of the kind `otherwise`, which is
      * tried next. NULL if there is no other kind. If no kind fits, messages are about the first kind that was
      * tried. */

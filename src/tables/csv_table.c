@@ -214,9 +214,8 @@ static bool heading_read(struct csv_table *csv, int i)
     const struct heading h = heading_of(kind, text);
     const int k = csv->of[i];
     if (isdigit((unsigned char)*text) || *text == '.')
-        return csv_wrong(&csv->file, at,
-                         "the first line has a number, but must name the columns: write '%s' above it",
-                         kind->example);
+        return csv_wrong(&csv->file, at, "the first line has a number, but must name %s, with their units",
+                         kind->names);
     if (k < 0) {
         if (h.column >= 0 || names_index(notes, ',', h.name) >= 0)
             return true;
@@ -417,18 +416,15 @@ bool csv_next(struct csv_table *csv)
     const struct csv_kind *kind = csv->kind;
     if (!csv_read(&csv->file, &csv->row)) {
         if (!*csv->file.problem.text && csv->rows == 0)
-            csv_wrong(
-                &csv->file, csv->file.at,
-                "the file has no %s; each line after the first must describe one %s, and the first line must "
-                "name %s",
-                kind->items, kind->item, kind->names);
+            csv_wrong(&csv->file, csv->file.at, "the file has no rows; its first line must name %s",
+                      kind->names);
         return false;
     }
     if (dom_raised(csv->interrupt))
         return csv_wrong(&csv->file, csv->row.at, "%s", dom_status_text(DOM_INTERRUPTED));
     if (csv->rows == kind->rows_most)
-        return csv_wrong(&csv->file, csv->row.at, "there are more than %zu %s, which is the maximum",
-                         kind->rows_most, kind->items);
+        return csv_wrong(&csv->file, csv->row.at, "there are more than %zu rows, which is the maximum",
+                         kind->rows_most);
     int cells = csv->row.cells;
     while (cells > csv->head.cells && !*csv->row.cell[cells - 1].text) /* spreadsheets append empty cells */
         cells--;

@@ -35,10 +35,8 @@ END
         echo "$gap,$(json "set r 1; set s $gap/48; effect friction 0.25; duration" | values speed),0.01"
     done >rows
     { echo 'gap (mm), speed (m/s), error (m/s)'; cat rows; } >errors.csv
-    { echo 'speed (mm/s); note; gap'; awk -F , '{ printf "%.12g; any; %g cm\n", 1000 * $2, $1 / 10 }' rows; } >plain.csv
-    { printf 'sep=;\n"gap, mm";speed m/s;error_m/s;note\n' && sed 's/,/;/g; s/$/;"a; b"/' rows; } >sheet.csv
     { printf 'Spacing [mm];Velocity [m/s]\n' && sed 's/,0.01$//; s/,/;/; s/\./,/' rows; } >commas.csv
-    for file in errors plain sheet commas; do
+    for file in errors commas; do
         close "$file" 0.25 "$(json "fit friction $file.csv" | values friction | head -n 1)" 1e-5
     done
     # The uncertainty is proportional to the errors.
@@ -56,9 +54,9 @@ END
     printf 'gap (mm), speed (m/s)\n9, 1.3\n9, 1.31\n' >one.csv
     printf 'gap (mm), speed (m/s), error (m/s)\n9, 1.3, 0.1\n10, 1.2,\n' >some.csv
     printf 'gap (mm), speed (m/s)\n9, 1.3\n60, 1.2\n' >wide.csv
-    wrong 'fit friction empty.csv' "empty.csv:1:1: the file has no speeds; each line after the first must describe one measured row, and the first line must name gap \(mm\), speed \(m/s\), and, if known, error"
+    wrong 'fit friction empty.csv' "empty.csv:1:1: the file has no rows; its first line must name gap \(mm\), speed \(m/s\), and, if known, error"
     wrong 'fit friction, push one.csv' '2 measurements are too few for 2 unknowns'
-    wrong 'fit friction some.csv' 'some.csv:3:9: some speeds have an error and some have none'
+    wrong 'fit friction some.csv' 'some.csv:3:9: some lines have an error and some have none'
     wrong 'fit friction wide.csv' 'wide.csv:3:1: the gap 6 cm is longer than the domino is tall, h = 4\.8 cm'
     printf 'Spacing [mm];front [cm/s]\n9;130,5\n' >front.csv
     wrong 'fit friction front.csv' "front.csv:1:1: the column 'speed' is missing; the first line must name gap"

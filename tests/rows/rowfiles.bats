@@ -22,21 +22,12 @@ END
 30; 8; 40; 12
 END
     printf '\xef\xbb\xbfheight (m)\tthickness (m)\tgap (m)\tmass (kg)\r\n0.048\t0.007\t0\t0.008\r\n0.06\t0.009\t0.025\t0.016\r\n0.08\t0.012\t0.03\t0.04' | file crlf.csv
-    plain=$(json "effect row plain.csv; effect push 8; verdict; fall")
-    same 'the row' 'all fall 3' "$(head -n 1 <<<"$plain" | values verdict) $(head -n 1 <<<"$plain" | values domino)"
-    for name in units crlf; do
-        other=$(json "effect row $name.csv; effect push 8; verdict; fall")
-        same "$name: verdict" "$(values verdict <<<"$plain")" "$(values verdict <<<"$other")"
-        falls=0
-        while read -r a b; do
-            close "$name" "$a" "$b"
-            falls=$((falls + 1))
-        done < <(paste <(values kinetic <<<"$plain") <(values kinetic <<<"$other"))
-        same "$name: falls" 3 "$falls"
-    done
+    plain=$("$DOMINO" -e 'set row plain.csv; set push 8; verdict; fall')
+    [[ $plain == *'All 3 fall'* ]] || same 'the row' 'All 3 fall' "$plain"
+    for name in units crlf; do same "$name" "$plain" "$("$DOMINO" -e "set row $name.csv; set push 8; verdict; fall")"; done
     # The csv output of 'row' can be read again.
     "$DOMINO" -e "effect row plain.csv; set output csv; row > again.csv"
-    same again "$plain" "$(json "effect row again.csv; effect push 8; verdict; fall")"
+    same again "$plain" "$("$DOMINO" -e 'set row again.csv; set push 8; verdict; fall')"
     "$DOMINO" -e "set q 3; effect row 4; set output csv; row > train.csv"
     same 'row of a train' "$(json 'set q 3; effect row 4; verdict' | cut -c 1-60)" \
         "$(json "effect row train.csv; verdict" | cut -c 1-60)"
@@ -52,7 +43,7 @@ END
 hight|hight,thickness,gap\n1,1,1\n|1:1: unknown column 'hight'; did you mean 'height'\?
 gap|height (m),thickness (m),gap (m)\n1,0.1,0\n1,0.1,-0.2\n|3:7: gap = -0.2 m is negative
 zero|height (m),thickness (m),gap (m)\n0,0.1,0\n|2:1: height = 0
-nothing|height (m),thickness (m),gap (m)\n|[0-9]+:[0-9]+: the file has no dominoes
+nothing|height (m),thickness (m),gap (m)\n|[0-9]+:[0-9]+: the file has no rows
 both|height (m),thickness (m),gap (m),mass (kg),density\n1,.1,0,1,1\n|1:[0-9]+: both mass and density are given; leave
 END
     wrong "effect row none.csv" "cannot read '.*none.csv': No such file"
@@ -87,14 +78,17 @@ END
     done
 }
 
-@test "names of columns: synonyms in any case, with units in brackets of either kind" {
+@test "names of columns: synonyms in English, German, Dutch and French, and units as spreadsheets write them" {
     printf 'height (mm), thickness (mm), gap (mm), mass (g)\n48, 7.5, -, 10\n50, 7.5, 20, 12\n' >plain.csv
     printf 'Nr;LENGTH [mm];Thick(mm);Spacing [cm];Weight (g);Note\n1;48;7.5;-;10;red\n2;50;7.5;2;12;x, y\n' >synonyms.csv
     printf 'no\tlength_mm\tdepth_mm\tdistance_mm\tweight_g\n1\t48\t7.5\t-\t10\n2\t50\t7.5\t20\t12\n' >tabs.csv
     printf '\xef\xbb\xbfsep=;\r\n"height, mm";"thickness, mm";"gap, mm";"mass, g"\r\n48;7.5;-;10\r\n50;7.5;20;12\r\n' >sheet.csv
     printf '"height, mm","thickness [mm]","gap, cm","mass, g"\n48,7.5,-,10\n50,7.5,2,12\n' >quoted.csv
     printf 'sep=;\nheight cm;thickness mm;gap in mm;mass g\n4,8;7,5;-;10\n5;7,5;2,0 cm;12,0\n' >commas.csv
-    for file in synonyms tabs sheet quoted commas; do
+    printf 'Domino #;Höhe in mm;Dicke mm;Abstand [cm];Masse (g)\n1;48;7,5;–;10\n2;50;7,5;2;12\n' >german.csv
+    printf '#\thoogte (mm)\tdikte mm\tafstand_mm\tmassa g\n1\t48\t7,5\t-\t10\n2\t50\t7,5\t20\t12\n' >dutch.csv
+    printf '"HAUTEUR\n(mm)","Épaisseur (mm)","Écart (mm)","masse, g"\n48,7.5,-,10\n50,7.5,20,12\n' >french.csv
+    for file in synonyms tabs sheet quoted commas german dutch french; do
         same "$file" "$("$DOMINO" -e 'effect row plain.csv; row')" "$("$DOMINO" -e "effect row $file.csv; row" 2>&1)"
     done
 }
@@ -109,7 +103,7 @@ END
 
 @test "a file without names is explained; decimal commas, and empty cells at the end" {
     printf '48, 7.5, 20\n' >nameless.csv
-    wrong 'effect row nameless.csv' "the first line has a number, but must name the columns: write 'height \(mm\), "
+    wrong 'effect row nameless.csv' "the first line has a number, but must name height, thickness, gap "
     printf 'height (mm)\tthickness (mm)\tgap (mm)\n1,234\t0,75\t-\n' >commas.csv
     same 'tabs: decimal commas' 0.001234 "$(json 'effect row commas.csv; row' | values height)"
     printf 'height (mm);thickness (mm);gap (mm)\n48;7;-;;\n50;7;20;;\n' >cells.csv
@@ -169,18 +163,6 @@ END
         same_file out.csv again.csv
         same "$scene: falls alike" "$("$DOMINO" -e "$scene; set errors off; fall")" \
             "$("$DOMINO" -e 'effect row out.csv; fall')"
-    done
-}
-
-@test "names of columns in English, German, Dutch and French, and as spreadsheets write them" {
-    printf 'height (mm),thickness (mm),gap (mm),mass (g),colour\n48,7.5,-,10,RAL #7\n50,7.5,20,12,red\n' >plain.csv
-    printf 'Domino #;Höhe in mm;Dicke mm;Abstand [cm];Masse (g);colour\n1;48;7,5;–;10;RAL #7\n2;50;7,5;2;12;red\n' >german.csv
-    printf '#\thoogte (mm)\tdikte mm\tafstand_mm\tmassa g\tcolour\n1\t48\t7,5\t-\t10\tRAL #7\n2\t50\t7,5\t20\t12\tred\n' >dutch.csv
-    printf '"HAUTEUR\n(mm)","Épaisseur (mm)","Écart (mm)","masse, g",colour\n48,7.5,-,10,RAL #7\n50,7.5,20,12,red\n' >french.csv
-    "$DOMINO" -e 'effect row plain.csv; row > plain.out.csv' 2>/dev/null
-    for file in german dutch french; do
-        "$DOMINO" -e "effect row $file.csv; row > $file.out.csv" 2>/dev/null
-        same_file plain.out.csv "$file.out.csv"
     done
 }
 

@@ -14,8 +14,7 @@ static const struct csv_column columns[] = {
     {"gap", CSV_REQUIRED | CSV_NOT_FIRST, LENGTH, 0, 1000, "up to 1000 m"},
     {"count", CSV_EMPTY | CSV_WHOLE, "", "none", "", "write a number", 1, 9, "1 .. 9"},
 };
-static const struct csv_kind kind = {columns, 3, 3, "thing", "things", "size, gap", "size (mm), gap (mm)",
-                                     NULL};
+static const struct csv_kind kind = {columns, 3, 3, "size, gap", NULL};
 
 /* Writes the table: all rows as "size gap count others; ...", and then the error, if there is one, as
  * "line:column: ...". */
@@ -149,25 +148,23 @@ TEST(units)
 TEST(names)
 {
     static const struct reading cases[] = {
-        {"", "1:1: the file has no things; each line after the first must describe one thing, and the first "
-             "line must name size, gap"},
-        {"# only\n\n", "3:1: the file has no things"},
-        {"size (m),gap (m)\n", "2:1: the file has no things"},
+        {"", "1:1: the file has no rows; its first line must name size, gap"},
+        {"# only\n\n", "3:1: the file has no rows"},
+        {"size (m),gap (m)\n", "2:1: the file has no rows"},
         {"size", "1:1: the column 'gap' is missing; the first line must name size, gap, separated by"},
         {"siz,gap", "1:1: unknown column 'siz'; did you mean 'size'?"},
         {"size,gap,é,coun", "1:12: unknown column 'coun'; did you mean 'count'?"},
         {"size,other", "1:1: the column 'gap' is missing; the first line must name size, gap"},
         {"size,gap,spacing",
          "1:10: column name 'spacing' stands for the gap, but so does column 2; rename one of the two"},
-        {"1,2",
-         "1:1: the first line has a number, but must name the columns: write 'size (mm), gap (mm)' above it"},
+        {"1,2", "1:1: the first line has a number, but must name size, gap, with their units"},
         {"size m,gap m,count\n1,2,0", "2:5: count = 0 is too small; the range of count is 1 .. 9"},
         {"size m,gap m,count\n1,2,1.5", "2:5: count = 1.5 is not a whole number"},
         {"size m,gap m,count\n1,-2,1\n1,-2,1",
          "1 -2 1 ; 3:3: gap = -2 m is negative; the range of gap is up to 1000 m"},
         {"size m,gap m,count\n1,2\n1", "1 2 - ; 3:1: gap is missing; write a length"},
         {"size m,gap m,count\n1,,\n-,", "1 - - ; 3:1: size is missing; write a length"},
-        {"size m,gap m\n1,1\n1,1\n1,1\n1,1\n", "1 1 - ; 1 1 - ; 1 1 - ; 5:1: there are more than 3 things"},
+        {"size m,gap m\n1,1\n1,1\n1,1\n1,1\n", "1 1 - ; 1 1 - ; 1 1 - ; 5:1: there are more than 3 rows"},
     };
     CHECK(cases, &kind);
 }
