@@ -59,6 +59,6 @@ END
 @test "show lists differences from the defaults" {
     same none "All parameters have their defaults, and no effect is on. 'show all' lists them." "$("$DOMINO" -e show)"
     same some 's r friction x f(a)' "$("$DOMINO" -e 's = 0.3; friction = 0.2; r = 2; let x = 2; let f(a) = 2*a; show' | awk 'NR > 1 { print $1 }' | paste -sd ' ' -)"
-    same 'and gaps' "1 value of the row has been changed; 'row' lists the row." \
+    same 'and gaps' "Single dominoes have been changed; 'row' lists the row." \
         "$("$DOMINO" -e 'effect row 3; place 2 20 mm; show' | tail -n 1)"
 }

@@ -111,7 +111,6 @@ static bool run_show(const struct query *query, struct answer *a, struct problem
     const struct variables *variables = &query->state->variables;
     const bool people = answer_for_people(a), is_named = given->parameter || given->variable,
                is_short = people && !given->count;
-    const size_t changes = is_short ? row_changes_count(&query->scene->listed) : 0;
     struct column *columns = answer_columns(a, show_columns);
     struct shown shown;
     bool is_empty = !is_named && variables->count == 0;
@@ -138,9 +137,8 @@ static bool run_show(const struct query *query, struct answer *a, struct problem
         variable_row(a, &variables->list[i]);
     if (is_empty)
         answer_say(a, "All parameters have their defaults, and no effect is on. 'show all' lists them.");
-    if (changes > 0)
-        answer_say(a, "%zu value%s of the row %s been changed; 'row' lists the row.", changes,
-                   changes == 1 ? "" : "s", changes == 1 ? "has" : "have");
+    if (is_short && query->scene->listed.changes > 0)
+        answer_say(a, "Single dominoes have been changed; 'row' lists the row.");
     return true;
 }
 
@@ -422,8 +420,6 @@ const struct command session_commands[] = {
     {.name = "quit",
      .synonyms = "exit end close bye stop",
      .summary = "leave the program; the end of the input (^D) has the same effect",
-     .help = "At the prompt, the first 'quit' only warns if changes to the row have not been saved. A second "
-             "'quit' leaves the program.",
      .act = run_quit},
     {.name = NULL},
 };

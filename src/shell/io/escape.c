@@ -52,20 +52,31 @@ static bool is_hidden(uint32_t code)
     return found;
 }
 
-size_t escape_next(const char *text, char piece[ESCAPE_PIECE])
+/* Does what escape_next does. If `json` is true, the sequences are those of JSON. */
+static size_t piece_next(const char *text, bool json, char piece[ESCAPE_PIECE])
 {
     uint32_t code;
     size_t length = utf8_next(text, &code);
     if (length == 0)
-        snprintf(piece, ESCAPE_PIECE, "\\x%02x", (unsigned)(unsigned char)*text);
-    else if (is_hidden(code)) {
-        const char *format = code < 0x80 ? "\\x%02x" : code < PLANE ? "\\u%04x" : "\\u{%x}";
-        snprintf(piece, ESCAPE_PIECE, format, (unsigned)code);
-    } else {
+        snprintf(piece, ESCAPE_PIECE, json ? "\\ufffd" : "\\x%02x", (unsigned)(unsigned char)*text);
+    else if (json && (*text == '"' || *text == '\\'))
+        snprintf(piece, ESCAPE_PIECE, "\\%c", *text);
+    else if (!is_hidden(code)) {
         memcpy(piece, text, length);
         piece[length] = '\0';
+    } else if (json && code >= PLANE) /* a pair of surrogates */
+        snprintf(piece, ESCAPE_PIECE, "\\u%04x\\u%04x", (unsigned)(0xd800 + ((code - PLANE) >> 10)),
+                 (unsigned)(0xdc00 + (code & 0x3ff)));
+    else {
+        const char *format = code < 0x80 && !json ? "\\x%02x" : code < PLANE ? "\\u%04x" : "\\u{%x}";
+        snprintf(piece, ESCAPE_PIECE, format, (unsigned)code);
     }
     return length ? length : 1;
+}
+
+size_t escape_next(const char *text, char piece[ESCAPE_PIECE])
+{
+    return piece_next(text, false, piece);
 }
 
 bool escape_needed(const char *text)
@@ -116,22 +127,11 @@ char *escape_copy(const char *text)
 
 void escape_json(FILE *out, const char *text)
 {
-    uint32_t code;
+    char piece[ESCAPE_PIECE];
     putc('"', out);
     while (*text) {
-        size_t length = utf8_next(text, &code);
-        if (length == 0)
-            fputs("\\ufffd", out);
-        else if (*text == '"' || *text == '\\')
-            fprintf(out, "\\%c", *text);
-        else if (!is_hidden(code))
-            fwrite(text, 1, length, out);
-        else if (code < PLANE)
-            fprintf(out, "\\u%04x", (unsigned)code);
-        else /* a pair of surrogates */
-            fprintf(out, "\\u%04x\\u%04x", (unsigned)(0xd800 + ((code - PLANE) >> 10)),
-                    (unsigned)(0xdc00 + (code & 0x3ff)));
-        text += length ? length : 1;
+        text += piece_next(text, true, piece);
+        fputs_unlocked(piece, out);
     }
     putc('"', out);
 }

@@ -10,7 +10,7 @@
 #include <stdio.h>
 
 /* The size of a buffer for one character, which may be escaped: "a", "\x1b", "\u202e" or "\u{e0001}". */
-enum { ESCAPE_PIECE = 12 };
+enum { ESCAPE_PIECE = 16 };
 
 /* Writes the first character of a string into `piece`, or an escape sequence if the character needs one. The
  * string must not be empty. Returns the length of this character in the string, in bytes. Escaping an escaped

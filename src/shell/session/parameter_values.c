@@ -154,7 +154,8 @@ static domq_real parameter_lowest(const struct state *state, const struct parame
     return p->of_precision ? any_arithmetic(state->scene.compute.precision).tol_floor : p->value[i].lowest;
 }
 
-bool lengths_check(const struct state *state, struct problem *problem)
+/* Returns true if the lengths that were given fit to the height. */
+static bool lengths_check(const struct state *state, struct problem *problem)
 {
     bool good = true;
     for (const struct parameter *p = session_parameters; p->name && good; p++)

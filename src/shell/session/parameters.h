@@ -172,9 +172,6 @@ static inline struct typed_length share_length(const struct parameter *parameter
     return (struct typed_length){.m = parameter->share && quantity_alike(*typed, unit) ? typed->value : 0};
 }
 
-/* Returns true if the lengths that were given fit to the height. */
-bool lengths_check(const struct state *state, struct problem *problem);
-
 /* Makes *changed a copy of `query` in which the parameters in `assigned` have their new values. *state
  * becomes the state of the copy; it shares memory with the original and must not be closed. On failure, sets
  * *problem and returns false. */

@@ -191,34 +191,6 @@ bool row_changes_open(struct listed_row *row, size_t count)
     return row->change;
 }
 
-size_t row_changes_count(const struct listed_row *row)
-{
-    size_t count = 0;
-    for (size_t k = 0; k < row->changes; k++)
-        for (enum row_measure m = 0; m < ROW_MEASURES; m++)
-            count += isnan(changed(row, k, m)) ? 0 : 1;
-    return count;
-}
-
-static size_t origin_of(const struct listed_row *row, size_t k)
-{
-    return row->changes > 0 ? row->change[k].origin : k;
-}
-
-bool row_changes_equal(const struct scene *a, const struct scene *b)
-{
-    const size_t count = scene_row_count(a);
-    bool equal = count == scene_row_count(b);
-    for (size_t k = 0; k < count && equal; k++) {
-        equal = origin_of(&a->listed, k) == origin_of(&b->listed, k);
-        for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
-            domq_real one = changed(&a->listed, k, m), other = changed(&b->listed, k, m);
-            equal = equal && (one == other || (isnan(one) && isnan(other)));
-        }
-    }
-    return equal;
-}
-
 /* ---- The row ---- */
 
 bool scene_has_masses(const struct scene *scene)

@@ -126,10 +126,4 @@ static inline bool row_measure_is_size(enum row_measure measure)
 /* Allocates the changes for a row of `count` dominoes, if necessary. Returns false if memory runs out. */
 bool row_changes_open(struct listed_row *row, size_t count);
 
-/* Returns the number of measurements that have been changed. */
-size_t row_changes_count(const struct listed_row *row);
-
-/* Returns true if two scenes have made the same changes to a row. */
-bool row_changes_equal(const struct scene *a, const struct scene *b);
-
 #endif

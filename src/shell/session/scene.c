@@ -3,6 +3,7 @@
 #include "answer/cell.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -124,4 +125,19 @@ const char *losses_write(const struct domq_train *train, char text[LOSSES_TEXT])
             text_add(text, LOSSES_TEXT, "%s%s", *text ? " and " : "", dissipates);
     }
     return text;
+}
+
+/* ---- Problems ---- */
+
+bool problem_report(struct problem *problem, enum problem_kind kind, const char *format, ...)
+{
+    if (problem->kind != PROBLEM_NONE)
+        return false;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(problem->text, sizeof problem->text, format, arguments);
+    va_end(arguments);
+    problem->kind = kind;
+    problem->column = problem->place;
+    return false;
 }

@@ -31,18 +31,6 @@ const struct format *session_format(const struct session *session)
     return session->output->format ? session->output->format : formats[session->state.settings.style.output];
 }
 
-void session_close(struct session *session)
-{
-    while (session->output->below)
-        output_pop(&session->output, true);
-    if (session->has_log)
-        log_end();
-    state_close(&session->state);
-    undo_free(session->undo);
-    free(session->details);
-    session->undo = NULL;
-}
-
 struct query session_query(struct session *session)
 {
     session->run_context.script = session->source.name;
@@ -199,6 +187,15 @@ static void steps_drop(struct undo *undo, int from, int to)
     undo->count -= to - from;
 }
 
+static bool changes_equal(const struct listed_row *a, const struct listed_row *b)
+{
+    bool equal = a->changes == b->changes;
+    for (size_t k = 0; k < a->changes && equal; k++)
+        equal = a->change[k].origin == b->change[k].origin &&
+                memcmp(&a->change[k].to, &b->change[k].to, sizeof a->change->to) == 0;
+    return equal;
+}
+
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length)
 {
@@ -208,7 +205,7 @@ void undo_keep(struct undo **undo, const struct state *state, struct state *befo
     struct undo *u = *undo;
     const bool good = before && copy && u;
     bool is_equal = good && state->scene.listed.domino == before->scene.listed.domino &&
-                    row_changes_equal(&state->scene, &before->scene) &&
+                    changes_equal(&state->scene.listed, &before->scene.listed) &&
                     variables_equal(&state->variables, &before->variables);
     for (const struct parameter *p = session_parameters; p->name && is_equal; p++)
         is_equal = parameter_equal(state, before, p);
@@ -243,9 +240,16 @@ const char *undo_step(struct undo *undo, struct state *state, bool back)
     return step->text;
 }
 
-void undo_free(struct undo *undo)
+void session_close(struct session *session)
 {
-    if (undo)
-        steps_drop(undo, 0, undo->count);
-    free(undo);
+    while (session->output->below)
+        output_pop(&session->output, true);
+    if (session->has_log)
+        log_end();
+    state_close(&session->state);
+    if (session->undo)
+        steps_drop(session->undo, 0, session->undo->count);
+    free(session->undo);
+    free(session->details);
+    session->undo = NULL;
 }

@@ -84,6 +84,4 @@ void undo_keep(struct undo **undo, const struct state *state, struct state *befo
  * text of the command, or NULL if there is no such command. */
 const char *undo_step(struct undo *undo, struct state *state, bool back);
 
-void undo_free(struct undo *undo);
-
 #endif
