@@ -6,7 +6,6 @@
 #define SHELL_DERIVATION_H
 
 #include "interpreter/question.h"
-#include <stdio.h>
 
 /* Bits for the properties of a train that decide which equations hold for it. */
 enum {
@@ -122,21 +121,6 @@ void derivation_end(struct derivation *derivation);
  * if it has no value. Returns false on an error. */
 bool expression_value(const struct query *query, const char *expression, domq_real *value,
                       struct problem *problem);
-
-/* Writes the equation of a step with numbers. A sum can have many terms: only the first ones are written, and
- * the others are added up. */
-void step_numbers(FILE *out, const struct step *step, bool letters, int digits);
-
-/* The arguments after the name of the question. */
-struct explain_arguments {
-    domq_real value; /* the value after the question, or NaN if there is none */
-    bool deep;
-};
-
-/* Writes a derivation as text. */
-bool explain_write(struct answer *answer, const struct derivation *derivation,
-                   const struct explained *explained, const struct explain_arguments *bound,
-                   struct problem *problem);
 
 /* ---- Comparisons with the paper ---- */
 

@@ -27,6 +27,12 @@ static const struct column explain_columns[] = {
 
 /* ---- Arguments ---- */
 
+/* The arguments after the name of the question. */
+struct explain_arguments {
+    domq_real value; /* the value after the question, or NaN if there is none */
+    bool deep;
+};
+
 struct explain_parsed {
     struct item value;
     bool deep;
@@ -122,41 +128,195 @@ static bool explain_bind(const struct question *q, const struct query *query, st
     return !parsed->value.argument || item_bind(&parsed->value, q->text, query, NULL, &b->value, problem);
 }
 
-/* ---- Rows ---- */
+/* ---- Texts ---- */
 
-/* Returns the equation of a step, written with names or, if `numbers` is true, with numbers. Returns NULL if
- * memory runs out. The caller frees the text. */
-static char *text_of(const struct derivation *d, const struct step *s, bool numbers)
+enum { EQUATION_TEXT = 2000 }; /* an equation has at most NEEDS_MOST numbers */
+
+static const char *name_of(const struct step *s, bool letters)
 {
-    char *text = NULL;
-    size_t size;
-    const int digits = d->query.scene->compute.precision == IN_QUAD ? WIDE_DIGITS : 17;
-    FILE *out = open_memstream(&text, &size);
-    if (!out)
-        return NULL;
-    if (s->derived->sum && !numbers)
-        fprintf(out, "sum(%s)", s->derived->equation);
-    else if (numbers)
-        step_numbers(out, s, false, digits);
-    else
-        fputs(s->derived->equation, out);
-    return fclose(out) == 0 ? text : NULL;
+    return letters ? s->derived->letters : s->derived->name;
 }
 
+/* Appends a number in the form that the parser accepts. */
+static void number_add(char *text, domq_real number, int digits)
+{
+    char written[WIDE_TEXT];
+    quad_write(number, digits, written);
+    text_add(text, EQUATION_TEXT, "%s", written);
+}
+
+/* Appends the equation of a step, or the term of a sum, with names or, if `digits` is not 0, with numbers. */
+static void equation_add(char *text, const struct step *s, bool letters, int digits)
+{
+    for (const char *c = s->derived->equation; *c;) {
+        size_t length = 0;
+        const struct step *needed = NULL;
+        while (isalnum((unsigned char)c[length]) || c[length] == '_')
+            length++;
+        for (int k = 0; k < s->count && length > 0; k++)
+            if (strlen(s->needs[k]->name) == length && strncmp(s->needs[k]->name, c, length) == 0)
+                needed = s->needs[k];
+        if (needed && digits > 0 && isfinite(needed->value)) {
+            text_add(text, EQUATION_TEXT, needed->value < 0 ? "(" : "");
+            number_add(text, needed->value, digits);
+            text_add(text, EQUATION_TEXT, needed->value < 0 ? ")" : "");
+        } else if (needed)
+            text_add(text, EQUATION_TEXT, "%s", name_of(needed, letters));
+        else if (letters && length == 4 && strncmp(c, "sqrt", 4) == 0)
+            text_add(text, EQUATION_TEXT, "√");
+        else if (letters && (*c == '*' || *c == '-'))
+            text_add(text, EQUATION_TEXT, *c == '*' ? "·" : "−");
+        else
+            text_add(text, EQUATION_TEXT, "%.*s", (int)(length > 0 ? length : 1), c);
+        c += length > 0 ? length : 1;
+    }
+}
+
+/* Appends the equation of a step with numbers. Of a sum with many terms, only the first ones are written, and
+ * the others are added up. */
+static void numbers_add(char *text, const struct step *s, bool letters, int digits)
+{
+    domq_real rest = 0;
+    if (!s->derived->sum) {
+        equation_add(text, s, letters, digits);
+        return;
+    }
+    for (size_t i = s->terms; i-- > TERMS_SHOWN;)
+        rest += s->term[i];
+    for (size_t i = 0; i < s->terms && i <= TERMS_SHOWN; i++) {
+        const domq_real term = i < TERMS_SHOWN ? s->term[i] : rest;
+        text_add(text, EQUATION_TEXT, "%s", i == 0 && term >= 0 ? "" : term < 0 ? (i ? " - " : "-") : " + ");
+        number_add(text, quad(fabs)(term), digits);
+    }
+}
+
+/* A row for csv and json. */
 static void step_row(struct answer *a, const struct derivation *d, const struct step *s)
 {
-    char needs[256] = "";
-    char *equation = s->tree ? text_of(d, s, false) : NULL, *numbers = s->tree ? text_of(d, s, true) : NULL;
+    char needs[256] = "", equation[EQUATION_TEXT] = "", numbers[EQUATION_TEXT] = "";
+    const struct cell none = cell_real(DOMQ_NAN);
+    if (s->tree) {
+        text_add(equation, sizeof equation, s->derived->sum ? "sum(%s)" : "%s", s->derived->equation);
+        numbers_add(numbers, s, false, d->query.scene->compute.precision == IN_QUAD ? WIDE_DIGITS : 17);
+    }
     for (int k = 0; k < s->count; k++)
         text_add(needs, sizeof needs, "%s%s", k ? " " : "", s->needs[k]->name);
-    struct cell none = cell_real(DOMQ_NAN);
     answer_row(a,
-               ROW(cell_word(s->name), equation ? cell_word(equation) : none,
-                   numbers ? cell_word(numbers) : none, cell_without_error(s->value), cell_word(s->unit),
+               ROW(cell_word(s->name), s->tree ? cell_word(equation) : none,
+                   s->tree ? cell_word(numbers) : none, cell_without_error(s->value), cell_word(s->unit),
                    cell_word(needs), cell_word(s->reference), cell_count(s->depth), cell_word(s->words)),
                NULL);
-    free(equation);
-    free(numbers);
+}
+
+/* ---- For people ---- */
+
+/* Returns true if a value differs from 0 only by rounding errors, like the margin at the largest growth. Each
+ * number is the result of a few dozen operations, so its error is at most a few dozen machine epsilons times
+ * the largest number in its equation. */
+static bool is_rounding(const struct derivation *d, const struct step *s)
+{
+    enum { ROUNDINGS = 64 };
+    domq_real largest = 0;
+    for (int k = 0; k < s->count; k++)
+        if (isfinite(s->needs[k]->value))
+            largest = quad_larger(largest, quad(fabs)(s->needs[k]->value));
+    const double epsilon = any_arithmetic(d->query.scene->compute.precision).epsilon;
+    return s->value != 0 && quad(fabs)(s->value) <= ROUNDINGS * (domq_real)epsilon * largest;
+}
+
+static void value_add(char *text, const struct answer *a, const struct derivation *d, const struct step *s)
+{
+    const int digits = (int)a->style.digits;
+    if (!isfinite(s->value)) {
+        text_add(text, EQUATION_TEXT, "no value: this train has no complete cycle; 'why' says more");
+        return;
+    }
+    if (strcmp(s->name, "r_max") == 0 || strcmp(s->name, "r_pair") == 0)
+        text_add(text, EQUATION_TEXT, "%s", quad_limit(s->value, digits));
+    else
+        number_add(text, is_rounding(d, s) ? 0 : s->value, digits);
+    text_add(text, EQUATION_TEXT, "%s%s", *s->unit ? " " : "", s->unit);
+}
+
+/* Prints one quantity: its description, its equation, the equation with numbers, and its value. */
+static void step_say(struct answer *a, const struct derivation *d, const struct step *s, bool is_first)
+{
+    const bool letters = a->layout.letters;
+    const char *words = s->words;
+    const bool is_symbol = words[strspn(words, "abcdefghijklmnopqrstuvwxyz")] == '^'; /* such as tau^2 */
+    char equation[EQUATION_TEXT] = "", numbers[EQUATION_TEXT] = "", value[EQUATION_TEXT] = "";
+    answer_say(a, is_first ? "%c%s:" : "\n%c%s:", is_symbol ? *words : toupper((unsigned char)*words),
+               words + 1);
+    value_add(value, a, d, s);
+    if (!s->tree) {
+        answer_say(a, "    %s = %s", name_of(s, letters), value);
+        return;
+    }
+    equation_add(equation, s, letters, 0);
+    answer_say(a, "    %s = %s%s%s%s%s", name_of(s, letters),
+               !s->derived->sum ? ""
+               : letters        ? "Σ "
+                                : "sum over i of ",
+               equation, *s->reference ? "    (" : "", s->reference, *s->reference ? ")" : "");
+    numbers_add(numbers, s, letters, (int)a->style.digits);
+    if (s->tree->kind != TREE_SYMBOL) /* the number of a symbol is the value */
+        answer_say(a, "      = %s", numbers);
+    answer_say(a, "      = %s", value);
+}
+
+/* Writes a quantity that is named but not derived. One that is different in each term has no single value. */
+static const char *meaning_of(const struct answer *a, const struct derivation *d, const struct step *s,
+                              char text[EQUATION_TEXT])
+{
+    snprintf(text, EQUATION_TEXT, "    %s%s", name_of(s, a->layout.letters), isfinite(s->value) ? " = " : "");
+    if (isfinite(s->value))
+        value_add(text, a, d, s);
+    text_add(text, EQUATION_TEXT, ": %s", s->words);
+    return text;
+}
+
+/* Prints the equations of an effect or of a law of motion. */
+static void effect_say(struct answer *a, const char *with, const struct domq_effect *e)
+{
+    if (e->equations)
+        answer_say(a, "\n%s%s:", with, e->name);
+    for (const char *const *line = e->equations; line && *line; line++)
+        answer_say(a, "    %s", *line);
+}
+
+/* Prints the equations of the answer or, if it is deep, of all quantities. Otherwise the details have the
+ * meanings of the quantities in the equations. If the derivation ends because of an effect, the equations of
+ * the law of motion and of the effects that are on follow. */
+static void derivation_say(struct answer *a, const struct derivation *d, const struct explained *e,
+                           const struct explain_arguments *asked)
+{
+    const struct scene *scene = &d->state.scene;
+    char text[EQUATION_TEXT];
+    int written = 0, given = 0;
+    bool ends = false, has_equations = false;
+    answer_plan(a, NULL);
+    for (const struct step *s = d->step; s < d->step + d->count; s++) {
+        ends = ends || (s->derived->ends & d->has & (HAS_LOSS | HAS_EDGES)) != 0;
+        has_equations = has_equations || (s->depth == 1 && !s->derived->is_given);
+        if (!s->derived->is_given && (s->depth == 0 || asked->deep))
+            step_say(a, d, s, written++ == 0);
+        if (s->depth == 1 && !asked->deep)
+            answer_detail(a, "%s", meaning_of(a, d, s, text));
+    }
+    for (const struct step *s = d->step; s < d->step + d->count && asked->deep; s++)
+        if (s->derived->is_given) {
+            if (given++ == 0)
+                answer_say(a, "\ngiven:");
+            answer_say(a, "%s", meaning_of(a, d, s, text));
+        }
+    if (ends)
+        effect_say(a, "", domq_law(&scene->train));
+    for (int k = 0; k < DOM_DYNAMICS_COUNT && ends; k++)
+        if (scene->effect[k].on)
+            effect_say(a, "with ", effect_at(k));
+    if (has_equations && !asked->deep)
+        answer_detail(a, "\n'explain %s%s%s deep' also shows the equations for these quantities.", e->name,
+                      isnan(asked->value) ? "" : " ", isnan(asked->value) ? "" : quad_text(asked->value, 10));
 }
 
 /* ---- The command ---- */
@@ -214,7 +374,7 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
     bool done = derivation_make(d, query, e, asked.value, problem);
     if (done && answer_for_people(a))
-        done = explain_write(a, d, e, &asked, problem);
+        derivation_say(a, d, e, &asked);
     for (int n = 0; n < d->count && done && !answer_for_people(a); n++)
         if (d->step[n].depth <= (asked.deep ? STEPS_MOST : 1))
             step_row(a, d, &d->step[n]);
