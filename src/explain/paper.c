@@ -161,12 +161,9 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
                "The numbers differ because the paper's closed form of the fuel leaves out the weights of the "
                "dominoes (25; c7), and because (50; d8) lost a factor in print.");
     answer_detail(
-        a, "The numbers differ for two reasons. First, the closed form of the fuel, the second equality "
-           "of (25; c7), leaves out the weights r^(-q i) of the dominoes. These weights are 1 only for r "
-           "= 1. Second, (50; d8) lost its factor J(theta_c) in print. A rigid-body engine agrees with "
-           "the exact values. If the growth is limited by the reach, it does not depend on the fuel.");
-    answer_detail(a, "All numbers are for the paper's dominoes, d = 7/48, without effects. 'recipe' compares "
-                     "the paper's method with this program for the dominoes of the session.");
+        a, "A rigid-body engine agrees with the exact values. If the growth is limited by the reach, it "
+           "does not depend on the fuel. All numbers are for the paper's dominoes, d = 7/48, without "
+           "effects; 'recipe' compares the methods for the dominoes of the session.");
     return true;
 }
 

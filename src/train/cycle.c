@@ -6,9 +6,9 @@
 #include <ctype.h>
 
 static const struct column thetac_columns[] = {
-    {"theta_c", "rad", "the head hits the next domino: sin theta_c = r s (2; a2)", 0},
-    {"theta_u", "rad", "a single domino just tips over: tan theta_u = d (4; b1)", 0},
-    {"theta_inf", "rad", "followers far behind the head: cos theta_inf = d/(s+d) (40; A16)", 0},
+    {"theta_c", "rad", "the head hits the next domino (2; a2)", 0},
+    {"theta_u", "rad", "a single domino just tips over (4; b1)", 0},
+    {"theta_inf", "rad", "followers far behind the head (40; A16)", 0},
     {"theta_f", "rad", "the largest tilt of a follower: (42; A18) if it detaches, otherwise theta_inf", 0},
     {"theta_leave", "rad", "tilt of a domino when its follower detaches", 0},
     {"detaches", "", "whether followers become too short to lean on their leaders, and detach (41; A17)", 9},
@@ -20,14 +20,6 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
     struct domq_angles angles;
     if (!query_status(query, problem, any_angles_find(&query->scene->train, query_compute(query), &angles)))
         return false;
-    if (query->scene->train.rho != 0) {
-        answer_describe(a, "theta_c", NULL,
-                        "the head hits the next domino: rho theta_c + (1 - 2 rho) sin theta_c = r s");
-        answer_describe(a, "theta_u", NULL, "a single domino with its rounded foot just tips over");
-        answer_describe(a, "theta_inf", NULL, "followers far behind the head");
-    } else if (query->scene->train.alpha != 0)
-        answer_describe(a, "theta_u", NULL,
-                        "a single domino just tips over: tan(theta_u + alpha) = d, with the slope alpha");
     if (angles.detaches) /* only then is theta_f another angle than theta_inf */
         a->details.brief = "*";
     return answer_cells(a, cell_computed(angles.theta_c), cell_computed(angles.theta_u),
@@ -330,6 +322,7 @@ const struct command cycle_commands[] = {
      TRAIN_COMMAND,
      .synonyms = "angles collision",
      .summary = "the tilts at which a cycle begins, changes and ends",
+     .help = "'explain thetac' shows the equations for the dominoes of the session.",
      .equation = "(2; a2) (4; b1) (40; A16) (41; A17) (42; A18)",
      .example = "thetac",
      .see = "theta1 chain",

@@ -73,26 +73,13 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
     } else if (any_limit_best(t, &query->scene->compute, &best) != DOM_OK) {
         answer_say(a, "Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.");
     } else {
-        const char *way = best.s < t->s ? "closer together" : "farther apart";
-        const struct words most = limit_words(limit->r_max, 4);
-        char widest[128];
-        snprintf(
-            widest, sizeof widest,
-            "with gaps of %.4g times the height, each domino can be %.12s times as large as the one before",
-            (double)best.s, limit_words(best.r_max, 4).text);
-        if (limit->ends == DOM_END_NONE)
-            answer_say(a, "Place the dominoes %s: %s.", way, widest);
-        else if (best.r_max < t->r)
-            answer_say(
-                a,
-                "Make the dominoes grow less: %s; with the present gaps, let each domino be at most %s "
-                "times as large as the one before.",
-                widest, most.text);
-        else
-            answer_say(a,
-                       "Place the dominoes %s: %s. Or keep the gaps, and make each domino at most %s times "
-                       "as large as the one before.",
-                       way, widest, most.text);
+        answer_say(a,
+                   "With gaps of %.4g times the height, each domino can be %s times as large as the one "
+                   "before%s%s%s.",
+                   (double)best.s, limit_words(best.r_max, 4).text,
+                   limit->ends == DOM_END_NONE ? "" : "; with the present gaps, ",
+                   limit->ends == DOM_END_NONE ? "" : limit_words(limit->r_max, 4).text,
+                   limit->ends == DOM_END_NONE ? "" : " times");
     }
 }
 

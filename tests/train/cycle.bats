@@ -144,10 +144,9 @@ evenly() { # COUNT
         same "$scene" "$advice" "${lines[1]}"
         [[ $(head -n 2 <<<"$output") != *[=\(]* ]]
     done <<'END'
-set r 1.7|Place the dominoes farther apart: with gaps of 0.5337 times the height, each domino can be 1.81 times as large as the one before. Or keep the gaps, and make each domino at most 1.644 times as large as the one before.
-effect friction 0.2; set s 0.7; set r 1.42|Place the dominoes closer together: with gaps of 0.5386 times the height, each domino can be 1.603 times as large as the one before. Or keep the gaps, and make each domino at most 1.405 times as large as the one before.
-set s 0.003; set r 1.2|Place the dominoes farther apart: with gaps of 0.5337 times the height, each domino can be 1.81 times as large as the one before.
-set r 1.9|Make the dominoes grow less: with gaps of 0.5337 times the height, each domino can be 1.81 times as large as the one before; with the present gaps, let each domino be at most 1.644 times as large as the one before.
+set r 1.7|With gaps of 0.5337 times the height, each domino can be 1.81 times as large as the one before; with the present gaps, 1.644 times.
+effect friction 0.2; set s 0.7; set r 1.42|With gaps of 0.5386 times the height, each domino can be 1.603 times as large as the one before; with the present gaps, 1.405 times.
+set s 0.003; set r 1.2|With gaps of 0.5337 times the height, each domino can be 1.81 times as large as the one before.
 set d 3|Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.
 END
     # A percentage that would be rounded to 100 % has more digits.
