@@ -275,12 +275,18 @@ static const char *meaning_of(const struct answer *a, const struct derivation *d
     return text;
 }
 
-/* Prints the equations of an effect or of a law of motion. */
-static void effect_say(struct answer *a, const char *with, const struct domq_effect *e)
+/* Domino i has the weight S_i in the sum of the equations of motion, so that the contact forces cancel. */
+static const char *const losses[] = {
+    "(A/2) dw/dtheta + B w = C",          "A = sum r^(-(q+1) i) S_i theta_i'",
+    "B = sum r^(-(q+1) i) S_i theta_i''", "C = 1/2 sum r^(-q i) S_i (x_i - d y_i)",
+    "S_0 = 1, S_(i+1) = S_i a_i/b_i",     NULL};
+
+/* Prints the equations of an effect or of the equation of motion. */
+static void effect_say(struct answer *a, const char *with, const char *name, const char *const *line)
 {
-    if (e->equations)
-        answer_say(a, "\n%s%s:", with, e->name);
-    for (const char *const *line = e->equations; line && *line; line++)
+    if (line)
+        answer_say(a, "\n%s%s:", with, name);
+    for (; line && *line; line++)
         answer_say(a, "    %s", *line);
 }
 
@@ -309,11 +315,11 @@ static void derivation_say(struct answer *a, const struct derivation *d, const s
                 answer_say(a, "\ngiven:");
             answer_say(a, "%s", meaning_of(a, d, s, text));
         }
-    if (ends)
-        effect_say(a, "", domq_law(&scene->train));
+    if (ends && domq_dissipates(&scene->train))
+        effect_say(a, "", "equation of motion", losses);
     for (int k = 0; k < DOM_DYNAMICS_COUNT && ends; k++)
         if (scene->effect[k].on)
-            effect_say(a, "with ", effect_at(k));
+            effect_say(a, "with ", effect_at(k)->name, effect_at(k)->equations);
     if (has_equations && !asked->deep)
         answer_detail(a, "\n'explain %s%s%s deep' also shows the equations for these quantities.", e->name,
                       isnan(asked->value) ? "" : " ", isnan(asked->value) ? "" : quad_text(asked->value, 10));
