@@ -99,51 +99,37 @@ static bool dominoes_make(const struct query *query, struct designing *d, struct
 
 /* ---- The answer ---- */
 
-/* Converts a push to the speed of the first domino's upper edge, which is easier to imagine. */
-static struct measured push_speed(const struct dom_wish *wish, double push)
-{
-    return measured(push * wish->first, "m/s", 2);
-}
-
 /* Explains why no row fulfils the wish and says what the user can change. */
 enum { REASON = 640 };
 static void infeasible_text(const struct designing *d, char text[REASON])
 {
-    const struct measured safety = measured(d->wish.safety, "", 6);
     const double needs = d->found.needs;
-    const struct measured more = measured(round_digits(quad_decimal(needs), 4, true), "", 4);
-    /* A stronger push lifts the first domino off the floor. */
-    const bool is_possible = needs <= sqrt(2 * d->wish.g / d->wish.first);
-    switch (d->found.limit) {
-    case DOM_DESIGN_HALL:
+    const struct measured safety = measured(d->wish.safety, "", 6),
+                          more = measured(round_digits(quad_decimal(needs), 4, true), "", 4),
+                          less = measured(round_digits(quad_decimal(needs), 4, false), "", 4);
+    if (d->found.limit == DOM_DESIGN_HALL)
         snprintf(
             text, REASON,
             "infeasible: the shortest row that was found with a safety of %s is %s m long, including its "
             "fallen last domino; 'hall %s m' is long enough",
             safety.text, measured(needs, "", 4).text, more.text);
-        break;
-    case DOM_DESIGN_START:
-        if (is_possible)
-            snprintf(text, REASON,
-                     "infeasible: the start is too weak for a safety of %s at the second domino; domino 1 "
-                     "needs a push of %s at its top; first enter 'set push %.40s'",
-                     safety.text, push_speed(&d->wish, needs).text, more.text);
-        else
-            snprintf(text, REASON,
-                     "infeasible: no row with a safety of %s was found, whatever the push of domino 1; enter "
-                     "a smaller safety%s, or another height of domino 1 with 'set h'",
-                     safety.text, d->limits ? ", other boards or a finer grid" : "");
-        break;
-    default:
-        if (needs > 1)
-            snprintf(text, REASON,
-                     "infeasible: no growth gives a safety of %s here; a safety below %s is possible",
-                     safety.text, measured(round_digits(quad_decimal(needs), 4, false), "", 4).text);
-        else
-            snprintf(text, REASON,
-                     "infeasible: not even equal dominoes keep falling here, whatever the gap%s",
-                     d->train.mu > 0 ? "; enter a smaller friction" : "");
-    }
+    else if (d->found.limit == DOM_DESIGN_START && needs <= sqrt(2 * d->wish.g / d->wish.first))
+        snprintf(text, REASON,
+                 "infeasible: the start is too weak for a safety of %s at the second domino; domino 1 "
+                 "needs a push of %s at its top; first enter 'set push %.40s'",
+                 safety.text, measured(needs * d->wish.first, "m/s", 2).text, more.text);
+    else if (d->found.limit == DOM_DESIGN_START) /* a stronger push lifts the first domino off the floor */
+        snprintf(text, REASON,
+                 "infeasible: no row with a safety of %s was found, whatever the push of domino 1; enter "
+                 "a smaller safety%s, or another height of domino 1 with 'set h'",
+                 safety.text, d->limits ? ", other boards or a finer grid" : "");
+    else if (needs > 1)
+        snprintf(text, REASON,
+                 "infeasible: no growth gives a safety of %s here; a safety below %s is possible",
+                 safety.text, less.text);
+    else
+        snprintf(text, REASON, "infeasible: not even equal dominoes keep falling here, whatever the gap%s",
+                 d->train.mu > 0 ? "; enter a smaller friction" : "");
 }
 
 /* Writes the numbers of a design. If none was found, most of them are NaN. */

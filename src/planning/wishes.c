@@ -23,8 +23,6 @@ struct domq_domino domino_from_double(const struct dom_domino *domino)
 #undef VALUE
 #undef NONE
 }
-/* Converts a domino that the library has computed in double to quad, with 15 digits. */
-struct domq_domino domino_from_double(const struct dom_domino *domino);
 
 const struct wishes *wishes_of(const struct query *query)
 {

@@ -24,22 +24,6 @@ static const struct column row_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes domino k, counted from 0. If `writes` is false, only announces its numbers, so that the columns get
- * their units. */
-static void domino_write(struct answer *a, const struct scene_row *scene, size_t k, bool writes)
-{
-    const struct domq_domino *d = &scene->domino[k];
-    const struct cell cells[] = {cell_count((domq_real)k + 1), cell_real(d->height),
-                                 cell_real(d->thickness),      cell_real(d->gap),
-                                 cell_real(d->mass),           cell_real(d->mass / scene->domino[0].mass),
-                                 cell_real(d->radius),         cell_real(lean_offset(d)),
-                                 cell_real(d->width)};
-    for (int i = 1; i < 9 && !writes; i++)
-        answer_announce(a, row_columns[i].key, cells[i].number);
-    if (writes)
-        answer_row(a, cells, NULL);
-}
-
 /* Writes the dominoes from index `from` to before `to`. */
 static void dominoes_write(const struct query *query, struct answer *a, const struct scene_row *scene,
                            size_t from, size_t to)
@@ -63,10 +47,22 @@ static void dominoes_write(const struct query *query, struct answer *a, const st
     answer_leave_out(a, has_widths ? "" : "width");
     answer_unit(a, "mass", measure_of("kg", heaviest));
     a->csv.units = true;
-    a->style.errors = false; /* 'set row FILE' cannot read columns with errors */
+    a->style.errors = 0; /* 'set row FILE' cannot read columns with errors */
+    /* First all numbers are announced, so that the columns get their units. */
     for (int writes = 0; writes < 2; writes++)
-        for (size_t k = from; k < to && !answer_lost(a); k++)
-            domino_write(a, scene, k, writes);
+        for (size_t k = from; k < to && !answer_lost(a); k++) {
+            const struct domq_domino *d = &scene->domino[k];
+            const struct cell cells[] = {
+                cell_count((domq_real)k + 1), cell_real(d->height),
+                cell_real(d->thickness),      cell_real(d->gap),
+                cell_real(d->mass),           cell_real(d->mass / scene->domino[0].mass),
+                cell_real(d->radius),         cell_real(lean_offset(d)),
+                cell_real(d->width)};
+            for (int i = 1; i < 9 && !writes; i++)
+                answer_announce(a, row_columns[i].key, cells[i].number);
+            if (writes)
+                answer_row(a, cells, NULL);
+        }
     if (has_masses && to - from > 1 && answer_for_people(a))
         answer_say(a, "All %zu weigh %s.", to, measured(sum, "kg", 5).text);
 }

@@ -86,22 +86,17 @@ static bool gap_find(struct csv_table *csv, size_t before, domq_real position, d
         *gap = before == 0 ? 0 : csv->value[MEASURE_GAP];
         return true;
     }
-    if (pitch <= 0)
-        return csv_wrong(
-            &csv->file, csv_cell(csv, is_position ? POSITION : PITCH).at,
-            "the front face of domino %zu, at %s m, is not beyond that of domino %zu, at %s m; list "
-            "the dominoes in the order in which they fall, with positions that increase",
-            before + 1, quad_text(here, 6), before, quad_text(position, 6));
     *gap = pitch - thickness;
     if (quad(fabs)(*gap) <
         (domq_real)1e-12 * (quad(fabs)(here) + pitch)) /* the dominoes touch, apart from rounding errors */
         *gap = 0;
     return *gap >= 0 ||
-           csv_wrong(&csv->file, csv_cell(csv, is_position ? POSITION : PITCH).at,
-                     "the front face of domino %zu is %s m beyond that of domino %zu, but domino %zu is %s m "
-                     "thick, "
-                     "so they would overlap; if these are gaps, call the column 'gap'",
-                     before + 1, quad_text(pitch, 6), before, before + 1, quad_text(thickness, 6));
+           csv_wrong(
+               &csv->file, csv_cell(csv, is_position ? POSITION : PITCH).at,
+               "the front face of domino %zu is %s m beyond that of domino %zu, but must be at least its "
+               "thickness, %s m, beyond; list the dominoes in the order in which they fall; if these are "
+               "gaps, call the column 'gap'",
+               before + 1, quad_text(pitch, 6), before, quad_text(thickness, 6));
 }
 
 /* Adds the domino in the current row of the file. `position` is that of the domino before. */

@@ -245,8 +245,8 @@ END
     }
     try '1:48: both gap and pitch are given; leave one of these columns out' 'height (mm), thickness (mm), gap (mm),         pitch (mm)\n48, 7, -, -\n'
     try '1:40: both pitch and position are given' 'height (mm),thickness (mm),pitch (mm), position (mm)\n48, 7, -, 0\n'
-    try '4:7: the front face of domino 3, at 0.02 m, is not beyond that of domino 2, at 0.03 m; list' 'height (mm),thickness (mm),position (mm)\n48,7,0\n48,7,30\n48,7, 20\n'
-    try '3:6: the front face of domino 2 is 0.006 m beyond that of domino 1, but domino 2 is 0.007 m thick, so they would overlap; if these are gaps' 'height (mm),thickness (mm),pitch (mm)\n48,7,-\n48,7,6\n'
+    try '4:7: the front face of domino 3 is -0.01 m beyond that of domino 2, but must be at least its thickness, 0.007 m, beyond; list' 'height (mm),thickness (mm),position (mm)\n48,7,0\n48,7,30\n48,7, 20\n'
+    try '3:6: the front face of domino 2 is 0.006 m beyond that of domino 1, but must be at least its thickness, 0.007 m, beyond;.* if these are gaps' 'height (mm),thickness (mm),pitch (mm)\n48,7,-\n48,7,6\n'
     try '2:6: position is missing' 'height (mm),thickness (mm),position (mm)\n48,7,-\n48,7,6\n'
     try "1:1: the column 'gap' is missing; the first line must name height, thickness, gap \(or pitch, or position\)" 'height (mm),thickness (mm)\n48,7\n'
     try '2:6: position = .* is too large' 'height (mm),thickness (mm),position (m)\n48,7,1e10\n'

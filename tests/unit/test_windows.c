@@ -181,35 +181,6 @@ TEST(work_grows_with_the_row)
     assert_true(whole < 2.6 * part && part > 1e4);
 }
 
-/* Checks windows in the middle of a long row, where trials end early. Runs of the whole row must agree at the
- * ends of each window, even if there is a weak domino, or one that ends the row, far from the change. */
-TEST(trials_end_early)
-{
-    static struct run run;
-    uint64_t seed = 9;
-    int fall = 0, stop = 0, ends[2] = {0};
-    for (int i = 0; i < 3; i++) {
-        make_row(&run, 24, 0.45, 1, i == 1 ? 0.15 : 0);
-        for (size_t k = 0; k < 24; k++)
-            run.domino[k].gap *= 0.9 + 0.2 * random_unit(&seed);
-        double heavier[] = {1.5, 1.4, 8};
-        for (size_t k = 18; k < 24; k++) {
-            run.domino[k].height *= heavier[i];
-            run.domino[k].mass *= heavier[i] * heavier[i];
-        }
-        bool falls = row_end(&run) == DOM_ROW_FALLS;
-        *(falls ? &fall : &stop) += 1;
-        find(&run);
-        for (size_t k = 0; k < 23; k += 3) {
-            if (!isnan((double)windows[k].low))
-                check_window(&run, DOM_WINDOW_GAP, &windows[k], ends);
-            assert_true(!falls || windows[k].low <= windows[k].now);
-        }
-    }
-    print_message("# %d fall, %d do not\n", fall, stop);
-    assert_true(fall > 0 && stop > 0);
-}
-
 /* Finds all windows of one kind in a row of 20 dominoes, whose sizes differ by `differ`. Returns the number
  * of passes. */
 static double equal_windows(struct run *run, double differ, enum dom_window_of of, struct dom_window *found)

@@ -167,30 +167,6 @@ static void common_draw(struct draw *draw, enum dom_error_of kind, const struct 
         row->push = fmax(row->push + by, 0);
 }
 
-/* A first domino that would be inside the second one is released where it touches it. */
-static void release_limit(struct dom_row *row)
-{
-    double touch;
-    if (row->release > 0 && isfinite(row->release) && !isnan(row->push) &&
-        dom_row_touch(row, NULL, &touch) == DOM_OK && row->release > touch)
-        row->release = HUGE_VAL;
-}
-
-static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)
-{
-    if (kind == DOM_ERROR_gap)
-        gaps_draw(draw, error, draw->row.count);
-    else if (kind == DOM_ERROR_place)
-        places_draw(draw, error, draw->row.count);
-    else if (kind == DOM_ERROR_lean)
-        leans_draw(draw, error);
-    else if (kind >= DOM_ERROR_friction)
-        common_draw(draw, kind, error);
-    else
-        for (size_t k = 0; k < draw->row.count; k++)
-            size_draw(draw, &draw->row, kind, error, &draw->domino[k]);
-}
-
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *p, size_t i)
 {
     /* Random leans come last, since their limits depend on the sizes and on the slope. */
@@ -208,9 +184,24 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
         if (!(error->size > 0))
             continue;
         kind_begin(draw, p, i, (int)order[k]);
-        kind_draw(draw, order[k], error);
+        if (order[k] == DOM_ERROR_gap)
+            gaps_draw(draw, error, row->count);
+        else if (order[k] == DOM_ERROR_place)
+            places_draw(draw, error, row->count);
+        else if (order[k] == DOM_ERROR_lean)
+            leans_draw(draw, error);
+        else if (order[k] >= DOM_ERROR_friction)
+            common_draw(draw, order[k], error);
+        else
+            for (size_t j = 0; j < row->count; j++)
+                size_draw(draw, &draw->row, order[k], error, &draw->domino[j]);
     }
-    release_limit(&draw->row);
+    /* A first domino that would be inside the second one is released where it touches it. */
+    struct dom_row *const drawn = &draw->row;
+    double touch;
+    if (drawn->release > 0 && isfinite(drawn->release) && !isnan(drawn->push) &&
+        dom_row_touch(drawn, NULL, &touch) == DOM_OK && drawn->release > touch)
+        drawn->release = HUGE_VAL;
 }
 
 enum dom_status placement_run(const struct dom_placement *p, dom_task *batch, void *context)
