@@ -49,11 +49,6 @@ static double length_of(const struct dom_domino *d, size_t count)
     return length;
 }
 
-static bool is_changed(const struct dom_domino *a, const struct dom_domino *b)
-{
-    return a->height != b->height || a->thickness != b->thickness || a->gap != b->gap || a->mass != b->mass;
-}
-
 /* Sets up the row, the limits of the changes and the random errors. The caller frees the memory, even after a
  * failure. */
 static bool improvement_make(const struct query *query, const struct wishes *w, struct problem *problem,
@@ -119,31 +114,27 @@ static void improvement_say(const struct query *query, struct answer *a, const s
                query->next ? " 'row' lists the row, and 'undo' reverts the changes." : "");
 }
 
-/* Makes the improved row the row of the scene. */
-static bool improvement_keep(struct scene *scene, const struct improvement *i, struct problem *problem)
-{
-    struct domq_domino *domino = malloc(i->count * sizeof *domino);
-    if (!domino)
-        return problem_status(problem, scene, DOM_NO_MEMORY);
-    for (size_t k = 0; k < i->count; k++)
-        domino[k] = domino_from_double(&i->domino[k]);
-    const bool kept = scene_row_set(scene, domino, i->count, i->limits.sizes, problem);
-    free(domino);
-    return kept;
-}
-
 /* Writes the answer. If the command can change the session, the improved row becomes its row. */
 static bool improvement_answer(const struct query *query, struct answer *a, struct improvement *i,
                                bool interrupted, struct problem *problem)
 {
     const struct dom_study *s = i->study;
     i->to = length_of(i->domino, i->count);
-    for (size_t k = 0; k < i->count; k++)
-        i->changed += is_changed(&i->before.row.domino[k], &i->domino[k]);
+    for (size_t k = 0; k < i->count; k++) {
+        const struct dom_domino *old = &i->before.row.domino[k], *new = &i->domino[k];
+        i->changed += old->height != new->height || old->thickness != new->thickness ||
+                      old->gap != new->gap || old->mass != new->mass;
+    }
     if (answer_for_people(a))
         improvement_say(query, a, i, interrupted);
     const bool keeps = query->next && !a->sink.take && i->changed > 0;
-    bool good = !keeps || improvement_keep(&query->next->scene, i, problem);
+    struct domq_domino *const domino = calloc(i->count, sizeof *domino);
+    for (size_t k = 0; k < i->count && domino; k++)
+        domino[k] = domino_from_double(&i->domino[k]);
+    bool good = domino
+                    ? !keeps || scene_row_set(&query->next->scene, domino, i->count, i->limits.sizes, problem)
+                    : problem_status(problem, query->scene, DOM_NO_MEMORY);
+    free(domino);
     struct answer list = {.out = answer_rest(a), .style = a->style};
     if (good && list.out && keeps) { /* the details list the new row */
         struct query after = *query;

@@ -24,52 +24,11 @@ static void end_note(const struct row_run *run, struct chart *chart)
                  dom_row_end_text(v->end));
 }
 
-/* ---- Energy to spare ---- */
-
-/* Returns the energy that the domino of run->fall[i] has to spare, divided by the energy that it needs.
- * Returns NaN if the domino needs no energy, if friction locks it whatever its energy, or if it was tilted
- * until it tipped over. */
-static double spare_of(const struct row_run *run, size_t i)
-{
-    const struct domq_fall *f = &run->fall[i];
-    return row_run_tipped(run, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
-}
-
-/* Sets the limits of both axes. The logarithmic energy axis begins below the smallest spare energy. */
-static void fall_axes(const struct row_run *run, struct chart *chart)
-{
-    double least = HUGE_VAL, most = 0;
-    for (size_t i = 0; i < run->hits; i++) {
-        double spare = spare_of(run, i);
-        least = spare > 0 ? fmin(least, spare) : least;
-        most = isfinite(spare) ? fmax(most, spare) : most;
-    }
-    chart->x.whole = chart->y.logarithmic = true;
-    chart->x.low = 0.4;
-    chart->x.high = (double)run->scene.row.count + 0.6;
-    chart->y.low = least < HUGE_VAL ? pow(10, floor(log10(least / 2))) : 0.01;
-    chart->y.high = fmax(1.6 * most, 100 * chart->y.low);
-}
-
-/* Marks the weakest domino, and says how the fall ends. */
-static void fall_chart(const struct row_run *run, struct chart *chart)
-{
-    const struct domq_verdict *v = &run->verdict;
-    end_note(run, chart);
-    if (v->end == DOM_ROW_FALLS)
-        text_add(chart->note, sizeof chart->note, ".");
-    fall_axes(run, chart);
-    if (v->weakest && v->weakest <= run->hits && v->spare >= 0 && isfinite(v->spare)) {
-        struct chart_curve *weakest =
-            chart_curve(chart, CHART_POINTS, INK_RED, 0, "the weakest, domino %zu", v->weakest);
-        chart_point(chart, weakest, (double)v->weakest, fmax((double)v->spare, chart->y.low));
-    }
-}
-
 static bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem)
 {
     struct row_run run;
+    double least = HUGE_VAL, most = 0, spare = (double)NAN;
     if (scene_has_engine(query->scene))
         return problem_no_answer(
             problem,
@@ -82,22 +41,37 @@ static bool plot_fall(const struct query *query, struct answer *a, struct chart 
         columns_in_joules(a);
     for (size_t i = 0; i < run.hits; i++) {
         const struct domq_fall *f = &run.fall[i];
-        bool known = isfinite(f->barrier);
+        const bool known = isfinite(f->barrier);
+        /* There is none for a domino that needs no energy, that friction locks whatever its energy, or that
+         * was tilted until it tipped over. */
+        spare = row_run_tipped(&run, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
+        least = spare > 0 ? fmin(least, spare) : least;
+        most = isfinite(spare) ? fmax(most, spare) : most;
         answer_cells(a, cell_count((domq_real)f->domino), cell_real(f->kinetic),
                      cell_real(known ? f->barrier : DOMQ_NAN), cell_real(known ? f->margin : DOMQ_NAN),
-                     cell_real((domq_real)spare_of(&run, i)));
+                     cell_real((domq_real)spare));
     }
-    bool idle = chart && run.scene.row.count == 1 && isnan(spare_of(&run, 0));
+    const bool idle = chart && run.scene.row.count == 1 && isnan(spare);
     if (idle)
         problem_no_answer(problem, "the only domino of this row starts past its tipping point, so it needs "
                                    "no energy to fall; 'set row 5' sets up five dominoes");
-    else if (chart)
-        fall_chart(&run, chart);
+    else if (chart) {
+        const struct domq_verdict *v = &run.verdict;
+        end_note(&run, chart);
+        text_add(chart->note, sizeof chart->note, v->end == DOM_ROW_FALLS ? "." : "");
+        chart->x.whole = chart->y.logarithmic = true;
+        chart->x.low = 0.4;
+        chart->x.high = (double)run.scene.row.count + 0.6;
+        chart->y.low = least < HUGE_VAL ? pow(10, floor(log10(least / 2))) : 0.01;
+        chart->y.high = fmax(1.6 * most, 100 * chart->y.low);
+        if (v->weakest && v->weakest <= run.hits && v->spare >= 0 && isfinite(v->spare))
+            chart_point(chart,
+                        chart_curve(chart, CHART_POINTS, INK_RED, 0, "the weakest, domino %zu", v->weakest),
+                        (double)v->weakest, fmax((double)v->spare, chart->y.low));
+    }
     row_run_free(&run);
     return !idle;
 }
-
-/* ---- Speed of the front ---- */
 
 static bool plot_speed(const struct query *query, struct answer *a, struct chart *chart,
                        struct problem *problem)
