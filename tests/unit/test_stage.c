@@ -11,13 +11,6 @@ static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.43, 2.1, 7.0 / 48, 3}, {0.54, 1.84, 7.0 / 48, 3},
                                         {0.2, 1.3, 0.001, 4},     {0.3, 1.05, 0.3, 3},
                                         {0.5, 2, 7.0 / 48, 4},    {0.05, 1, 0.6, 3}};
-/* Call functions of the shell for a struct setup. */
-static enum dom_status setup_stage(const struct setup *setup, domq_real theta, struct stage *stage)
-{
-    const struct domq_train train = setup_train(setup);
-    const struct any_compute compute = setup_compute(setup);
-    return stage_train(stage, &train, &compute, theta);
-}
 
 enum { DOMINOES = 200 }; /* the largest number of dominoes on a stage */
 enum { SOME = sizeof some_trains / sizeof *some_trains, RANDOM = 400, TILTS = 5 };
@@ -29,32 +22,6 @@ struct view {
     double theta;
     struct stage stage;
 };
-
-/* Makes view number k. There are views of the trains above, and then of random ones, each at tilts from 0 to
- * theta_c. */
-static bool view_next(struct view *v, int k)
-{
-    static uint64_t seed;
-    int which = k / TILTS;
-    stage_free(&v->stage); /* free the stage of the previous view, if there is one */
-    v->stage.domino = NULL;
-    if (k == 0)
-        seed = 71;
-    if (which >= SOME + RANDOM)
-        return false;
-    if (which < SOME) {
-        v->train = setup_default();
-        v->train.s = some_trains[which][0];
-        v->train.r = some_trains[which][1];
-        v->train.d = some_trains[which][2];
-        v->train.q = some_trains[which][3];
-    } else if (k % TILTS == 0)
-        v->train = random_train(&seed);
-    assert_status(ask_angles_find(&v->train, &v->angles), DOM_OK);
-    v->theta = (double)v->angles.theta_c * (k % TILTS) / (TILTS - 1);
-    assert_status(setup_stage(&v->train, v->theta, &v->stage), DOM_OK);
-    return true;
-}
 
 static _Noreturn void fail_view(const struct view *v, int k, const char *what, double off, double bound)
 {
@@ -104,39 +71,6 @@ static struct point from_to(struct point a, struct point b)
     return (struct point){b.x - a.x, b.y - a.y};
 }
 
-/* Checks that each contact is at the upper front edge of the follower, on the back face of the leader. */
-TEST(contacts_are_on_back_faces)
-{
-    static struct view v;
-    int contacts = 0;
-    double most = 0;
-    for (int k = 0; view_next(&v, k); k++) {
-        int here = 0;
-        for (int i = 1; i + 1 < (int)v.stage.count; i++) {
-            const struct drawn *own = &v.stage.domino[i], *next = own + 1;
-            if (!own->touched || is_dot(next))
-                continue;
-            struct point face = from_to(own->corner[3], own->corner[2]),
-                         contact = from_to(own->corner[3], own->contact);
-            double up = dot(face, contact) / own->height / own->height,
-                   off = fabs(face.x * contact.y - face.y * contact.x) / own->height,
-                   bound = allowed(&v, i) + allowed(&v, i + 1);
-            assert_true(own->contact.x == next->corner[1].x && own->contact.y == next->corner[1].y);
-            most = fmax(most, off / bound);
-            if (!(off <= bound))
-                fail_view(&v, i, "the contact is off the face", off, bound);
-            if (!(up > 0 && up <= 1 + bound / own->height))
-                fail_view(&v, i, "the contact is beyond the face", up, 1);
-            here++;
-        }
-        /* If followers detach, the head may have no follower at this tilt. */
-        assert_true(here > 0 || v.angles.detaches || v.stage.count == 3);
-        contacts += here;
-    }
-    print_message("# %d contacts, whose errors are at most %.2g of the bound\n", contacts, most);
-    assert_true(contacts > 5 * TILTS * (SOME + RANDOM));
-}
-
 /* Returns the distance between two dominoes along a side of one of them. It is negative if they overlap. */
 static double gap_between(const struct drawn *a, const struct drawn *b)
 {
@@ -155,53 +89,70 @@ static double gap_between(const struct drawn *a, const struct drawn *b)
     return widest;
 }
 
-TEST(dominoes_do_not_overlap)
+/* Each contact is at the upper front edge of the follower, on the back face of the leader. Returns the number
+ * of contacts. */
+static int contacts_check(const struct view *v)
 {
-    static struct view v;
-    int pairs = 0;
-    for (int k = 0; view_next(&v, k); k++)
-        for (int i = 0; i < (int)v.stage.count; i++) {
-            const struct drawn *own = &v.stage.domino[i];
-            for (int j = 0; j < CORNERS; j++)
-                if (!(own->corner[j].y >= 0))
-                    fail_view(&v, i, "below the ground", -own->corner[j].y, 0);
-            for (int j = i + 1; j < (int)v.stage.count && j <= i + 3; j++, pairs++) {
-                if (is_dot(&v.stage.domino[j]))
-                    break;
-                double gap = gap_between(own, &v.stage.domino[j]), bound = allowed(&v, i) + allowed(&v, j);
-                if (!(gap >= -bound))
-                    fail_view(&v, i, "it is inside another one", -gap, bound);
-            }
-        }
-    assert_true(pairs > 10 * TILTS * (SOME + RANDOM));
+    int contacts = 0;
+    for (int i = 1; i + 1 < (int)v->stage.count; i++) {
+        const struct drawn *own = &v->stage.domino[i], *next = own + 1;
+        if (!own->touched || is_dot(next))
+            continue;
+        struct point face = from_to(own->corner[3], own->corner[2]),
+                     contact = from_to(own->corner[3], own->contact);
+        double up = dot(face, contact) / own->height / own->height,
+               off = fabs(face.x * contact.y - face.y * contact.x) / own->height,
+               bound = allowed(v, i) + allowed(v, i + 1);
+        assert_true(own->contact.x == next->corner[1].x && own->contact.y == next->corner[1].y);
+        if (!(off <= bound))
+            fail_view(v, i, "the contact is off the face", off, bound);
+        if (!(up > 0 && up <= 1 + bound / own->height))
+            fail_view(v, i, "the contact is beyond the face", up, 1);
+        contacts++;
+    }
+    /* If followers detach, the head may have no follower at this tilt. */
+    assert_true(contacts > 0 || v->angles.detaches || v->stage.count == 3);
+    return contacts;
 }
 
-/* Checks that each domino is r times smaller than its leader, at a distance of (s + d) times the leader's
- * height. */
-TEST(sizes_and_places_are_those_of_the_train)
+static void overlap_check(const struct view *v)
 {
-    static struct view v;
-    for (int k = 0; view_next(&v, k); k++) {
-        double s = (double)v.train.s, d = (double)v.train.d, r = (double)v.train.r;
-        const struct drawn *domino = v.stage.domino;
-        assert_true(v.stage.count >= 3 && v.stage.count <= DOMINOES);
-        assert_true(domino[1].foot == 0 && domino[1].height == 1);
-        for (int i = 0; i < (int)v.stage.count; i++) {
-            assert_int_equal(domino[i].number, i - 1);
-            assert_near("thickness", hypot(domino[i].corner[3].x - domino[i].foot, domino[i].corner[3].y),
-                        d * domino[i].height, roundings(&v, i) / (d * domino[i].height));
-            assert_near("height", hypot(domino[i].corner[1].x - domino[i].foot, domino[i].corner[1].y),
-                        domino[i].height, roundings(&v, i) / domino[i].height);
+    for (int i = 0; i < (int)v->stage.count; i++) {
+        const struct drawn *own = &v->stage.domino[i];
+        for (int j = 0; j < CORNERS; j++)
+            if (!(own->corner[j].y >= 0))
+                fail_view(v, i, "below the ground", -own->corner[j].y, 0);
+        for (int j = i + 1; j < (int)v->stage.count && j <= i + 3 && !is_dot(&v->stage.domino[j]); j++) {
+            double gap = gap_between(own, &v->stage.domino[j]), bound = allowed(v, i) + allowed(v, j);
+            if (!(gap >= -bound))
+                fail_view(v, i, "it is inside another one", -gap, bound);
         }
-        /* The next domino is (s + d) r in front of the head, since its gap is r times as wide as the head's
-         * gap. */
-        assert_near("the next", domino[0].foot, (s + d) * r, 2 * DBL_EPSILON);
-        for (int i = 1; i < (int)v.stage.count; i++) {
-            assert_near("growth", domino[i - 1].height / domino[i].height, r, 2 * DBL_EPSILON);
-            double place = domino[i - 1].foot - (s + d) * (i == 1 ? r : domino[i - 1].height);
-            if (!(fabs(domino[i].foot - place) <= roundings(&v, i)))
-                fail_view(&v, i, "place", fabs(domino[i].foot - place), roundings(&v, i));
-        }
+    }
+}
+
+/* Each domino is r times smaller than its leader, at a distance of (s + d) times the leader's height. */
+static void sizes_check(const struct view *v)
+{
+    double s = (double)v->train.s, d = (double)v->train.d, r = (double)v->train.r;
+    const struct drawn *domino = v->stage.domino;
+    assert_true(v->stage.count >= 3 && v->stage.count <= DOMINOES);
+    assert_true(domino[1].foot == 0 && domino[1].height == 1);
+    /* The next domino is (s + d) r in front of the head, since its gap is r times as wide as the head's gap.
+     */
+    assert_near("the next", domino[0].foot, (s + d) * r, 2 * DBL_EPSILON);
+    for (int i = 0; i < (int)v->stage.count; i++) {
+        const struct drawn *own = &domino[i];
+        assert_int_equal(own->number, i - 1);
+        assert_near("thickness", hypot(own->corner[3].x - own->foot, own->corner[3].y), d * own->height,
+                    roundings(v, i) / (d * own->height));
+        assert_near("height", hypot(own->corner[1].x - own->foot, own->corner[1].y), own->height,
+                    roundings(v, i) / own->height);
+        if (i == 0)
+            continue;
+        assert_near("growth", own[-1].height / own->height, r, 2 * DBL_EPSILON);
+        double place = own[-1].foot - (s + d) * own[-1].height;
+        if (!(fabs(own->foot - place) <= roundings(v, i)))
+            fail_view(v, i, "place", fabs(own->foot - place), roundings(v, i));
     }
 }
 
@@ -217,57 +168,70 @@ static bool tilt_seen(const struct domq_link *link, void *context)
     return tilts->count < DOMINOES;
 }
 
-/* Checks that the tilts agree with the chain to 1e-12, and that no later domino is more upright than the last
- * one of the chain. */
-TEST(tilts_are_those_of_the_chain)
+/* The tilts agree with the chain to 1e-12, and no later domino is more upright than the last one of the
+ * chain. Returns the number of tilts of the chain. */
+static size_t tilts_check(struct view *v)
 {
-    static struct view v;
-    static struct tilts tilts;
-    int compared = 0;
-    for (int k = 0; view_next(&v, k); k++) {
-        tilts.count = 0;
-        v.train.tol = 1e-12;
-        assert_status(ask_chain_walk(&v.train, v.theta, tilt_seen, &tilts), DOM_OK);
-        assert_true(v.stage.domino[0].theta == 0);
-        for (int i = 1; i < (int)v.stage.count; i++) {
-            double theta = v.stage.domino[i].theta;
-            if ((size_t)i <= tilts.count) {
-                assert_near("tilt", theta, tilts.theta[i - 1], 1e-11);
-                compared++;
-            } else if (!(theta >= v.stage.domino[i - 1].theta &&
-                         theta <= (double)v.angles.theta_f * (1 + 4 * DBL_EPSILON)))
-                fail_view(&v, i, "it stands more upright than its leader", theta, 0);
-        }
+    struct tilts tilts = {.count = 0};
+    v->train.tol = 1e-12;
+    assert_status(ask_chain_walk(&v->train, v->theta, tilt_seen, &tilts), DOM_OK);
+    assert_true(v->stage.domino[0].theta == 0);
+    for (size_t i = 1; i < v->stage.count; i++) {
+        double theta = v->stage.domino[i].theta;
+        if (i <= tilts.count)
+            assert_near("tilt", theta, tilts.theta[i - 1], 1e-11);
+        else if (!(theta >= v->stage.domino[i - 1].theta &&
+                   theta <= (double)v->angles.theta_f * (1 + 4 * DBL_EPSILON)))
+            fail_view(v, (int)i, "it stands more upright than its leader", theta, 0);
     }
-    print_message("# %d tilts\n", compared);
-    assert_true(compared > 5 * TILTS * (SOME + RANDOM));
+    return tilts.count < v->stage.count - 1 ? tilts.count : v->stage.count - 1;
 }
 
-/* Checks that the head does not reach the next domino before theta_c, and then hits it at the height cos
- * theta_c. */
-TEST(the_head_hits_at_the_end)
+/* The head does not reach the next domino before theta_c, and then hits it at the height cos theta_c. */
+static void hit_check(const struct view *v, bool is_end)
 {
-    static struct view v;
-    int hits = 0;
-    for (int k = 0; view_next(&v, k); k++) {
-        const struct drawn *next = &v.stage.domino[0];
-        bool end = k % TILTS == TILTS - 1;
-        if (next->touched != end)
-            fail_view(&v, 0, end ? "the head does not hit" : "the head hits too early", 1, 0);
-        if (!end) {
-            assert_true(isnan(next->contact.x) && isnan(next->contact.y));
-            continue;
-        }
+    const struct drawn *next = &v->stage.domino[0];
+    if (next->touched != is_end)
+        fail_view(v, 0, is_end ? "the head does not hit" : "the head hits too early", 1, 0);
+    if (is_end) {
         /* The face of the next domino is at the distance s r in front of the hinge of the head. Both hinges
          * are rounded. */
-        assert_near("x", next->contact.x, (double)(v.train.s * v.train.r), 8 * DBL_EPSILON);
-        assert_near("z", next->contact.y, cos(v.theta), 8 * DBL_EPSILON);
-        hits++;
+        assert_near("x", next->contact.x, (double)(v->train.s * v->train.r), 8 * DBL_EPSILON);
+        assert_near("z", next->contact.y, cos(v->theta), 8 * DBL_EPSILON);
+    } else {
+        assert_true(isnan(next->contact.x) && isnan(next->contact.y));
     }
-    assert_int_equal(hits, SOME + RANDOM);
 }
 
-struct forces {
-    size_t count;
-    double force[DOMINOES], of_own[DOMINOES];
-};
+/* Views of the trains above, and of random ones, each at tilts from 0 to theta_c. */
+TEST(a_train_is_drawn_where_the_model_has_it)
+{
+    uint64_t seed = 71;
+    int contacts = 0;
+    size_t tilts = 0;
+    for (int which = 0; which < SOME + RANDOM; which++) {
+        static struct view v;
+        v.train = setup_default();
+        if (which >= SOME)
+            v.train = random_train(&seed);
+        for (int i = 0; i < 4 && which < SOME; i++)
+            *(domq_real *[]){&v.train.s, &v.train.r, &v.train.d, &v.train.q}[i] = some_trains[which][i];
+        const struct setup train = v.train;
+        for (int k = 0; k < TILTS; k++) {
+            v.train = train;
+            assert_status(ask_angles_find(&v.train, &v.angles), DOM_OK);
+            v.theta = (double)v.angles.theta_c * k / (TILTS - 1);
+            const struct domq_train drawn = setup_train(&v.train);
+            const struct any_compute compute = setup_compute(&v.train);
+            assert_status(stage_train(&v.stage, &drawn, &compute, v.theta), DOM_OK);
+            contacts += contacts_check(&v);
+            overlap_check(&v);
+            sizes_check(&v);
+            tilts += tilts_check(&v);
+            hit_check(&v, k == TILTS - 1);
+            stage_free(&v.stage);
+        }
+    }
+    print_message("# %d contacts, %zu tilts\n", contacts, tilts);
+    assert_true(contacts > 5 * TILTS * (SOME + RANDOM) && tilts > (size_t)5 * TILTS * (SOME + RANDOM));
+}
