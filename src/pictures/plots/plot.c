@@ -2,68 +2,7 @@
 /* The command 'plot', which makes the chart of a plot from its rows. */
 #include "interpreter/feature.h"
 #include "pictures/plots/plots.h"
-#include <stdlib.h>
 #include <string.h>
-
-/* ---- The rows as numbers ---- */
-
-static bool rows_grow(struct plot_rows *rows, size_t room)
-{
-    struct plot_row *more = realloc(rows->row, room * sizeof *more);
-    rows->failed = rows->failed || !more;
-    if (!more)
-        return false;
-    rows->row = more;
-    rows->room = room;
-    return true;
-}
-
-void plot_rows_by_point(struct plot_rows *rows, size_t points)
-{
-    rows->is_by_point = true;
-    rows->count = rows_grow(rows, points) ? points : 0;
-    for (size_t k = 0; k < rows->count; k++)
-        for (int i = 0; i < ANSWER_COLUMNS; i++)
-            rows->row[k].number[i] = (double)NAN;
-}
-
-/* A callback that receives the rows of a plot, instead of the output format. The points of a sweep are
- * computed in several threads. They write to different elements of rows->row, and only point 0 writes the
- * keys. */
-static void row_keep(struct answer *a, const struct cell *cells, const char *reason)
-{
-    (void)reason;
-    struct plot_rows *rows = a->sink.context;
-    const size_t at = rows->is_by_point ? a->sink.point : rows->count;
-    char text[CELL_TEXT];
-    if (rows->is_by_point ? at >= rows->count : at == rows->room && !rows_grow(rows, 2 * at + 64))
-        return;
-    struct plot_row *row = &rows->row[at];
-    *row = (struct plot_row){.word = ""};
-    for (int i = 0; a->columns[i].key; i++) {
-        const struct column *c = &a->columns[i];
-        const bool angle = column_is_angle(c),
-                   number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
-        const domq_real value = angle ? style_angle(&a->style, cells[i].number) : cells[i].number;
-        row->number[i] = number ? (double)value : (double)NAN;
-        if (at > 0)
-            continue;
-        snprintf(rows->key[i], sizeof rows->key[i], "%s", c->key);
-        snprintf(rows->unit[i], sizeof rows->unit[i], "%s%s", angle ? style_angle_unit(&a->style) : "",
-                 c->unit + (angle ? strlen("rad") : 0));
-    }
-    if (cells[0].kind != CELL_NONE)
-        snprintf(row->word, sizeof row->word, "%s", cell_plain(&a->style, cells[0], text));
-    rows->count += !rows->is_by_point;
-}
-
-int plot_column(const struct plot_rows *rows, const char *key)
-{
-    for (int i = 0; key && i < ANSWER_COLUMNS && *rows->key[i]; i++)
-        if (strcmp(rows->key[i], key) == 0)
-            return i;
-    return -1;
-}
 
 /* ---- Axes and curves ---- */
 
@@ -90,25 +29,37 @@ static double axis_label(struct chart_axis *to, const struct plot_axis *axis, co
     return size;
 }
 
-/* Adds the points of the rows to the curves that the table of the plot defines, and labels the axes. */
-static void curves_fill(const struct plot *plot, const struct plot_rows *rows, const struct answer *a,
-                        struct chart *chart)
+double plot_number(const struct answer *a, int column, struct cell cell)
 {
-    for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
-        const struct plot_curve *from = &plot->curve[k];
-        int x = plot_column(rows, plot->x.key), y = plot_column(rows, from->key);
-        for (size_t i = 0; i < rows->count && y >= 0; i++)
-            chart_point(chart, &chart->curve[k], rows->row[i].number[x], rows->row[i].number[y]);
-    }
-    double x = 0, y = 0;
-    for (int k = 0; k < chart->curves; k++)
-        for (size_t i = 0; i < chart->curve[k].count; i++) {
-            const struct chart_point *p = &chart->curve[k].point[i];
-            x = fmax(x, isfinite(p->x) ? p->x : 0);
-            y = fmax(y, p->y);
-        }
-    chart->x.unit = axis_label(&chart->x, &plot->x, a, x);
-    chart->y.unit = axis_label(&chart->y, &plot->y, a, y);
+    if (cell.kind != CELL_REAL && cell.kind != CELL_COUNT)
+        return (double)NAN;
+    return (double)(column_is_angle(&a->columns[column]) ? style_angle(&a->style, cell.number) : cell.number);
+}
+
+/* What receives the rows of a plot, instead of the output format. */
+struct curves {
+    const struct plot *plot;
+    struct chart *chart;
+    double x, y; /* the largest numbers */
+};
+
+/* Adds a row to the curves that the table of the plot defines. */
+static void row_draw(struct answer *a, const struct cell *cells, const char *reason)
+{
+    struct curves *c = a->sink.context;
+    double x = 0;
+    (void)reason;
+    for (int i = 0; c->plot->x.key && a->columns[i].key; i++)
+        if (strcmp(a->columns[i].key, c->plot->x.key) == 0)
+            x = plot_number(a, i, cells[i]);
+    c->x = fmax(c->x, x);
+    for (int k = 0; k < PLOT_CURVES && c->plot->curve[k].title; k++)
+        for (int i = 0; a->columns[i].key; i++)
+            if (strcmp(a->columns[i].key, c->plot->curve[k].key) == 0) {
+                const double y = plot_number(a, i, cells[i]);
+                chart_point(c->chart, &c->chart->curve[k], x, y);
+                c->y = fmax(c->y, y);
+            }
 }
 
 /* ---- The command ---- */
@@ -167,27 +118,25 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
         return plot->run(query, a, NULL, problem);
     if (!picture_ready(a, problem))
         return false;
-    struct plot_rows rows = {.count = 0};
     struct chart chart = chart_make();
+    struct curves curves = {.plot = plot, .chart = &chart};
     struct answer answer = *a;
-    answer.sink.take = row_keep;
-    answer.sink.context = &rows;
+    answer.sink.take = row_draw;
+    answer.sink.context = &curves;
     snprintf(chart.title, sizeof chart.title, "%s", plot->title);
     for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
         const struct plot_curve *c = &plot->curve[k];
         chart_curve(&chart, c->kind, c->ink, c->dash, "%s", c->title);
     }
-    bool done = plot->run(query, &answer, &chart, problem) &&
-                (!rows.failed || problem_status(problem, query->scene, DOM_NO_MEMORY));
-    if (done && plot->draw)
-        done = plot->draw(query, &rows, &chart, problem);
-    else if (done && plot->x.key)
-        curves_fill(plot, &rows, a, &chart);
-    free(rows.row);
-    if (done)
-        return chart_show(&chart, a, query->scene->compute.interrupt, problem);
-    chart_free(&chart);
-    return false;
+    if (!plot->run(query, &answer, &chart, problem)) {
+        chart_free(&chart);
+        return false;
+    }
+    if (plot->x.key) {
+        chart.x.unit = axis_label(&chart.x, &plot->x, a, curves.x);
+        chart.y.unit = axis_label(&chart.y, &plot->y, a, curves.y);
+    }
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 /* Each plot has its own columns. */

@@ -18,25 +18,8 @@
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
 
-/* The rows of a plot as numbers. */
-struct plot_rows {
-    char key[ANSWER_COLUMNS][64]; /* names of the columns; "" after the last one */
-    char unit[ANSWER_COLUMNS][24];
-    struct plot_row {
-        /* Angles are in the session's unit. Words and missing numbers are NaN. */
-        double number[ANSWER_COLUMNS];
-        char word[32]; /* the first cell as text, in the form that csv uses */
-    } * row;
-    size_t count, room;
-    bool is_by_point; /* there is one row for each point of a sweep, in any order */
-    bool failed;      /* there was no memory */
-};
-
-/* Makes room for one row for each point of a sweep. */
-void plot_rows_by_point(struct plot_rows *rows, size_t points);
-
-/* Returns the index of the column with this key, or -1. */
-int plot_column(const struct plot_rows *rows, const char *key);
+/* Returns the number in a cell of a column, or NaN if the cell has none. Angles are in the session's unit. */
+double plot_number(const struct answer *a, int column, struct cell cell);
 
 struct plot_axis {
     /* Key of the column that belongs to the axis. It gives the unit of the axis, and for an x axis also the
@@ -62,12 +45,9 @@ struct plot {
     const char *summary; /* for 'help plot' */
     const struct column *columns;
     const char *title;
-    struct plot_axis x, y;                /* if x.key is NULL, `run` or `draw` makes the curves */
+    struct plot_axis x, y;                /* if x.key is NULL, `run` makes the curves */
     struct plot_curve curve[PLOT_CURVES]; /* if there are fewer curves, a NULL title ends the list */
-    /* If not NULL, draws the rows instead of the axes and curves above. */
-    bool (*draw)(const struct query *query, const struct plot_rows *rows, struct chart *chart,
-                 struct problem *problem);
-    const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
+    const struct argument *argument;      /* the argument that may follow the plot's name, or NULL */
 };
 
 /* Checks that the train moves, and that its head reaches the tilt theta. */

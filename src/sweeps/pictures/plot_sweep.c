@@ -13,6 +13,42 @@ enum {
 
 static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE, INK_SKY};
 
+/* The points of a sweep as numbers. */
+struct plot_rows {
+    char key[ANSWER_COLUMNS][64]; /* names of the columns; "" after the last one */
+    char unit[ANSWER_COLUMNS][24];
+    struct plot_row {
+        /* Angles are in the session's unit. Words and missing numbers are NaN. */
+        double number[ANSWER_COLUMNS];
+        char word[32]; /* the first cell as text, in the form that csv uses */
+    } * row;
+    size_t count;
+};
+
+/* Receives the rows of the sweep, instead of the output format. The points are computed in several threads.
+ * They write to different elements of rows->row, and only point 0 writes the keys. */
+static void row_keep(struct answer *a, const struct cell *cells, const char *reason)
+{
+    struct plot_rows *rows = a->sink.context;
+    char text[CELL_TEXT];
+    (void)reason;
+    if (a->sink.point >= rows->count)
+        return;
+    struct plot_row *row = &rows->row[a->sink.point];
+    for (int i = 0; a->columns[i].key; i++) {
+        const struct column *c = &a->columns[i];
+        const bool angle = column_is_angle(c);
+        row->number[i] = plot_number(a, i, cells[i]);
+        if (a->sink.point > 0)
+            continue;
+        snprintf(rows->key[i], sizeof rows->key[i], "%s", c->key);
+        snprintf(rows->unit[i], sizeof rows->unit[i], "%s%s", angle ? style_angle_unit(&a->style) : "",
+                 c->unit + (angle ? strlen("rad") : 0));
+    }
+    if (cells[0].kind != CELL_NONE)
+        snprintf(row->word, sizeof row->word, "%s", cell_plain(&a->style, cells[0], text));
+}
+
 struct points {
     const struct plot_rows *rows;
     const struct sweep *sweep;
@@ -190,9 +226,21 @@ static bool plot_sweep_rows(const struct query *query, struct answer *a, struct 
                              "'%s' answers with a table, but a picture needs one number for each point; use "
                              "a command such as 'verdict', or 'print EXPRESSION'",
                              sweep->answer->command->name);
-    if (chart)
-        plot_rows_by_point(a->sink.context, sweep->grid.points);
-    return run_sweep(query, a, problem);
+    if (!chart)
+        return run_sweep(query, a, problem);
+    struct plot_rows rows = {.row = malloc((sweep->grid.points + 1) * sizeof *rows.row)};
+    if (!rows.row)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    for (; rows.count < sweep->grid.points; rows.count++)
+        for (int i = 0; i < ANSWER_COLUMNS; i++) {
+            rows.row[rows.count].number[i] = (double)NAN;
+            rows.row[rows.count].word[0] = '\0';
+        }
+    a->sink.take = row_keep;
+    a->sink.context = &rows;
+    const bool done = run_sweep(query, a, problem) && plot_sweep_draw(query, &rows, chart, problem);
+    free(rows.row);
+    return done;
 }
 
 static const struct column sweep_columns[] = {{NULL, NULL, NULL, 0}};
@@ -209,6 +257,6 @@ const struct plot sweep_plots[] = {
     {"sweep", plot_sweep_rows,
      "any sweep over one or two parameters, as in 'plot sweep s 0.1 0.9 33 : rmax'; 'plot sweep s 0.1 0.9 33 "
      ": rmax, pair' shows the curves of several answers; the columns are those of the sweep",
-     sweep_columns, .title = "", .draw = plot_sweep_draw, .argument = &grid_argument},
+     sweep_columns, .title = "", .argument = &grid_argument},
     {.name = NULL},
 };
