@@ -54,9 +54,10 @@ static const struct zero no_zero = {.power = 0};
 
 struct first {
     struct margin_context *c;
-    real sign, from; /* 1 if the margin is >= 0 at the start, otherwise -1; x of the start */
-    real unit;       /* barrier_most */
-    struct change change;
+    real sign, from;         /* 1 if the margin is >= 0 at the start, otherwise -1; x of the start */
+    real unit;               /* barrier_most */
+    struct margin_sample at; /* the first sign change so far; infinitely far if none is known */
+    struct limit limit;      /* its members falls, open and dip */
     struct zero root;
     real falls; /* scaled_value at the known root */
     real step;  /* of the difference quotient in scaled_slope */
@@ -100,7 +101,7 @@ static real scaled_value(const struct first *s, const struct margin_sample *samp
     const real value = scaled(s, sample, barrier) - zero->value;
     if (zero->power == 0)
         return value;
-    if (sample->r == s->change.at.r && zero->power == 1)
+    if (sample->r == s->at.r && zero->power == 1)
         return s->falls;
     const real distance = zero->x - x_of(s->c, sample->r);
     return zero->power == 1 ? value / distance : value / (distance * distance);
@@ -120,16 +121,6 @@ static real bend_of(const struct first *s, const struct stretch *in, const struc
     return (ends[1] - ends[0] - (at_third - ends[0]) / offset * width) * width / (width - offset);
 }
 
-/* Returns true if the margin is not curved enough to change sign between lo and hi. The curvature is
- * estimated with a third sample. */
-static bool is_clear_by(const struct first *s, const struct stretch *in, const struct margin_sample *third,
-                        const struct zero *zero)
-{
-    real ends[2];
-    const real bend = bend_of(s, in, third, zero, ends);
-    return fmin(ends[0], ends[1]) > SAFETY * fabs(bend);
-}
-
 /* Returns true if the kinetic energy of this sample exceeds every possible barrier by far. */
 static bool is_high(const struct first *s, const struct margin_sample *sample)
 {
@@ -144,9 +135,16 @@ static bool is_clear(const struct first *s, const struct stretch *in, const stru
         return true;
     /* beyond the known root, the margin may change on much smaller scales */
     const struct margin_sample *after =
-        in->after && in->after->r > s->change.at.r && s->sign > 0 ? &s->change.at : in->after;
-    return (in->before || after) && (!in->before || is_clear_by(s, in, in->before, zero)) &&
-           (!after || is_clear_by(s, in, after, zero));
+                                   in->after && in->after->r > s->at.r && s->sign > 0 ? &s->at : in->after,
+                               *const third[] = {in->before, after};
+    bool clear = in->before || after;
+    for (int k = 0; k < 2 && clear; k++)
+        if (third[k]) {
+            real ends[2];
+            const real bend = bend_of(s, in, third[k], zero, ends);
+            clear = fmin(ends[0], ends[1]) > SAFETY * fabs(bend);
+        }
+    return clear;
 }
 
 static enum dom_status sample_finely(const struct first *s, real r, struct margin_sample *sample)
@@ -215,8 +213,8 @@ static enum dom_status find_minimum(struct first *s, const struct stretch *in, s
 static void keep_root(struct first *s, const struct root *root)
 {
     const struct margin_context *c = s->c;
-    s->change.at = (struct margin_sample){root->r, {.kinetic = root->barrier, .barrier = root->barrier}};
-    s->change.falls = root->falls;
+    s->at = (struct margin_sample){root->r, {.kinetic = root->barrier, .barrier = root->barrier}};
+    s->limit.falls = root->falls;
     s->falls = -(x_of(c, root->r) + x_of(c, root->beside)) * c->geometry.span / c->s * root->falls /
                (root->barrier + s->unit);
     s->root = (struct zero){.x = x_of(c, root->r), .power = 1};
@@ -288,17 +286,17 @@ static enum dom_status search_dip(struct first *s, const struct stretch *in,
 {
     const struct margin *m = &minimum->margin;
     const real error = margin_error(s->c, m, margin_finest(s->c)) / (fabs(m->kinetic) + s->unit);
-    if (fabs(dip->value) < fabs(s->change.dip))
-        s->change.dip = dip->value;
+    if (fabs(dip->value) < fabs(s->limit.dip))
+        s->limit.dip = dip->value;
     if (dip->value < -error && s->sign < 0) {
-        s->change.at = *minimum;
+        s->at = *minimum;
         return DOM_OK;
     }
     if (dip->value < -error)
         return search_stretch(s,
                               &(struct stretch){in->before, in->lo, minimum, in->hi, NULL, in->halves - 1});
     if (dip->value <= error)
-        s->change.open = fmin(s->change.open, minimum->r);
+        s->limit.open = fmin(s->limit.open, minimum->r);
     if (in->halves <= 0)
         return DOM_OK;
     struct margin_sample lo, hi;
@@ -314,20 +312,20 @@ static enum dom_status search_dip(struct first *s, const struct stretch *in,
 static enum dom_status search_stretch(struct first *s, const struct stretch *in)
 {
     enum dom_status status = DOM_OK;
-    if (in->lo->r >= s->change.at.r)
+    if (in->lo->r >= s->at.r)
         return DOM_OK;
-    const bool changes = !sign_kept(s, in->hi) && in->hi->r < s->change.at.r,
+    const bool changes = !sign_kept(s, in->hi) && in->hi->r < s->at.r,
                finest = in->halves <= 0 || in->hi->r - in->lo->r <= 64 * REAL_EPSILON * in->hi->r;
     /* find any root first; the bisection below looks for earlier ones */
     if (changes && s->sign > 0) {
         status = find_root(s, in);
-        const struct margin_sample root = s->change.at;
+        const struct margin_sample root = s->at;
         return status == DOM_OK
                    ? search_stretch(s, &(struct stretch){in->before, in->lo, &root, NULL, NULL, in->halves})
                    : status;
     }
     if (changes && finest)
-        s->change.at = *in->hi;
+        s->at = *in->hi;
     if (status != DOM_OK || is_clear(s, in, &s->root) || (in->dip && is_clear(s, in, in->dip)))
         return status;
     if (in->halves >= 0 && in->halves < HALVES && (finest || (HALVES - in->halves) % LOOK_EVERY == 0)) {
@@ -350,13 +348,14 @@ static enum dom_status search_stretch(struct first *s, const struct stretch *in)
 }
 
 KERNEL enum dom_status first_change(struct margin_context *c, const struct margin_sample *from,
-                                    struct change *change)
+                                    struct limit *limit)
 {
     struct first s = {.c = c,
                       .sign = margin_value(&from->margin) >= 0 ? 1 : -1,
                       .from = x_of(c, from->r),
                       .unit = barrier_most(&c->geometry),
-                      .change = {.at = {.r = (real)INFINITY}, .open = (real)INFINITY, .dip = (real)INFINITY}};
+                      .at = {.r = (real)INFINITY},
+                      .limit = {.open = (real)INFINITY, .dip = (real)INFINITY}};
     struct margin_sample sample[SAMPLES_MOST] = {*from};
     const real tol = c->geometry.tol, reach = c->geometry.span / c->s;
     int n = 1;
@@ -374,7 +373,7 @@ KERNEL enum dom_status first_change(struct margin_context *c, const struct margi
                    r = last >= near
                            ? reach
                            : fmin(last * exp(step), last * exp(step * (real)1.25) > near ? near : reach);
-        sample[n] = r < root.r ? (struct margin_sample){r, margin_sign(c, r, true)} : s.change.at;
+        sample[n] = r < root.r ? (struct margin_sample){r, margin_sign(c, r, true)} : s.at;
         status = c->status;
         /* the kinetic energy at the start may be only a lower bound */
         if (n == 1 && status == DOM_OK && from->margin.barrier_is_bound && !is_high(&s, &sample[1])) {
@@ -392,9 +391,12 @@ KERNEL enum dom_status first_change(struct margin_context *c, const struct margi
             &(struct stretch){i > 2 || (i > 1 && !is_high(&s, &sample[1])) ? &sample[i - 2] : NULL,
                               &sample[i - 1], &sample[i], i + 1 < n ? &sample[i + 1] : NULL, NULL, HALVES});
     c->geometry.tol = tol;
-    s.change.found = isfinite(s.change.at.r);
-    if (s.change.open >= s.change.at.r)
-        s.change.open = (real)INFINITY;
-    *change = s.change;
+    const bool found = isfinite(s.at.r);
+    *limit = s.limit;
+    limit->r_max = found ? s.at.r : reach;
+    limit->barrier = s.at.margin.barrier;
+    limit->ends = found ? DOM_END_BARRIER : DOM_END_REACH;
+    if (limit->open >= s.at.r)
+        limit->open = (real)INFINITY;
     return status;
 }

@@ -49,22 +49,6 @@ static enum dom_status limit_public(struct margin_context *c, const struct limit
 static const struct limit no_limit = {
     .r_max = REAL_NAN, .ends = DOM_END_NONE, .open = (real)INFINITY, .dip = (real)INFINITY};
 
-/* Finds the first r > from->r at which the margin becomes negative, or the reach if there is none. The margin
- * at from->r is >= 0. */
-static enum dom_status limit_to_negative(struct margin_context *c, const struct margin_sample *from,
-                                         struct limit *limit)
-{
-    struct change change = {.found = false};
-    enum dom_status status = first_change(c, from, &change);
-    *limit = (struct limit){.r_max = change.found ? change.at.r : c->geometry.span / c->s,
-                            .barrier = change.at.margin.barrier,
-                            .falls = change.falls,
-                            .ends = change.found ? DOM_END_BARRIER : DOM_END_REACH,
-                            .open = change.open,
-                            .dip = change.dip};
-    return status;
-}
-
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 {
     struct margin_sample first = {.r = 1};
@@ -101,7 +85,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
         return c->status = DOM_OK;
     }
     if (c->status == DOM_OK)
-        c->status = limit_to_negative(c, &first, limit);
+        c->status = first_change(c, &first, limit);
     return c->status;
 }
 
@@ -133,15 +117,21 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     if (first.r > c->geometry.span / c->s)
         return DOM_OK;
     first.margin = margin_sign(c, first.r, true);
-    if (c->status != DOM_OK || margin_value(&first.margin) >= 0)
-        return c->status == DOM_OK ? limit_to_negative(c, &first, found) : c->status;
-    struct change change;
-    c->status = first_change(c, &first, &change);
-    if (c->status == DOM_OK && change.found)
-        c->status = limit_to_negative(c, &change.at, found);
+    if (c->status != DOM_OK)
+        return c->status;
+    const bool falls = margin_value(&first.margin) >= 0;
+    enum dom_status status = first_change(c, &first, found);
+    if (falls || status != DOM_OK)
+        return status;
+    const real open = found->open;
+    if (found->ends == DOM_END_BARRIER) { /* the margin becomes positive there */
+        first = (struct margin_sample){.r = found->r_max, .margin = margin_sign(c, found->r_max, true)};
+        status = c->status == DOM_OK ? first_change(c, &first, found) : c->status;
+    } else
+        *found = no_limit;
     /* the margin may or may not become positive at the first of two open growths */
-    found->open = fmin(found->open, change.open);
-    return c->status;
+    found->open = fmin(found->open, open);
+    return status;
 }
 
 KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit)

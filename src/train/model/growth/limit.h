@@ -118,30 +118,22 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct margi
  * without losses. If no root is found, root->r is infinity. */
 KERNEL enum dom_status root_any(struct margin_context *c, real from, real near, struct root *root);
 
-struct change {
-    bool found;
-    /* If the margin is >= 0 at the start: the first growth at which it becomes negative. If
-     * the margin is negative at the start: a sample slightly above the first growth at which the margin
-     * becomes positive. */
-    struct margin_sample at;
-    real falls; /* as in struct root, at the growth `at` */
-    /* The first growth below `at` at which the margin touches 0 within its rounding errors. Infinity if there
-     * is none. */
+struct limit {
+    /* The first growth at which the margin changes sign, or the reach if it keeps its sign. If the margin is
+     * negative at the start, this is a growth slightly above the sign change. */
+    real r_max;
+    real barrier, falls; /* as in struct root, at the growth r_max */
+    enum dom_end ends;   /* DOM_END_BARRIER if the margin changes sign */
+    enum dom_status why; /* the reason, if r_max does not exist */
+    /* The first growth below r_max at which the margin touches 0 within its rounding errors. Infinity if
+     * there is none. */
     real open;
     real dip; /* the scaled margin at the minimum that is closest to 0; infinity if none was found */
 };
 
-/* Finds the smallest growth above from->r at which the margin changes sign. If the margin keeps its sign up
- * to the reach, `found` is false. */
+/* Finds the smallest growth above from->r at which the margin changes sign. */
 KERNEL enum dom_status first_change(struct margin_context *c, const struct margin_sample *from,
-                                    struct change *change);
-
-struct limit {
-    real r_max, barrier, falls;
-    enum dom_end ends;
-    enum dom_status why; /* the reason, if r_max does not exist */
-    real open, dip;      /* as in struct change */
-};
+                                    struct limit *limit);
 
 /* Finds r_max at the separation c->s. If c->near is set, looks close to it first. */
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit);

@@ -139,11 +139,9 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
 KERNEL real margin_at(real r, void *context)
 {
     struct margin_context *c = context;
-    struct margin m = {0};
-    c->how = MARGIN_SURE;
-    const enum dom_status status = margin_to(c, r, c->geometry.tol, &m);
+    const struct margin m = margin_within(c, r, c->geometry.tol);
     c->nearest = c->barrier;
-    return status == DOM_OK ? margin_value(&m) : REAL_NAN;
+    return c->status == DOM_OK ? margin_value(&m) : REAL_NAN;
 }
 
 KERNEL real margin_error(const struct margin_context *c, const struct margin *m, real tol)
