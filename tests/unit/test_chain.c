@@ -107,7 +107,7 @@ TEST(the_far_tail_is_within_its_bound)
                     plain.far.order = 0;
                     const struct far_tail rest =
                         far_tail(far, far_variable(&geometry, a.tilt), far_variable(&geometry, b.tilt), t);
-                    assert_status(chain_sum(&plain, a.tilt, &whole), DOM_OK);
+                    assert_status(chain_sum(&plain, a.tilt, false, &whole), DOM_OK);
                     assert_status(chain_change(&plain, b.tilt, a.tilt, PASS_SECOND_DERIVATIVE, &between),
                                   DOM_OK);
                     assert_rest("J", &geometry, z, rest.J, whole.J, far->rest_J * share);

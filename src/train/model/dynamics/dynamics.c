@@ -117,7 +117,7 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     if (status == DOM_OK)
         status = dynamics_inertia_ratio(&fine, &hitting, fine.c, REAL_NAN, &flow->inertia_ratio);
     if (status == DOM_OK)
-        status = chain_sum(&hitting, fine.c, &sums);
+        status = chain_sum(&hitting, fine.c, false, &sums);
     flow->J0 = fine.upright_inertia + fine.inertia * sums.J;
     flow->J_c = sums.J;
     /*
@@ -350,9 +350,13 @@ KERNEL enum dom_status dynamics_collide(const struct geometry *geometry, enum do
 KERNEL enum dom_status dynamics_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {
-    if (geometry->conservative)
-        return chain_slope(geometry, head, rough, slope);
     struct equation_of_motion equation = {.C = 0};
+    if (geometry->conservative) {
+        struct sums sums = {.H1 = REAL_NAN};
+        enum dom_status status = chain_sum(geometry, head, rough, &sums);
+        *slope = sums.H1;
+        return status;
+    }
     if (rough) {
         *slope = -num_linear_moved(&geometry->flow->solution, tilt_angle(head), REAL_EPSILON) / REAL_EPSILON;
         return DOM_OK;

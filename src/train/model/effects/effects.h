@@ -42,15 +42,6 @@ KERNEL enum dom_status dynamics_read(const struct request *train, struct geometr
  * used. */
 KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry);
 
-static inline bool dynamics_on(dom_real value)
-{
-    return value != 0;
-}
-
-/* Some effects only change the time scale tau. Returns the number of the first effect that is on and changes
- * anything else, or DOM_DYNAMICS_COUNT if there is none. */
-KERNEL int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT]);
-
 /* Returns DOM_OK, or the status of the first effect whose value is outside its range. 0 (off) is always
  * allowed. */
 KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT]);

@@ -25,7 +25,7 @@ KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT]
     enum dom_status status = DOM_OK;
     geometry->conservative = true;
     for (int i = 0; i < DOM_DYNAMICS_COUNT && status == DOM_OK; i++)
-        if (dynamics_on(effect[i]))
+        if (effect[i] != 0)
             status = terms[i]->apply(geometry, (real)effect[i]);
     return status;
 }
@@ -35,7 +35,7 @@ KERNEL void dynamics_of_domino(const struct row_request *row, size_t k, dom_real
 /* without a loop, so that effects of which all dominoes have the same value cost nothing */
 #define DYNAMICS_VALUE(name, member, status)                                                                 \
     effect[DOM_EFFECT_##name] = row->effect[DOM_EFFECT_##name];                                              \
-    if (name##_terms.of_domino && dynamics_on(effect[DOM_EFFECT_##name]))                                    \
+    if (name##_terms.of_domino && effect[DOM_EFFECT_##name] != 0)                                            \
         effect[DOM_EFFECT_##name] = name##_terms.of_domino(row, k);
     DOM_DYNAMICS(DYNAMICS_VALUE)
 #undef DYNAMICS_VALUE
@@ -57,14 +57,6 @@ KERNEL enum dom_status dynamics_make(const struct request *train, struct geometr
     return status;
 }
 
-KERNEL int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT])
-{
-    int k = 0;
-    while (k < DOM_DYNAMICS_COUNT && (!dynamics_on(effect[k]) || effects[k]->cancels))
-        k++;
-    return k;
-}
-
 KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
 {
 #define STATUS(effect, member, status) status,
@@ -72,7 +64,7 @@ KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
 #undef STATUS
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++) {
         const struct dom_effect_argument *argument = effects[k]->argument;
-        if (dynamics_on(effect[k]) && !(effect[k] >= argument->lowest && effect[k] <= argument->highest))
+        if (effect[k] != 0 && !(effect[k] >= argument->lowest && effect[k] <= argument->highest))
             return bad[k];
     }
     return DOM_OK;
@@ -81,7 +73,7 @@ KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
 KERNEL_SHARED bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT])
 {
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
-        if (dynamics_on(effect[k]) && effects[k]->dissipates)
+        if (effect[k] != 0 && effects[k]->dissipates)
             return true;
     return false;
 }
@@ -91,8 +83,10 @@ KERNEL_SHARED bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT])
 const struct dom_effect *dom_first_effect(const struct dom_train *train)
 {
     const dom_real value[] = {DOM_DYNAMICS(VALUE)};
-    int k = dynamics_first(value);
-    return k < DOM_DYNAMICS_COUNT ? effects[k] : NULL;
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        if (value[k] != 0 && !effects[k]->cancels)
+            return effects[k];
+    return NULL;
 }
 
 bool dom_dissipates(const struct dom_train *train)

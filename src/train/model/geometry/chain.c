@@ -95,7 +95,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     enum dom_status status = train_tilted(train, theta, &geometry, &head);
     struct sums sums = {0};
     if (status == DOM_OK)
-        status = chain_sum(&geometry, head, &sums);
+        status = chain_sum(&geometry, head, false, &sums);
     if (status != DOM_OK)
         return status;
     struct link k = link_head(&geometry, head, geometry.rolls);

@@ -96,11 +96,9 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
 
 /* ---- The passes ---- */
 
-/* Finds J and H1. */
-KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
-
-/* Finds H1. If `sign` is true, only its sign is reliable, and the pass ends early. */
-KERNEL enum dom_status chain_slope(const struct geometry *geometry, struct tilt head, bool sign, real *H1);
+/* Finds J and H1. If `sign` is true, only the sign of H1 is reliable, and the pass ends early. */
+KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, bool sign,
+                                 struct sums *sums);
 
 /* The passes that compare two chains: one whose head is at the tilt `head`, and one with its head at `from`.
  * Each pass computes J and dH = H(head) - H(from). */

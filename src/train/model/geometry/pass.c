@@ -101,19 +101,11 @@ KERNEL_LOOP enum dom_status sum_by(const struct geometry *geometry, struct tilt 
     return pass_result(geometry, a, 0, link->i + 1, sums);
 }
 
-KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
+KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, bool sign,
+                                 struct sums *sums)
 {
-    return geometry->rolls ? sum_by(geometry, head, false, true, sums)
-                           : sum_by(geometry, head, false, false, sums);
-}
-
-KERNEL enum dom_status chain_slope(const struct geometry *geometry, struct tilt head, bool sign, real *H1)
-{
-    struct sums sums = {.H1 = REAL_NAN};
-    const enum dom_status status = geometry->rolls ? sum_by(geometry, head, sign, true, &sums)
-                                                   : sum_by(geometry, head, sign, false, &sums);
-    *H1 = sums.H1;
-    return status;
+    return geometry->rolls ? sum_by(geometry, head, sign, true, sums)
+                           : sum_by(geometry, head, sign, false, sums);
 }
 
 /* ---- The equation of motion at one tilt ---- */

@@ -32,20 +32,6 @@ KERNEL enum dom_status limit_uncertainty(struct margin_context *c, const struct 
     return DOM_OK;
 }
 
-static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
-                                    struct dom_limit *result)
-{
-    real uncertainty = REAL_NAN;
-    const bool open = isfinite(limit->open);
-    enum dom_status status = limit->ends == DOM_END_NONE ? DOM_OK : limit_uncertainty(c, limit, &uncertainty);
-    *result = (struct dom_limit){.r_max = limit->r_max,
-                                 .ends = limit->ends,
-                                 .why = limit->why,
-                                 .uncertainty = uncertainty,
-                                 .open = open ? limit->open : REAL_NAN};
-    return status == DOM_OK && open ? DOM_OPEN : status;
-}
-
 static const struct limit no_limit = {
     .r_max = REAL_NAN, .ends = DOM_END_NONE, .open = (real)INFINITY, .dip = (real)INFINITY};
 
@@ -96,15 +82,6 @@ KERNEL void limit_begin(struct margin_context *c)
     c->geometry.effort_most = c->geometry.rolls ? 7000000 : c->geometry.conservative ? 60000000 : 15000000;
 }
 
-KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit)
-{
-    struct margin_context c = margin_of_train(train);
-    struct limit found;
-    limit_begin(&c);
-    enum dom_status status = limit_find(&c, &found);
-    return status == DOM_OK ? limit_public(&c, &found, limit) : status;
-}
-
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
 {
     *found = no_limit;
@@ -134,11 +111,33 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     return status;
 }
 
+static enum dom_status limit_answer(struct margin_context c, bool pair, struct dom_limit *limit)
+{
+    struct limit found;
+    real uncertainty = REAL_NAN;
+    limit_begin(&c);
+    enum dom_status status = c.status != DOM_OK ? c.status
+                             : pair             ? pair_find(&c, &found)
+                                                : limit_find(&c, &found);
+    if (status != DOM_OK)
+        return status;
+    const bool open = isfinite(found.open);
+    if (found.ends != DOM_END_NONE)
+        status = limit_uncertainty(&c, &found, &uncertainty);
+    *limit = (struct dom_limit){.r_max = found.r_max,
+                                .ends = found.ends,
+                                .why = found.why,
+                                .uncertainty = uncertainty,
+                                .open = open ? found.open : REAL_NAN};
+    return status == DOM_OK && open ? DOM_OPEN : status;
+}
+
+KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit)
+{
+    return limit_answer(margin_of_train(train), false, limit);
+}
+
 KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit)
 {
-    struct margin_context c = margin_of_pair(train);
-    struct limit found;
-    limit_begin(&c);
-    enum dom_status status = c.status == DOM_OK ? pair_find(&c, &found) : c.status;
-    return status == DOM_OK ? limit_public(&c, &found, limit) : status;
+    return limit_answer(margin_of_pair(train), true, limit);
 }

@@ -62,7 +62,7 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct start *start = &st->start;
     struct sums at = {.J = start->J};
     enum dom_status status =
-        st->summed == st->geometry.n ? DOM_OK : chain_sum(&st->geometry, start->from, &at);
+        st->summed == st->geometry.n ? DOM_OK : chain_sum(&st->geometry, start->from, false, &at);
     /* If r s = 1, a domino detaches as soon as the motion begins. It takes no kinetic energy away. So J
      * decreases, and omegasq grows by the same factor. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;

@@ -134,7 +134,7 @@ static enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
         run->hooks->begins(run, k);
     struct sums at = {0};
     d->st.geometry.n = run->moving;
-    enum dom_status status = chain_sum(&d->st.geometry, rest, &at);
+    enum dom_status status = chain_sum(&d->st.geometry, rest, false, &at);
     const real J = at.J, kinetic = J * run->omegasq;
     /* if the head touches the next domino from the start, there is no segment, and these values remain */
     d->J0 = d->st.start.J = J;
