@@ -339,13 +339,6 @@ END
     [[ $(wc -l <<<"$output") -ge 2 && $stderr == *'nested too deeply'* ]]
 }
 
-# bats test_tags=sweeps
-@test "an argument without parentheses: the message shows them" {
-    wrong 'print energy 0' "in an expression, the argument of 'energy' stands in parentheses: 'energy[(]0[)]'"
-    wrong 'print 2*omega 0.1' "'omega[(]0.1[)]'"
-    wrong 'assert rmax > 1.6' "put a comparison in parentheses, as in 'assert [(]rmax[(]0.4[)] > 1.6[)]'"
-}
-
 @test "print of a text writes it as echo does" {
     same 'print of a text' 'a;b > 4' "$("$DOMINO" -e 'print "a;b > 4"')"
     wrong 'print "a" b' "print: VALUE at '\"a\"': a value is missing"

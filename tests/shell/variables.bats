@@ -62,7 +62,7 @@ END
     wrong 'let x =' "the value of 'x' is missing"
     wrong 'let f(a,b,c,d,e) = 3' 'a function with 1 to 4 arguments'
     wrong 'let f(a,a) = 3' "two values of 'f' have the same name 'a'"
-    wrong 'let f(a) = a +' "ends before '\+'"
+    wrong 'let f(a) = a +' "'\+' is one argument too many"
     wrong 'let f(a) = a; f(1, 2)' "'f\(a\)' takes 1 value"
     wrong 'let f(a) = foo*a; f(1)' "in 'f\(a\)': 'foo' has no value"
     wrong 'let f(a) = f(a); f(1)' "'f\(a\)' uses itself"

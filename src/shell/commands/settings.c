@@ -29,7 +29,6 @@ enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
 /* The cells of a parameter's row in the table, and buffers for the texts that the cells point to. */
 struct shown {
     char range[PARAMETER_RANGE], value[EFFECT_SETTING], fallback[WIDE_TEXT];
-    char unit[8];
     struct cell cell[SHOW_COLUMNS];
 };
 
@@ -55,18 +54,14 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
                  parameter_text(p, value, (int)query->state->settings.style.digits, number));
     const struct typed_length *length = &query->scene->length[p->share];
     char typed[LENGTH_TEXT];
-    const char *unit = people && p->effect ? "" : p->value->unit;
     const bool is_length = people && length->m > 0 && value != EFFECT_OFF;
+    const char *unit = is_length || (people && p->effect) ? "" : p->value->unit;
     if (is_length) {
         char setting[EFFECT_SETTING];
         snprintf(setting, sizeof setting, "%s", shown->value);
         const char *others = p->effect ? strchr(setting, ',') : NULL; /* as in "18 mm, 0.3 m" */
-        length_write(length->m, length->unit, typed);
-        unit = strchr(typed, ' ') + 1;
-        snprintf(shown->value, sizeof shown->value, "%.*s%s", others ? LENGTH_TEXT : (int)(unit - 1 - typed),
-                 typed, others ? others : "");
-        snprintf(shown->unit, sizeof shown->unit, "%.7s", others ? "" : unit);
-        unit = shown->unit;
+        snprintf(shown->value, sizeof shown->value, "%s%s", length_write(length->m, length->unit, typed),
+                 others ? others : "");
         text_add(shown->range, sizeof shown->range, " %s", p->value->unit);
     }
     snprintf(shown->fallback, sizeof shown->fallback, "%s", parameter_text(p, fallback, 6, number));

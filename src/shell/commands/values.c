@@ -81,18 +81,13 @@ static bool run_print(const struct query *query, struct answer *a, struct proble
     int digits = (int)a->style.digits;
     if (digits < 15 && q.value == quad(floor)(q.value))
         digits = 15; /* an integer is shown with up to 15 digits */
-    bool people = answer_for_people(a);
-    struct cell cell = {.kind = CELL_NONE};
-    if (!people)
-        cell = cell_without_error(q.value);
-    if (people)
+    const struct cell cell = cell_without_error(q.value);
+    if (answer_for_people(a))
         answer_say(a, *unit ? "%s %s" : "%s", quad_text(q.value, digits), unit);
-    else if (cell_vanishes(&a->style, cell)) {
-        char reason[ANSWER_REASON];
-        snprintf(reason, sizeof reason, "the value is closer to 0 than %s precision can represent",
-                 any_arithmetic(query->scene->compute.precision).name);
-        answer_row(a, ROW({.kind = CELL_NONE}, cell_word(unit)), reason);
-    } else
+    else if (cell_vanishes(&a->style, cell))
+        answer_row(a, ROW({.kind = CELL_NONE}, cell_word(unit)),
+                   "the value is closer to 0 than this precision can represent");
+    else
         answer_cells(a, cell, cell_word(unit));
     return true;
 }
@@ -104,26 +99,6 @@ struct definition {
     struct variable variable;
     struct item value;
 };
-
-/* Parses the body of a function. Its names are resolved only when the function is called. */
-static bool body_parse(struct reader *r, struct variable *v)
-{
-    char word[NAMES_SHOWN];
-    const char *begin = r->at;
-    struct item body;
-    r->unresolved = true;
-    r->last = false;
-    if (!item_parse(r, &(struct argument){.name = v->name, .kind = ARGUMENT_ANY}, &body))
-        return false;
-    v->body = reader_copy(r, begin, (size_t)(r->at - begin));
-    if (!reader_ends(r)) {
-        reader_place(r, r->at);
-        snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;"), r->at);
-        return problem_error(r->problem, "the definition of the function ends before '%s'",
-                             names_shown(word));
-    }
-    return v->body != NULL;
-}
 
 static bool definition_parse(struct reader *r, struct question *q)
 {
@@ -152,14 +127,17 @@ static bool definition_parse(struct reader *r, struct question *q)
         return problem_error(r->problem,
                              "the value of '%s' is missing; enter, for example, 'let %s = 0.9*rmax'", v->name,
                              v->name);
-    if (v->count > 0)
-        return body_parse(r, v);
     struct argument *a = reader_memory(r, sizeof *a);
     if (!a)
         return false;
     *a = (struct argument){.name = v->name, .kind = ARGUMENT_ANY};
-    r->last = true;
-    return item_parse(r, a, &d->value);
+    value = r->at;
+    r->unresolved = v->count > 0; /* the names in a function are resolved when the function is called */
+    r->last = !r->unresolved;
+    if (!item_parse(r, a, &d->value))
+        return false;
+    v->body = r->unresolved ? reader_copy(r, value, (size_t)(r->at - value)) : NULL;
+    return v->body || !r->unresolved;
 }
 
 static bool definition_bind(const struct question *q, const struct query *query, struct arguments *given,

@@ -153,10 +153,6 @@ static bool command_resolve(struct reader *r, struct tree *t, const struct comma
     if (most < 0)
         return fail(r, t, "'%s' cannot be used in an expression: it needs an argument that is not a number",
                     command_usage(c));
-    const char *next = skip_blanks(t->at + name_length(t->at));
-    if (!t->called && !t->key && fewest == 1 && isdigit((unsigned char)next[*next == '.']))
-        return fail(r, t, "in an expression, the argument of '%s' stands in parentheses: '%s(%.*s)'", c->name,
-                    c->name, (int)strcspn(next, " \t;,)"), next);
     if (t->count == 0 && fewest == 1)
         return fail(r, t, "'%s' needs a value in parentheses: '%s(%s)%s%s'", c->name, c->name,
                     c->argument[0].name, t->key ? "." : "", t->key ? t->key : "");
