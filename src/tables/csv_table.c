@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/feature.h"
-#include "interpreter/reader.h"
+#include "interpreter/question.h"
 #include "io/escape.h"
 #include "io/io.h"
 #include "language/quad.h"

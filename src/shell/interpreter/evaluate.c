@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Evaluates trees. The value of a comparison is 1 if it is true, and 0 if it is false. As a condition, every
  * number except 0 is true. */
-#include "interpreter/expression.h"
+#include "interpreter/question.h"
 #include "language/quad.h"
 #include <stdlib.h>
 #include <string.h>

@@ -11,7 +11,7 @@
 #ifndef SHELL_INTERPRET_H
 #define SHELL_INTERPRET_H
 
-#include "interpreter/reader.h"
+#include "interpreter/question.h"
 #include "session/session.h"
 
 /* Runs the commands in a string of one or more lines. ';' separates commands, and '#' begins a comment. After

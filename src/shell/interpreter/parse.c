@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parses expressions by recursive descent. */
 #include "interpreter/feature.h"
-#include "interpreter/reader.h"
+#include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "language/variables.h"

@@ -11,7 +11,227 @@
 #ifndef SHELL_QUESTION_H
 #define SHELL_QUESTION_H
 
-#include "interpreter/reader.h"
+#include "interpreter/command.h"
+#include "language/text.h"
+#include "language/variables.h"
+#include "session/query.h"
+
+/* ---- Expressions (parse.c, evaluate.c) ---- */
+
+/*
+ * Expressions: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin, if(r > 1.5, 1, 0).
+ *
+ * The parser turns an expression into a tree. Evaluation does not change the tree, so threads can share it.
+ *
+ * A chain is a node for several operators of the same precedence, as in "a - b + c". Its children are the
+ * operands a, b and c. Each operand except the first stores the operator before it.
+ *
+ * A blank ends an expression unless an operator follows, so a line can hold several expressions. After a
+ * blank, a sign directly before a value belongs to that value: "1 - 2" is one expression, but "1 -2" is two.
+ * In parentheses, there is only one expression, so "(1 -2)" is a difference.
+ */
+
+/*
+ * How deeply values may be nested. Parsing and evaluating are recursive, and the parser counts the levels: a
+ * parenthesis, a sign, an exponent and a call take one level each. A function that 'let' defines adds the
+ * levels of its body. A "with" needs more stack than the others, so it counts as several levels.
+ */
+enum { NESTING_MOST = 200, NESTING_WITH = 4 };
+#define NESTED_TOO_DEEPLY "the expression is nested too deeply"
+
+/* The parser makes a TREE_NAME for each name that is not built in. The callback reader.names then resolves
+ * the name and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its
+ * names have been resolved. */
+enum tree_kind {
+    TREE_NUMBER,
+    TREE_NAME,
+    TREE_SYMBOL,
+    TREE_FUNCTION,
+    TREE_MINUS,
+    TREE_CHAIN,
+    TREE_NOT,
+    TREE_IF
+};
+
+enum tree_operator {
+    OPERATOR_NONE,
+    OPERATOR_OR,
+    OPERATOR_AND,
+    OPERATOR_LESS,
+    OPERATOR_AT_MOST,
+    OPERATOR_MORE,
+    OPERATOR_AT_LEAST,
+    OPERATOR_EQUAL,
+    OPERATOR_UNEQUAL,
+    OPERATOR_PLUS,
+    OPERATOR_MINUS,
+    OPERATOR_TIMES,
+    OPERATOR_OVER,
+    OPERATOR_POWER,
+};
+
+struct function;
+struct reader;
+
+struct tree {
+    enum tree_kind kind;
+    enum tree_operator op; /* for an operand of a chain: the operator before the operand */
+    /* Where an error in the operation `op` is reported: at the operator or, for '^', at the exponent. */
+    const char *op_at;
+    const char *at;        /* where an error in this node is reported */
+    struct quantity value; /* TREE_NUMBER: the number; TREE_SYMBOL: the unit, if the name has one */
+    /* TREE_NAME: in "ans.margin", the name is "ans" and the key is "margin". Without '.', the key is NULL. */
+    const char *name, *key;
+    bool called;               /* TREE_NAME: the name is followed by arguments in parentheses */
+    int count;                 /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */
+    struct tree *child, *next; /* the first child and the next sibling of this node */
+    const struct function *function; /* TREE_FUNCTION: the function */
+    /* TREE_SYMBOL: the next three members are set by the code that resolves names */
+    int symbol, index;
+    const void *refers;
+};
+
+/* Report an error in an expression: one in the expression itself, or one that depends on the values of
+ * parameters, and need not occur with other values. Both are false, so that a function that fails can end
+ * with `return expression_wrong(...)`. */
+#define expression_wrong(problem, at_, ...) ((problem)->at = (at_), problem_error(problem, __VA_ARGS__))
+#define expression_no_value(problem, at_, ...)                                                               \
+    ((problem)->at = (at_), problem_no_answer(problem, __VA_ARGS__))
+
+/* Parses the longest expression at the reader's position, and moves the reader to its end. After an error,
+ * sets the reader's problem, leaves the reader at the place of the error, and returns NULL. */
+struct tree *expression_parse(struct reader *reader);
+
+struct rows;
+
+struct evaluation {
+    struct problem *problem;
+    const struct query *query;
+    const struct quantity *argument; /* the arguments of the 'let' function that is being evaluated */
+    struct rows *rows;               /* the table of the aggregate that is being evaluated */
+    /* Computes the value of a TREE_SYMBOL. Returns false after an error. */
+    bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
+    void *context; /* for `symbol` */
+    /* the number of radians in the session's angle unit, which applies to angles typed without a unit */
+    domq_real angle;
+};
+
+/* After an error, sets evaluation->problem and returns false. */
+bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
+
+/* Returns the built-in function with this name, or NULL. Stores the number of arguments of the function in
+ * *arguments. */
+const struct function *function_find(const char *name, int *arguments);
+
+/* A names_list (see names.h) of the built-in names. */
+const char *expression_names(const void *context, int k);
+
+/* ---- The reader (reader.c) ---- */
+
+/* The reader: a position in the line that is being parsed, and functions that read words from this
+ * position. */
+enum { OFFER_LISTS = 16 };
+
+/* What completion offers at the cursor, besides names and values. */
+enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
+
+/* What the user may type next, for completion. To find out, the line is parsed with a
+ * special cursor character at its end. Each parsing function that reaches this character records what it
+ * would accept there. The function then fails, unless it accepts arbitrary text, such as a file name. */
+struct offer {
+    const char *cursor;
+    int lists; /* the number of lists whose names may be typed at the cursor */
+    names_list *names[OFFER_LISTS];
+    const void *context[OFFER_LISTS];
+    /* The argument whose expression is at the cursor. If there is no such argument, its kind is
+     * ARGUMENT_NONE. */
+    struct argument value;
+    bool is_inside;                    /* the cursor is not at the beginning of the expression */
+    unsigned kinds;                    /* bits of enum offer_kind */
+    const struct command *command;     /* the command whose argument is at the cursor, or NULL */
+    const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
+};
+
+struct routine;
+
+struct reader {
+    /* The query whose state determines which names are known. NULL if no names are, as in a csv file. */
+    const struct query *query;
+    struct problem *problem;
+    const struct text *text; /* the line; NULL for the body of a function, where problems have no column */
+    const char *at;          /* the next character */
+    struct arena *arena;     /* the memory for parsed expressions and words */
+    /* Additional characters that end a word or value, such as ','. May be NULL. */
+    const char *stops;
+    /* Letters that are names, not units, when they stand alone after a blank. For example, if the letters are
+     * "sg", then the s in "r 2 s 0.3" is the parameter s, not seconds. If this member is not NULL, the word
+     * "feet" after a blank is also a name, because there is an effect called feet. */
+    const char *no_unit;
+    int depth, deepest; /* the level of the next value, counted up to NESTING_MOST, and the largest so far */
+    int nested, nodes;  /* the numbers of open parentheses and of nodes in the expression */
+    /* Resolves a name whose arguments have been parsed. On failure, sets the problem and returns false. If
+     * the pointer is NULL, names stay as they are. */
+    bool (*names)(struct reader *reader, struct tree *name);
+    /* Parses a "with" after a value in parentheses, as in "(rmax with q hollow d 0.1)". The reader is at the
+     * "with". Returns a tree for the value and its "with", or NULL after an error. */
+    struct tree *(*with)(struct reader *reader, struct tree *value);
+    const struct variable *scope; /* the function whose body is being parsed, or NULL */
+    struct routine *routines;     /* the 'let' functions that the command has used so far */
+    bool unresolved;     /* names in expressions are left unresolved, as in the definition of a function */
+    bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
+    bool last;           /* the last argument of the command is being read */
+    bool details;        /* the word 'details' may end the command */
+    struct offer *offer; /* records what may be typed; NULL unless the line is only previewed */
+};
+
+/* Returns the offer in which to record what may be typed, or NULL if the reader is not at the cursor. A '"'
+ * directly before the cursor counts as the cursor. */
+static inline struct offer *reader_offer(const struct reader *r)
+{
+    struct offer *o = r->offer;
+    return o && (r->at == o->cursor || (*r->at == '"' && r->at + 1 == o->cursor)) ? o : NULL;
+}
+
+/* If the reader is at the cursor, these functions record what may be typed there. */
+void offer_kind(const struct reader *reader, enum offer_kind kind);
+void offer_names(const struct reader *reader, names_list *list, const void *context);
+void offer_value(const struct reader *reader, const struct argument *argument, bool is_inside);
+
+/* Sets the place of the next problem to the column of `at`. */
+void reader_place(const struct reader *reader, const char *at);
+
+static inline bool command_ends(const char *c)
+{
+    return *c == '\0' || *c == ';' || *c == '#';
+}
+
+/* Skips blanks. Returns true if there are no more arguments, because the command ends here, or because there
+ * is a '>', one of the words 'with' and 'details', or one of the characters in `stops`. */
+bool reader_ends(struct reader *reader);
+
+/* Returns true if the next word is `word`, not a longer word that begins with `word`. */
+bool word_is_next(const struct reader *reader, const char *word);
+
+/* If the next word is `word`, skips this word with the blanks after it and returns true. If the reader is at
+ * the cursor, completion offers `word`. */
+bool reader_takes(struct reader *reader, const char *word);
+
+/* Return zeroed memory, and a copy of the first `length` bytes of a string, in the arena. If memory runs out,
+ * set the reader's problem and return NULL. */
+void *reader_memory(struct reader *reader, size_t size);
+char *reader_copy(struct reader *reader, const char *text, size_t length);
+
+/* Reads a word, up to a blank, a ';' or one of the characters in `stops`, and returns a copy in the arena. If
+ * `quotes` is true, it may also be a string in double quotes, in which '""' stands for one '"'. If the
+ * closing quote is missing, sets the reader's problem and returns NULL. */
+char *read_word(struct reader *reader, bool quotes);
+
+/* Reads a word or quoted text as it was typed, without replacing Greek letters. */
+char *read_text(struct reader *reader);
+
+/* Reads the name of a file, which may be in double quotes. Replaces '~' or '~USER' at the beginning of the
+ * name with a home directory. */
+char *read_file(struct reader *reader);
 
 /* ---- Commands (command_read.c) ---- */
 

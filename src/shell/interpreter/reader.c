@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/reader.h"
+#include "interpreter/question.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
