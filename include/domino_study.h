@@ -69,12 +69,9 @@ struct dom_window {
  * thicknesses or leans (row->count windows), or of friction (one window).
  *
  * If the row falls, a window is the interval around the current value. If it does not, the window is the
- * interval nearest to the current value, on either side: a value in it mends the row. If the fall ends at
- * domino k, only the dominoes from k - 29 to k + 1 have windows, and if the gap after domino k is too wide to
- * reach across, no other gap has one. If the current value is larger than all that are tried, as for a gap
- * out of reach, and the row falls with the largest of these, the window extends from there downwards.
- *
- * These values are tried:
+ * nearest interval, on either side: a value in it mends the row. If the fall ends at domino k, only the
+ * dominoes from k - 29 to k + 1 have windows, and if the gap after domino k is too wide to reach across, no
+ * other gap has one. These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
  * - places up to the next domino, as long as the gap before the domino stays in the range of gaps,
  * - heights and thicknesses from 1/100 to 4 times the current one, if the domino can stand on the slope, and
@@ -82,11 +79,10 @@ struct dom_window {
  * - frictions from 0 to 2, or to 4 times the current friction if that is more, but at most DOM_MU_HIGHEST,
  * - leans in both directions, until the domino falls over by itself.
  *
- * In each direction, the search takes up to 40 steps of increasing length, of which the first is 1/64,000 of
- * the range, and then bisects. With an engine, there are up to 10 steps, the first is 1/1,000 of the range,
- * `low` and `high` have three digits, and a value for which it returns DOM_NOT_CONVERGED is outside the
- * window. All dominoes fall at `low` and at `high`. An interval that is narrower than a step can be missed,
- * within the window, too. Calls progress for each window. The statuses are those of dom_row_run.
+ * All dominoes fall at `low` and at `high`. In each direction, the search takes up to 40 steps of increasing
+ * length, of which the first is 1/64,000 of the range. An interval that is narrower than a step can be missed,
+ * within the window, too. With an engine, there are up to 10 steps, the first is 1/1,000 of the range, and
+ * `low` and `high` have three digits. Calls progress for each window. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -151,11 +147,9 @@ struct dom_design {
  * Finds a row, built like a train, that falls reliably: kinetic >= safety * barrier, in the endless train and
  * at each domino of the row after the first. train->s and train->r are not used.
  *
- * The search first finds the best separation s, at which a train with this safety has the largest growth r,
- * and so the fewest dominoes. r is then reduced until the last domino is exactly `height` tall. The
- * separation stays as close to the best one as the hall and the start of the row allow. If the row is too
- * long for the hall, the shortest row is tried, which may have up to 30 more dominoes. Separations are
- * multiples of 0.001; one at which a train or a row cannot be computed is skipped.
+ * The row has the fewest dominoes, and r is such that the last one is exactly `height` tall. The separation is
+ * a multiple of 0.001, as close to that of the largest growth as the hall and the start of the row allow. If
+ * the row is too long for the hall, the shortest row is tried, which may have up to 30 more dominoes.
  *
  * Unless `limits` is NULL, the row can be built: sizes and gaps are multiples of the grid, except the sizes
  * of the first domino and the height of the last, and every thickness is that of a board, if there are
@@ -273,8 +267,8 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
 enum dom_status dom_study_interval(struct dom_study *study);
 
 /* How precisely a row must be set up: the size of an error in its unit, or a factor for all errors, with its
- * 95 % interval. `sigma` is infinite if enough rows fall even with the largest size that is tried, and `low`
- * is 0 if there are too few rows for a lower bound. */
+ * 95 % interval. `sigma` is infinite if enough rows fall even with the largest size, and `low` is 0 if there
+ * are too few rows for a lower bound. */
 struct dom_budget {
     double sigma, low, high;
 };
@@ -295,22 +289,19 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
 /* ---- The most reliable row ---- */
 
 /*
- * Changes a row so that it falls as reliably as possible with the random errors of a placement. Writes the
- * row->count changed dominoes.
- *
- * study[0] counts how many rows of the placement fall before the changes, and study[1] how many fall after
- * them. The search uses other random rows, whose numbers follow those of the placement, and the model; an
- * engine runs only the rows that are counted. The result does not depend on placement->parallel.
+ * Changes a row so that it falls as reliably as possible with the random errors of a placement, and writes the
+ * row->count changed dominoes. study[0] counts how many rows of the placement fall before the changes, and
+ * study[1] how many fall after them. The search uses other random rows, whose numbers follow those of the
+ * placement, and the model; an engine runs only the rows that are counted.
  *
  * If the given row is within the limits, it is the result unless a more reliable row is found. If it is not,
  * the result is the best row found within the limits, even if it is less reliable. If none was found, the
  * result is the given row, and study[1].rows is 0.
  *
  * After an interrupt, the status is DOM_INTERRUPTED, and the result is the best row so far; if study[0].rows
- * is 0, the dominoes are not written. The status is DOM_BAD_HALL if the dominoes do not fit into the hall
- * even without gaps. If a member of the limits is outside its range, the status is DOM_BAD_THICKNESS (a
- * board), DOM_BAD_Q or DOM_BAD_GAP (the grid). Other statuses are those of
- * dom_placement_study.
+ * is 0, the dominoes are not written. The status is DOM_BAD_HALL if the dominoes do not fit into the hall even
+ * without gaps, and DOM_BAD_THICKNESS (a board), DOM_BAD_Q or DOM_BAD_GAP (the grid) if a member of the limits
+ * is outside its range. Other statuses are those of dom_placement_study.
  */
 enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,
                                 const struct dom_placement *placement, const struct dom_limits *limits,
