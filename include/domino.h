@@ -417,8 +417,7 @@ struct dom_effect {
 
 /* The descriptions of all effects. dom_effect returns one of them, or NULL if there is no such effect. */
 extern const struct dom_effect dom_effect_friction, dom_effect_slope, dom_effect_walls, dom_effect_edges,
-    dom_effect_air, dom_effect_drag, dom_effect_row, dom_effect_push, dom_effect_release,
-    dom_effect_placement, dom_effect_floor;
+    dom_effect_air, dom_effect_drag, dom_effect_row, dom_effect_push, dom_effect_release;
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
 /* Returns the first effect that is on in a train and changes anything besides tau, or NULL. */

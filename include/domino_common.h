@@ -96,7 +96,7 @@ enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
     X(edges, rho, DOM_BAD_RHO) X(air, air, DOM_BAD_AIR) X(drag, drag, DOM_BAD_DRAG)
 
 /* The effects that are not in DOM_DYNAMICS. They concern rows and questions about rows: X(effect). */
-#define DOM_EFFECTS(X) X(row) X(push) X(release) X(placement) X(floor)
+#define DOM_EFFECTS(X) X(row) X(push) X(release)
 
 /* All effects, in the order of DOM_DYNAMICS and DOM_EFFECTS. */
 enum dom_effect_name {

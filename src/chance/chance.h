@@ -8,11 +8,11 @@
 
 /* ---- Kinds of random error ---- */
 
-/* A kind of random error. Errors in gaps and heights belong to the effect 'placement'; every other kind has
- * an effect of its own. */
+/* A kind of random error. Errors in gaps and heights belong to the effect 'placement', which stands with the
+ * gaps; every other kind has an effect of its own. */
 struct error_kind {
     const char *name, *unit;    /* as in DOM_ERRORS */
-    struct parameter parameter; /* the effect as a parameter; not used for gaps and heights */
+    struct parameter parameter; /* the effect as a parameter; not used for heights */
     struct domq_effect effect;
 };
 /* The last one stands for "all": its value is a factor, without a unit. */

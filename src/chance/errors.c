@@ -31,11 +31,60 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
         .words = distributions}
 
 const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
+    /* 'placement' has the errors of gaps and of heights */
     [DOM_ERROR_gap] =
-        {
-            .name = "gap",
-            .unit = "m",
-        },
+        {.name = "gap",
+         .unit = "m",
+         .parameter = {.name = "placement",
+                       .value = error_kinds[DOM_ERROR_gap].effect.argument,
+                       .effect = &error_kinds[DOM_ERROR_gap].effect,
+                       .which = EFFECT_placement,
+                       .words = effect_words,
+                       .example =
+                           "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
+                       .to = 0.1},
+         .effect =
+             {
+                 .name = "placement",
+                 .synonyms =
+                     "probability chance errors precision accuracy error_gap error_height gaps heights",
+                 .adds = "random errors in the gaps, and in the heights if HEIGHTS is given",
+                 .help =
+                     "The row is set up many times. Each gap has a normally distributed error with the "
+                     "standard deviation SIGMA, which is a length, and each height has a relative error with "
+                     "the standard deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are limits, "
+                     "and all errors within them are equally likely. Dominoes that would overlap are moved "
+                     "until they touch. 'placement' counts how often all dominoes fall, gives the exact 95 "
+                     "% interval of Clopper and Pearson, and reports where rows stop. 'budget' finds the "
+                     "SIGMA at which a given share of the rows falls. With the same 'seed', row number i "
+                     "is always the same, with any number of 'threads'. Other errors have separate "
+                     "effects: error_place, error_thickness, error_mass, error_lean and error_radius for "
+                     "each domino, and error_friction, error_slope, error_floor and error_push for the "
+                     "whole row.",
+                 .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
+                           "pseudo-random numbers from GSL",
+                 .argument = {{.name = "SIGMA",
+                               .unit = "m",
+                               .meaning = "standard deviation of every gap",
+                               .lowest = 0,
+                               .highest = (domq_real)1e9,
+                               .usual = (domq_real)1 / 1000},
+                              {.name = "HEIGHTS",
+                               .unit = "",
+                               .meaning = "relative standard deviation of every height",
+                               .lowest = 0,
+                               .highest = 1,
+                               .usual = 0,
+                               .optional = true},
+                              {.name = "LIMITS",
+                               .unit = "",
+                               .meaning = "distribution of the errors: normal, or uniform within limits",
+                               .lowest = 0,
+                               .highest = 1,
+                               .usual = 0,
+                               .optional = true,
+                               .words = distributions}},
+             }},
     [DOM_ERROR_height] =
         {
             .name = "height",
@@ -124,7 +173,7 @@ const struct parameter *error_parameter(int k)
 
 int error_effect(int kind)
 {
-    return error_kinds[kind].effect.name ? error_kinds[kind].parameter.which : DOM_EFFECT_placement;
+    return error_kinds[kind].effect.name ? error_kinds[kind].parameter.which : EFFECT_placement;
 }
 
 bool scene_errors(const struct scene *scene, struct dom_random_error error[DOM_ERROR_COUNT])
@@ -133,7 +182,7 @@ bool scene_errors(const struct scene *scene, struct dom_random_error error[DOM_E
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
         const int effect = error_effect(k);
         const struct effect_state *state = &scene->effect[effect];
-        const bool placed = effect == DOM_EFFECT_placement;
+        const bool placed = effect == EFFECT_placement;
         const domq_real size = state->value[k == DOM_ERROR_height], limits = state->value[placed ? 2 : 1];
         error[k] = (struct dom_random_error){.size = state->on ? (double)size : 0,
                                              .uniform = state->on && limits != 0};

@@ -221,8 +221,8 @@ static bool effects_check(const struct scene *scene, struct problem *problem)
 {
     const unsigned known = 1U << DOM_EFFECT_friction | 1U << DOM_EFFECT_slope | 1U << DOM_EFFECT_edges |
                            1U << DOM_EFFECT_walls | 1U << DOM_EFFECT_row | 1U << DOM_EFFECT_push |
-                           1U << DOM_EFFECT_release | 1U << DOM_EFFECT_placement;
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+                           1U << DOM_EFFECT_release | 1U << EFFECT_placement;
+    for (int k = 0; k < EFFECT_feet; k++)
         if (scene->effect[k].on && !(known >> k & 1))
             return problem_error(problem,
                                  "the rigid-body engine runs this row because %s, but does not include %s; "

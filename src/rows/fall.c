@@ -258,7 +258,7 @@ static enum dom_status floor_find(struct falling *f)
  * false. */
 static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
 {
-    struct falling f = {.answer = a, .mu = query->scene->effect[DOM_EFFECT_floor].value[0]};
+    struct falling f = {.answer = a, .mu = query->scene->effect[EFFECT_floor].value[0]};
     const struct domq_verdict *v = &f.run.verdict;
     const struct scene_row *scene = &f.run.scene;
     if (!row_run_begin(query, problem, &f.run))
@@ -266,7 +266,7 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
     if (scene_has_masses(query->scene))
         columns_in_joules(a);
     enum dom_status status = DOM_OK;
-    if (query->scene->effect[DOM_EFFECT_floor].on)
+    if (query->scene->effect[EFFECT_floor].on)
         status = floor_find(&f);
     if (listed)
         columns_choose(a, &f, scene_has_masses(query->scene));
@@ -330,7 +330,7 @@ const struct column slip_columns[] = {
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct dom_floor f;
-    const struct effect_state *floor = &query->scene->effect[DOM_EFFECT_floor];
+    const struct effect_state *floor = &query->scene->effect[EFFECT_floor];
     const struct dom_train train = train_in_double(&query->scene->train);
     const struct dom_compute compute = compute_in_double(&query->scene->compute);
     const enum dom_status status = dom_cycle_floor(&train, &compute, &f);

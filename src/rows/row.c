@@ -371,7 +371,29 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-/* The effect 'row', which may come from a file, and whose dominoes may have been changed. */
+static const struct domq_effect floor_effect = {
+    .name = "floor",
+    .synonyms = "feet foot slip slide slippery ground",
+    .adds = "the friction that the floor needs so that no foot slips",
+    .help = "With this effect, answers report the friction coefficient that the floor "
+            "needs so that no foot slips, and which domino would slip first on a floor with the "
+            "friction coefficient MU. The motion is computed for feet that do not slip. Newton's law "
+            "for the centre of each block gives the force R of the floor on its foot: mass times "
+            "acceleration, minus gravity and the contact forces. The foot does not slip while "
+            "|R_x|/R_z is below MU. In the collision the same holds for the impulses; for the struck "
+            "domino the ratio is |1/2 - (1 + d^2)/(3 a)|/(d/2), which is 0 if the domino is hit at "
+            "its centre of percussion. If a domino would be lifted off the floor, no amount of "
+            "friction is enough.",
+    .source = "Newton's law for a hinged block; the centre of percussion is textbook mechanics",
+    .argument = {{.name = "MU",
+                  .unit = "",
+                  .meaning = "friction coefficient of the floor",
+                  .lowest = 0,
+                  .highest = (domq_real)1e6,
+                  .usual = (domq_real)0.5}},
+};
+
+/* The effects 'row', which may come from a file, and whose dominoes may have been changed, and 'floor'. */
 static const struct parameter *parameter(int k)
 {
     static const struct parameter row = {.name = "row",
@@ -382,7 +404,15 @@ static const struct parameter *parameter(int k)
                                          .example = "set row 13; fall; set row off",
                                          .load = rowfile_load,
                                          .save = row_changes_save};
-    return k == 0 ? &row : NULL;
+    static const struct parameter floor = {.name = "floor",
+                                           .value = floor_effect.argument,
+                                           .effect = &floor_effect,
+                                           .which = EFFECT_floor,
+                                           .words = effect_words,
+                                           .example =
+                                               "set row 5; set floor 0.4; fall; set floor off; set row off",
+                                           .to = 3};
+    return k == 0 ? &row : k == 1 ? &floor : NULL;
 }
 
 const struct feature rows_feature = {.name = "rows", .groups = groups, .parameter = parameter};

@@ -21,7 +21,7 @@ TEST(numbers_without_a_text)
     assert_string_equal(dom_end_text(DOM_END_REACH), "reach");
     assert_string_equal(dom_event_text(DOM_EVENT_HIT), "hit");
     assert_string_equal(dom_row_end_text(DOM_ROW_FALLS), "all fall");
-    assert_string_equal(domq_effect(DOM_EFFECT_floor)->name, "floor");
+    assert_string_equal(domq_effect(DOM_EFFECT_release)->name, "release");
 }
 
 /* Checks that the flag of the pool alone interrupts a study, and that nothing is written. */

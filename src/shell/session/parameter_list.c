@@ -122,9 +122,6 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define MORE_row .feature = "rows",
 #define MORE_push .share = SHARE_push, .example = "set push 3; rmax 0.4; set push off", RANGE(0, 30),
 #define MORE_release .example = "set release 20 deg; rmax 0.4; set release off", RANGE(0, 1.5),
-#define MORE_floor .feature = "rows", .example = "set row 5; set floor 0.4; fall; set floor off; set row off", RANGE(0, 3),
-#define MORE_placement .feature = "chance", RANGE(0, 0.1), \
-    .example = "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
 /* The first members of an entry: the name, and the meaning, the offset and the description of the value. */
 #define ENTRY(name_, member, unit_, meaning_, ...) \
@@ -194,6 +191,8 @@ static const struct parameter every_parameter[] = {
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
     DOM_DYNAMICS(DYNAMICS)
     DOM_EFFECTS(EFFECT)
+    {.name = "placement", .feature = "chance"},
+    {.name = "floor", .feature = "rows"},
     ENGINE_EFFECT(feet)
     ENGINE_EFFECT(bounce)
     ERROR_EFFECTS(ERROR_EFFECT)

@@ -24,7 +24,9 @@
 
 /* The numbers of the shell's effects continue after the library's last effect. */
 enum {
-    EFFECT_feet = DOM_EFFECT_COUNT,
+    EFFECT_placement = DOM_EFFECT_COUNT,
+    EFFECT_floor,
+    EFFECT_feet,
     EFFECT_bounce,
     EFFECT_ENGINE_END,
     EFFECTS_BEFORE_ERRORS = EFFECT_ENGINE_END - 1,
@@ -37,7 +39,7 @@ enum {
 /* Returns true for an effect that gives rows random errors. */
 static inline bool effect_is_random(int effect)
 {
-    return effect == DOM_EFFECT_placement || effect >= EFFECT_ENGINE_END;
+    return effect == EFFECT_placement || effect >= EFFECT_ENGINE_END;
 }
 
 /* First values of an effect that stand for the words "off" and "on". EFFECT_ON turns an effect on with its

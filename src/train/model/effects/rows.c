@@ -1,28 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects that change no law of motion: the floor, and what a row of its own has. */
+/* The effects that change no law of motion: a row, and how it starts. */
 #include "effects/effects.h"
-
-const struct dom_effect dom_effect_floor = {
-    .name = "floor",
-    .synonyms = "feet foot slip slide slippery ground",
-    .adds = "the friction that the floor needs so that no foot slips",
-    .help = "With this effect, answers report the friction coefficient that the floor "
-            "needs so that no foot slips, and which domino would slip first on a floor with the "
-            "friction coefficient MU. The motion is computed for feet that do not slip. Newton's law "
-            "for the centre of each block gives the force R of the floor on its foot: mass times "
-            "acceleration, minus gravity and the contact forces. The foot does not slip while "
-            "|R_x|/R_z is below MU. In the collision the same holds for the impulses; for the struck "
-            "domino the ratio is |1/2 - (1 + d^2)/(3 a)|/(d/2), which is 0 if the domino is hit at "
-            "its centre of percussion. If a domino would be lifted off the floor, no amount of "
-            "friction is enough.",
-    .source = "Newton's law for a hinged block; the centre of percussion is textbook mechanics",
-    .argument = {{.name = "MU",
-                  .unit = "",
-                  .meaning = "friction coefficient of the floor",
-                  .lowest = 0,
-                  .highest = (dom_real)1e6,
-                  .usual = (dom_real)0.5}},
-};
 
 const struct dom_effect dom_effect_row = {
     .name = "row",
@@ -93,47 +71,4 @@ const struct dom_effect dom_effect_release = {
                   .highest = (dom_real)1.5707963267948966,
                   .usual = (dom_real)0.3490658503988659}},
     .needs = 1U << DOM_EFFECT_row,
-};
-
-/* The words for the distribution of errors, indexed by the member `uniform` of struct dom_random_error. */
-static const char *const distributions[] = {"normal", "uniform", NULL};
-
-const struct dom_effect dom_effect_placement = {
-    .name = "placement",
-    .synonyms = "probability chance errors precision accuracy error_gap error_height gaps heights",
-    .adds = "random errors in the gaps, and in the heights if HEIGHTS is given",
-    .help = "The row is set up many times. Each gap has a normally distributed error with the "
-            "standard deviation SIGMA, which is a length, and each height has a relative error with "
-            "the standard deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are limits, "
-            "and all errors within them are equally likely. Dominoes that would overlap are moved "
-            "until they touch. 'placement' counts how often all dominoes fall, gives the exact 95 "
-            "% interval of Clopper and Pearson, and reports where rows stop. 'budget' finds the "
-            "SIGMA at which a given share of the rows falls. With the same 'seed', row number i "
-            "is always the same, with any number of 'threads'. Other errors have separate "
-            "effects: error_place, error_thickness, error_mass, error_lean and error_radius for "
-            "each domino, and error_friction, error_slope, error_floor and error_push for the "
-            "whole row.",
-    .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
-              "pseudo-random numbers from GSL",
-    .argument = {{.name = "SIGMA",
-                  .unit = "m",
-                  .meaning = "standard deviation of every gap",
-                  .lowest = 0,
-                  .highest = (dom_real)1e9,
-                  .usual = (dom_real)1 / 1000},
-                 {.name = "HEIGHTS",
-                  .unit = "",
-                  .meaning = "relative standard deviation of every height",
-                  .lowest = 0,
-                  .highest = 1,
-                  .usual = 0,
-                  .optional = true},
-                 {.name = "LIMITS",
-                  .unit = "",
-                  .meaning = "distribution of the errors: normal, or uniform within limits",
-                  .lowest = 0,
-                  .highest = 1,
-                  .usual = 0,
-                  .optional = true,
-                  .words = distributions}},
 };
