@@ -9,18 +9,8 @@
 
 /* ---- change and place: parsing ---- */
 
-/* An element of the linked list of selected dominoes. */
-struct selected {
-    struct row_range range;
-    /* An expression for the number of one domino. If numbers were typed, such as 4 or 3-7, `range` holds
-     * them, and item.argument is NULL. */
-    struct item item;
-    struct selected *next;
-};
-
 struct change_parsed {
-    struct selected *first; /* NULL selects all dominoes */
-    int count;
+    struct row_change *change; /* the selected dominoes */
     struct item value;
     bool is_set;   /* an '=' precedes the value */
     bool has_sign; /* the value begins with a sign */
@@ -44,38 +34,31 @@ static bool range_read(struct reader *r, struct row_range *range)
     return true;
 }
 
-static bool selected_parse(struct reader *r, struct selected *s)
-{
-    static const struct argument number = {.name = "K", .kind = ARGUMENT_COUNT};
-    const char *begin = r->at, *stops = r->stops;
-    reader_place(r, begin);
-    if (!r->offer && range_read(r, &s->range))
-        return s->range.first <= s->range.last ||
-               problem_error(r->problem, "'%zu-%zu' names no dominoes; write the smaller number first",
-                             s->range.first, s->range.last);
-    r->stops = ",";
-    bool good = item_parse(r, &number, &s->item);
-    r->stops = stops;
-    return good;
-}
-
 bool change_parse_dominoes(struct reader *r, struct question *q)
 {
-    struct change_parsed *c = q->parsed = reader_memory(r, sizeof *c);
+    size_t most = 1;
+    for (const char *at = r->at; *at; at++)
+        most += *at == ',';
+    struct change_parsed *parsed = q->parsed = reader_memory(r, sizeof *parsed);
+    struct row_change *c = parsed ? reader_memory(r, sizeof *c + most * sizeof *c->range) : NULL;
     if (!c)
         return false;
+    parsed->change = c;
     r->last = false;
     if (reader_takes(r, "all"))
         return true;
-    for (struct selected **last = &c->first;; last = &(*last)->next) {
-        *last = reader_memory(r, sizeof **last);
-        if (!*last || !selected_parse(r, *last))
-            return false;
-        c->count++;
+    for (;; r->at = skip_blanks(r->at + 1)) {
+        struct row_range *range = &c->range[c->ranges++];
+        reader_place(r, r->at);
+        if (!range_read(r, range))
+            return problem_error(r->problem, "this is no domino; write numbers as in 4,5 or 3-7, or 'all'");
+        if (range->first > range->last)
+            return problem_error(r->problem, "'%zu-%zu' names no dominoes; write the smaller number first",
+                                 range->first, range->last);
         const char *next = skip_blanks(r->at);
         if (*next != ',')
             return true;
-        r->at = skip_blanks(next + 1);
+        r->at = next;
     }
 }
 
@@ -130,19 +113,11 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
 static struct row_change *dominoes_bind(const struct question *q, const struct query *query,
                                         struct arguments *given, struct problem *problem)
 {
-    const struct change_parsed *parsed = q->parsed;
-    const size_t size = sizeof(struct row_change) + (size_t)parsed->count * sizeof(struct row_range);
-    domq_real number;
+    const struct row_change *selected = ((const struct change_parsed *)q->parsed)->change;
+    const size_t size = sizeof *selected + (size_t)selected->ranges * sizeof *selected->range;
     struct row_change *c = arguments_take(given, size, query, problem);
-    for (const struct selected *s = parsed->first; s && c; s = s->next) {
-        struct row_range *range = &c->range[c->ranges++];
-        *range = s->range;
-        if (!s->item.argument)
-            continue;
-        if (!item_bind(&s->item, q->text, query, NULL, &number, problem))
-            return NULL;
-        range->first = range->last = (size_t)number;
-    }
+    if (c)
+        memcpy(c, selected, size);
     return c;
 }
 
