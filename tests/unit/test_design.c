@@ -2,6 +2,8 @@
 /* Needs: planning */
 /* Designs, checked with the functions for trains and rows, and compared with all separations on a grid. */
 #include "support.h"
+#include <stddef.h>
+#include <string.h>
 
 static struct dom_wish wish_of(double height, double safety, double hall)
 {
@@ -230,32 +232,6 @@ TEST(closest_of_thin_dominoes)
     }
 }
 
-/* Checks the dominoes that both headers make of a train. */
-TEST(dominoes_of_a_train)
-{
-    struct dom_train train = dom_train_default();
-    struct domq_train wide = domq_train_default();
-    const struct dom_scale scale = {.h = 0.05, .g = 9.81};
-    const struct domq_scale wide_scale = {.h = scale.h, .g = scale.g};
-    struct dom_domino own[6];
-    struct domq_domino wide_domino[6];
-    train.q = 2.7;
-    train.r = 1.3;
-    wide.q = train.q;
-    wide.r = train.r;
-    dom_row_of_train(&train, &scale, 0.02, own, 6);
-    domq_row_of_train(&wide, &wide_scale, 0.02, wide_domino, 6);
-    for (int k = 0; k < 6; k++) {
-        const double size = pow(1.3, k), mass = 0.02 * pow(size, 1.7);
-        assert_near("height", own[k].height, 0.05 * size, 1e-14);
-        assert_near("thickness", own[k].thickness, train.d * 0.05 * size, 1e-14);
-        assert_near("gap", own[k].gap, k ? train.s * 0.05 * size : 0, 1e-14);
-        assert_near("mass", own[k].mass, mass, 1e-14);
-        assert_near("mass in quad", (double)wide_domino[k].mass, mass, 1e-14);
-        assert_near("height in quad", (double)wide_domino[k].height, 0.05 * size, 1e-14);
-    }
-}
-
 /* Checks that a design in whole millimetres describes dominoes of whole millimetres. */
 TEST(whole_millimetres)
 {
@@ -299,40 +275,32 @@ TEST(first_mass)
     }
 }
 
+/* Checks each member of a wish with values outside its range. */
 TEST(wrong_wishes)
 {
-    static const double bad[] = {0, -1, NAN, INFINITY};
+    static const struct {
+        size_t member;
+        enum dom_status status;
+        double values[4];
+    } wrong[] = {{offsetof(struct dom_wish, first), DOM_BAD_HEIGHT, {0, -1, NAN, INFINITY}},
+                 {offsetof(struct dom_wish, height), DOM_BAD_HEIGHT, {0, 0.048, NAN, INFINITY}},
+                 {offsetof(struct dom_wish, safety), DOM_BAD_SAFETY, {0, 1, NAN, INFINITY}},
+                 {offsetof(struct dom_wish, hall), DOM_BAD_HALL, {0, -1, NAN, 1}},
+                 {offsetof(struct dom_wish, g), DOM_BAD_G, {0, -1, NAN, INFINITY}},
+                 {offsetof(struct dom_wish, push), DOM_BAD_PUSH, {-1, -2, INFINITY, -INFINITY}}};
     struct dom_train train = dom_train_default();
+    struct dom_wish w = wish_of(1, 2, HUGE_VAL);
     struct dom_design d;
-    for (int k = 0; k < 4; k++) {
-        struct dom_wish w = wish_of(1, 2, HUGE_VAL), ok = w;
-        w.first = bad[k];
-        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HEIGHT);
-        w = ok, w.height = bad[k];
-        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HEIGHT);
-        w = ok, w.safety = bad[k];
-        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_SAFETY);
-        w = ok, w.g = bad[k];
-        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_G);
-        w = ok, w.hall = bad[k];
-        if (k < 3)
-            assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HALL);
-        w = ok, w.push = bad[k];
-        if (k % 2)
-            assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_PUSH);
-    }
-    struct dom_wish w = wish_of(0.048, 2, HUGE_VAL);
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HEIGHT);
-    w = wish_of(1, 1, HUGE_VAL);
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_SAFETY);
-    w = wish_of(1, 2, 1);
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_HALL);
-    w = wish_of(1, 2, HUGE_VAL);
-    train.d = 0;
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_D);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        for (int k = 0; k < 4; k++) {
+            struct dom_wish changed = w;
+            memcpy((char *)&changed + wrong[i].member, &wrong[i].values[k], sizeof(double));
+            assert_status(dom_design_find(&train, &changed, NULL, NULL, &d), wrong[i].status);
+        }
     volatile sig_atomic_t stop = 1;
     struct dom_compute compute = dom_compute_default();
     compute.interrupt = &stop;
-    train = dom_train_default();
     assert_status(dom_design_find(&train, &w, NULL, &compute, &d), DOM_INTERRUPTED);
+    train.d = 0;
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_D);
 }
