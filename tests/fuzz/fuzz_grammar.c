@@ -178,10 +178,11 @@ static const char *swept_names(const void *context, int k)
     return NULL;
 }
 
-static void put_grid(struct maker *m)
+/* Writes some of the names that an argument allows, each with up to four numbers. */
+static void put_grid(struct maker *m, names_list *names)
 {
     for (unsigned axes = 1 + pick(m, 3); axes > 0; axes--) {
-        put_name(m, model_names, NULL);
+        put_name(m, names, NULL);
         for (unsigned n = 1 + pick(m, 4), list = pick(m, 2); n > 0; n--) {
             put(m, " ");
             if (pick(m, 4))
@@ -191,20 +192,6 @@ static void put_grid(struct maker *m)
             put(m, list && n > 1 ? "," : "");
         }
         put(m, pick(m, 4) ? " " : " log ");
-    }
-}
-
-/* Writes one or two of the names that the argument allows, each with up to two numbers: the wishes of
- * 'design', or the parameter of 'solve' with its range. */
-static void put_wishes(struct maker *m, const struct argument *a)
-{
-    for (unsigned names = 1 + pick(m, 2); names > 0; names--) {
-        put_name(m, a->choices, NULL);
-        for (unsigned n = pick(m, 3); n > 0; n--) {
-            put(m, " ");
-            put_number(m);
-        }
-        put(m, " ");
     }
 }
 
@@ -226,9 +213,6 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
     case ARGUMENT_PARAMETER:
         *named = parameter_find(put_name(m, parameter_names, NULL));
         break;
-    case ARGUMENT_TOPIC:
-        put_name(m, topic_names, NULL);
-        break;
     case ARGUMENT_CHOICE:
     case ARGUMENT_PLACE:
         if (pick(m, 4))
@@ -248,10 +232,13 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
         put_name(m, expression_units, NULL);
         break;
     case ARGUMENT_GRID:
-        if (a->choices && a->choices != model_names)
-            put_wishes(m, a);
+        put_grid(m, a->choices ? a->choices : model_names);
+        break;
+    case ARGUMENT_WORDS:
+        if (pick(m, 2))
+            put_name(m, a->choices ? a->choices : topic_names, NULL);
         else
-            put_grid(m);
+            put_expression(m, 0);
         break;
     case ARGUMENT_COMMAND:
         if (a->choices && depth == 0) {
@@ -325,21 +312,7 @@ static void put_line(struct maker *m)
         put(m, pick(m, 2) ? " > " : " >> ");
         put_file(m);
     }
-    put_one(m, "\n|\n|\n|\n|\n|\n|\n|\n|\n|\n|\n|\n|; | # what\n|\r\n| \\\n");
-}
-
-/* Writes a command as a function. Every session begins with a few such lines, so that each command soon
- * occurs. */
-static void put_function(struct maker *m)
-{
-    put(m, "print ");
-    put_name(m, command_names, NULL);
-    put(m, "(");
-    for (unsigned n = pick(m, 4); n > 0; n--) {
-        put_number(m);
-        put(m, n > 1 ? "," : "");
-    }
-    put(m, ")\n");
+    put_one(m, "\n|\n|\n|\n|\n|\n|\n|\n|\n|\n|\n|\n|; | # what\n|\r\n");
 }
 
 /* ---- The scratch folder ---- */
@@ -390,8 +363,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!m.line)
         abort();
     bool safe = pick(&m, 2) == 0;
-    for (int functions = 0; functions < 4; functions++)
-        put_function(&m);
+    /* Every session begins with commands as functions, so that each command soon occurs. */
+    for (int functions = 0; functions < 4; functions++) {
+        put(&m, "print ");
+        put_name(&m, command_names, NULL);
+        put_call(&m, 4);
+        put(&m, "\n");
+    }
     for (int lines = 0; m.size > 0 && lines < 12; lines++)
         put_line(&m);
     fclose(m.line);

@@ -68,8 +68,7 @@ END
     close 'solve' 2 "$(json 'set row 3; solve r : max(row.height) = 4*h' | values value)" 1e-9
 }
 
-# bats test_tags=rows
-# bats test_tags=landmarks
+# bats test_tags=rows,landmarks
 @test "no column, no number, no row, or columns of different lengths: an error of one line" {
     all_wrong <<'END'
 7|print chain(0).weight|'chain' has no value: its answer is a table; .* as in 'sum.chain.0..weight.'
