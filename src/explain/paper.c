@@ -95,23 +95,6 @@ static bool is_reach(const struct table *t, domq_real r)
     return r * t->train->s >= 1 - (domq_real)1e-12;
 }
 
-/* Finds the smallest separation at which the growth is limited by the reach, r = 1/s. */
-static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
-{
-    const struct any_compute *compute = &t->state.scene.compute;
-    domq_real low = (domq_real)3 / 10, high = (domq_real)9 / 10;
-    enum dom_status status = DOM_OK;
-    t->train->fuel = fuel;
-    while (high - low > high * quad_larger(compute->tol, (domq_real)1e-9) && status == DOM_OK) {
-        struct domq_limit limit;
-        t->train->s = (low + high) / 2;
-        status = any_limit_rmax(t->train, compute, &limit);
-        *(status == DOM_OK && limit.ends == DOM_END_REACH ? &high : &low) = t->train->s;
-    }
-    (void)query_status(&t->query, t->problem, status);
-    return high;
-}
-
 /* Writes the rows for one kind of domino: the paper's figures, its equations, and the quiz: how many dominoes
  * are needed to topple the Domtoren, a tower of 112 m. */
 static void paper_rows(struct table *t)
@@ -126,9 +109,6 @@ static void paper_rows(struct table *t)
     }
     fuels_row(t, figure, "maximum of the curve: growth", DOMQ_NAN, "best.r_max");
     fuels_row(t, figure, "maximum of the curve: separation", DOMQ_NAN, "best.s");
-    const domq_real crossing = crossing_find(t, DOM_FUEL_PAPER);
-    paper_row(t, figure, "start of the curve 1/s: separation", DOMQ_NAN, crossing,
-              crossing_find(t, DOM_FUEL_EXACT), weights);
     t->train->s = (domq_real)4 / 10;
     fuels_row(t, "(25; c7)", "the fuel P for r = 1.5", t->train->s, "fuel");
     paper_row(t, "(50; d8)", "J(0) for r = 1.5, as printed", t->train->s,

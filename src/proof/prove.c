@@ -3,7 +3,7 @@
 #include "domino_proof.h"
 #include "interpreter/feature.h"
 #include "language/quad.h"
-#include "train/row_start.h"
+#include "train/falling.h"
 
 enum what { PROVE_RMAX, PROVE_PAIR, PROVE_BARRIER, PROVE_VERDICT, PROVE_COUNT };
 
@@ -163,7 +163,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
         return query_status(query, problem, status);
     bool is_known = least == most, is_enough = is_known && isfinite(least),
          goes_on = proof.verdict == DOM_PROVED_GOES_ON;
-    if (!start_find(query, &query->scene->train, (domq_real)most + 1, &start, problem))
+    if (!start_run(query, &query->scene->train, (domq_real)most + 1, &start, problem))
         return false;
     if (!start.falls)
         start_problem(query, &start, ends);

@@ -1,6 +1,60 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The commands of this feature, and the command 'effects'. */
 #include "interpreter/feature.h"
+#include "train/falling.h"
 #include "train/train.h"
+
+static const char *method_of(int effect)
+{
+    bool loses = effect_at(effect)->dissipates;
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        loses = loses || ((effect_at(effect)->needs >> k & 1) != 0 && effect_at(k)->dissipates);
+    return effect >= DOM_EFFECT_COUNT ? "engine" : loses ? "motion" : "balance";
+}
+
+static const struct column effects_columns[] = {
+    {"effect", "", "name of the effect", 9},
+    {"state", "", "off, or the values of the effect", 12},
+    {"method", "", "the quickest method that includes the effect: balance, motion or engine", 8},
+    {"adds", "", "what the effect adds to the paper's model", 40},
+    {"source", "", "source of the mathematics", 20},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_effects(const struct query *query, struct answer *a, struct problem *problem)
+{
+    (void)problem;
+    for (int k = 0; k < EFFECT_ENGINE_END; k++)
+        if (effect_exists(k))
+            column_fit(&answer_columns(a, a->columns)[1], effect_setting(query->scene, k));
+    for (int k = 0; k < EFFECT_COUNT && !answer_lost(a); k++)
+        /* there are many kinds of random errors, so only those that are on are listed */
+        if (effect_exists(k) && (k < EFFECT_ENGINE_END || query->scene->effect[k].on))
+            answer_cells(a, cell_word(effect_at(k)->name), cell_word(effect_setting(query->scene, k)),
+                         cell_word(method_of(k)), cell_word(effect_at(k)->adds),
+                         cell_word(effect_at(k)->source));
+    answer_say(a, "An effect that is off costs nothing. This scene is computed by %s.",
+               scene_has_engine(query->scene)          ? "the rigid-body engine"
+               : domq_dissipates(&query->scene->train) ? "the equation of motion"
+                                                       : "the energy balance");
+    return true;
+}
+
+static const struct command effect_commands[] = {
+    {.name = "effects",
+     .synonyms = "list switch scene",
+     .summary = "what effects there are, which are on, and what each adds",
+     .help = "Effects decide which of three methods finds the motion, from the quickest to the slowest: "
+             "the energy balance; the equation of motion, if friction or air takes energy; or a "
+             "rigid-body engine, for feet that slip and dominoes that bounce, which runs rows only. An "
+             "effect that is off costs no computing time. 'details' shows the methods and the sources.",
+     .example = "set friction 0.2; effects; set friction off",
+     .see = "set show",
+     .rows = true,
+     .brief = "effect state adds",
+     ANSWER(effects)},
+    {.name = NULL},
+};
 
 static const struct command_group groups[] = {
     {"One cycle of the train", "cycles", cycle_commands},

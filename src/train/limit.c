@@ -3,7 +3,6 @@
  * count. */
 #include "language/quad.h"
 #include "train/falling.h"
-#include "train/row_start.h"
 #include "train/train.h"
 #include <ctype.h>
 #include <math.h>
@@ -210,7 +209,7 @@ static bool tower_find(const struct query *query, struct tower *t, struct proble
         return problem_limit(problem, query->scene, status, &t->limit);
     if ((t->limit.ends != DOM_END_NONE &&
          !start_growths_find(query, &t->train, t->limit.r_max, &t->growth, problem)) ||
-        !start_find(query, &t->train, t->count.dominoes + 1, &t->start, problem))
+        !start_run(query, &t->train, t->count.dominoes + 1, &t->start, problem))
         return false;
     t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > t->count.dominoes);
     return true;

@@ -125,7 +125,6 @@ maximum of the curve: separation|3|null|0.432413|0.443615
 maximum of the curve: growth|3|null|2.202558|2.172869
 maximum of the curve: separation|4|null|0.520419|0.533651
 maximum of the curve: growth|4|null|1.831348|1.810436
-start of the curve 1/s|4|null|0.61901|0.61901
 two dominoes: largest growth|3|0.4|2.04654|2.04654
 112 m tower: dominoes, r = 1.5|4|null|20|20
 END

@@ -120,7 +120,3 @@ END
     grep -q 'The rigid-body engine ran the row because feet is on' <<<"$answer"
     same 'on ice' false "$(json 'effect row 2; effect feet 0.05; count 1 m' | values feasible)"
 }
-
-@test "count: the error bound of the last height is a few units in the last place" {
-    within 'height of the last domino' 1e-13 "$(json 'set errors on; count 112' | values last_height_error)" 'o > 0 && o < 1e-12'
-}

@@ -242,9 +242,6 @@ END
     for method in 'energy balance|slope 1 deg' 'equation of motion|friction 0.1; effect row 3' 'rigid-body engine|row 2; effect push 9; effect feet 0.5'; do
         "$DOMINO" -n -e "effect ${method#*|}; effects" | grep -q "computed by the ${method%|*}\.$"
     done
-    for of in 'motion friction' 'engine feet bounce' 'balance slope row floor'; do
-        for name in ${of#* }; do
-            same "of $name" "${of%% *}" "$(json effects | jq -r "select(.effect == \"$name\").method")"
-        done
-    done
+    same 'method of each' 'motion balance engine' \
+        "$(json effects | jq -r 'select(.effect == "friction" or .effect == "feet" or .effect == "slope").method' | paste -sd ' ')"
 }

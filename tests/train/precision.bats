@@ -25,12 +25,9 @@ quad() { # COMMANDS KEY DIGITS
 
 @test "quad: typed decimals and fractions are not rounded to double" {
     same '7/48' 0 "$(json 'set d 1; set precision quad; set d 7/48; print 7/48 - d' | values value)"
-    same 'also if it was typed in double' 0 "$(json 'set d 7/48; set precision quad; print d - 7/48' | values value)"
     same '0.1' 0.1 "$(json 'set s 0.1; set precision quad; show s' | values value)"
     same 'theta1' 0.1 "$(json 'set precision quad; theta1 0.1' | values theta)"
     same 'pi' 3.1415926535897932384626433832795028 "$(json 'set precision quad; print pi' | values value)"
-    same 'a second third' 0.3333333333333333333333333333333333 \
-        "$(json 'set precision quad; print 1/3' | values value | cut -c 1-36)"
 }
 
 @test "float, double, quad: numbers for programs have the fewest digits that round-trip" {
@@ -70,12 +67,7 @@ quad() { # COMMANDS KEY DIGITS
     same 3 1.64 "$(rmax 'set digits 3')"
     same 12 1.64422903953 "$(rmax 'set digits 12')"
     same 'no more than tol promises' 1.64422903953 "$(rmax 'set digits 30')"
-    same 'a finer tol' 1.64422903953515 "$(rmax 'set digits 30; set tol 1e-15')"
-    same 'a coarse one' 1.644 "$(rmax 'set tol 1e-4')"
     same quad 1.644229039535149107281365639 "$(rmax 'set precision quad; set digits 28')"
-    same 'whole numbers are whole' 1234567 "$("$DOMINO" -e 'print 1234567')"
-    same 'a seed, too' 4294967295 "$("$DOMINO" -e 'set seed 4294967295; show seed' | awk '$1 == "seed" { print $2 }')"
-    "$DOMINO" -e 'show seed' | grep -q '0 \.\. 4294967295 '
     same 'a session keeps what it has' 9 \
         "$(json "set digits 9; save s.dom; reset digits; source s.dom; show digits" | values value)"
     # Output for programs does not depend on 'digits'.
@@ -96,17 +88,6 @@ quad() { # COMMANDS KEY DIGITS
         run "$DOMINO" -e "set tol $value"
         [ "$status" -eq 1 ]
         [[ $output == *'is out of range; tol must be in the range 1e-15 .. 0.1'* ]]
-    done
-}
-
-@test "a smaller tol gives smaller errors, and chains of more dominoes" {
-    exact=$(json 'set precision quad; rmax' | values r_max)
-    before=0
-    for tol in 1e-1 1e-3 1e-6 1e-12; do
-        close "tol $tol" "$exact" "$(json "set tol $tol; rmax" | values r_max)" $tol
-        rows=$(json "set tol $tol; chain 0.1" | wc -l)
-        [ "$rows" -gt "$before" ]
-        before=$rows
     done
 }
 
@@ -157,8 +138,6 @@ quad() { # COMMANDS KEY DIGITS
             "$(json "$scene; set precision $precision; set tol $tol; sweep s 0.3, 0.4 : placement 50" | values probability low)"
     done
     same 'double needs no note' '(nothing)' "$("$DOMINO" -e "$scene; placement 100 details" | grep double)"
-    # The session's tolerance is too small for double, so the default of double takes its place.
-    same 'tol of quad' "$(json "$scene; rowmax" | values r_max)" "$(json "$scene; set precision quad; rowmax" | values r_max)"
     # What becomes the row has few digits, also in quad.
     same 's of a design' "$(json 'design 1 m; show s' | values value | tail -n 1)" "$(json 'set precision quad; design 1 m; show s' | values value | tail -n 1)"
     close 'the last domino' 1 "$(json 'set precision quad; design 1 m; row' | values height | tail -n 1)" 1e-30
