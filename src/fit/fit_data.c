@@ -64,21 +64,24 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     const double number = csv->column[RUN] ? (double)csv->value[RUN] : 1,
                  gap = fit_has_rows(d) ? (double)NAN : point.gap;
     const bool known = point.error > 0;
-    struct fit_run *run = d->run + d->runs - 1;
-    if (d->runs == 0 || run->number != number || (run->gap != gap && !isnan(gap)))
-        *(run = &d->run[d->runs++]) = (struct fit_run){.number = number, .gap = gap, .first = d->points};
-    const struct fit_point *last = run->count > 0 ? &d->point[d->points - 1] : NULL;
+    struct fit_run *run = d->runs > 0 ? &d->run[d->runs - 1] : NULL;
+    if (!run || run->number != number || (run->gap != gap && !isnan(gap))) {
+        run = &d->run[d->runs++];
+        *run = (struct fit_run){.number = number, .gap = gap, .first = d->points};
+    }
+    const bool follows = d->kind == FIT_HITS && run->count > 0;
+    const struct fit_point *last = &d->point[d->points - follows];
     if (d->points > 0 && known != d->has_errors)
         return csv_wrong(
             &csv->file, csv_cell(csv, csv->column[SHARE] ? SHARE : ERROR).at,
             "some lines have an error and some have none; give an error to all of them, or to none");
-    if (d->kind == FIT_HITS && last && point.domino > 0 && last->domino >= point.domino)
+    if (follows && point.domino > 0 && last->domino >= point.domino)
         return csv_wrong(
             &csv->file, csv_cell(csv, DOMINO).at,
             "domino %zu comes after domino %zu; list the dominoes of a run in the order in which "
             "they are hit, each once",
             point.domino, last->domino);
-    if (d->kind == FIT_HITS && last && last->measured >= point.measured)
+    if (follows && last->measured >= point.measured)
         return csv_wrong(&csv->file, csv->row.at,
                          "the time %g s is not later than %g s, the time on the line above", point.measured,
                          last->measured);

@@ -32,10 +32,10 @@ END
     for threads in 1 2 3 4 0; do
         while IFS= read -r line; do
             for format in csv json table; do echo "reset; set threads $threads; set output $format; $line"; done
-        done <sweeps | "$DOMINO" --bail >"$threads"
-        same_file 1 "$threads"
+        done <sweeps | "$DOMINO" --bail >"out.$threads"
+        same_file out.1 "out.$threads"
     done
-    [ "$(wc -l <1)" -gt 2500 ]
+    [ "$(wc -l <out.1)" -gt 2500 ]
 }
 
 # bats test_tags=rows
