@@ -64,11 +64,10 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     const double number = csv->column[RUN] ? (double)csv->value[RUN] : 1,
                  gap = fit_has_rows(d) ? (double)NAN : point.gap;
     const bool known = point.error > 0;
-    struct fit_run *run = d->runs > 0 ? &d->run[d->runs - 1] : NULL;
-    if (!run || run->number != number || (run->gap != gap && !isnan(gap))) {
-        run = &d->run[d->runs++];
-        *run = (struct fit_run){.number = number, .gap = gap, .first = d->points};
-    }
+    const size_t now = d->runs - 1;
+    if (d->runs == 0 || d->run[now].number != number || (d->run[now].gap != gap && !isnan(gap)))
+        d->run[d->runs++] = (struct fit_run){.number = number, .gap = gap, .first = d->points};
+    struct fit_run *run = &d->run[d->runs - 1];
     const bool follows = d->kind == FIT_HITS && run->count > 0;
     const struct fit_point *last = &d->point[d->points - follows];
     if (d->points > 0 && known != d->has_errors)

@@ -24,8 +24,10 @@ static bool unit_copy(const char *text, char unit[UNIT])
     if (!name_copy(begin, (size_t)(end - begin), unit, UNIT) || end[strspn(end, " \t)]")] != '\0')
         return false;
     char *cube = strstr(unit, "\u00b3");
-    if (cube) /* "³" and "^3" both take two bytes in UTF-8 */
-        memcpy(cube, "^3", 2);
+    if (cube) { /* "³" and "^3" both take two bytes in UTF-8 */
+        cube[0] = '^';
+        cube[1] = '3';
+    }
     const char *stop = *unit ? unit_scan(unit, &q) : NULL;
     return strcmp(unit, "%") == 0 || (stop && *stop == '\0');
 }
@@ -121,7 +123,7 @@ static struct heading heading_of(const struct csv_kind *kind, const char *text)
         h.name[n -= 3] = '\0';
     h.unit = text + length + strspn(text + length, " \t\n,");
     if (unit_copy(h.unit, unit) && strcmp(unit, "%") == 0)
-        strcpy(h.name + n, " %");
+        snprintf(h.name + n, sizeof h.name - n, " %%");
     h.column = column_named(kind, h.name);
     while (n > 0 && strchr("#0123456789 ", h.name[n - 1]))
         n--;
