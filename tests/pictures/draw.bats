@@ -48,12 +48,15 @@ record="effect row \"$root/examples/record.csv\""
     awk -v n="$next" -v h="$head" 'BEGIN { exit !(n / h > 1.3 && n / h < 1.7) }'
 }
 
-@test "draw: T is an expression, 'forces' may be the only word; without T the picture has the tilt of the walk" {
+# bats test_tags=rows
+@test "draw: T is an expression, 'forces' may be the only word, 'train' is for scenes with a row; without T the picture has the tilt of the walk" {
     differ 'T counts' "$("$DOMINO" -e 'draw 0.2')" "$("$DOMINO" -e 'draw 0.3')"
     differ 'forces, too' "$("$DOMINO" -e 'draw 0')" "$("$DOMINO" -e 'draw 0 forces')"
     same degrees "$("$DOMINO" -e 'draw 0.17453292519943295')" "$("$DOMINO" -e 'draw 10 deg')"
     same expression "$("$DOMINO" -e 'draw thetac')" "$("$DOMINO" -e 'draw asin(r*s)')"
     same alone "$("$DOMINO" -e 'draw 0 forces')" "$("$DOMINO" -e 'draw forces')"
+    same train "$("$DOMINO" -e 'draw 0.3')" "$("$DOMINO" -e 'effect row 5; draw train 0.3')"
+    differ 'the row' "$("$DOMINO" -e 'draw 0.3')" "$("$DOMINO" -e 'effect row 5; draw')"
     same now "$("$DOMINO" -e 'draw 0.2')" "$("$DOMINO" -e 'goto 0.2 > /dev/null; draw')"
     same 'another train begins anew' "$("$DOMINO" -e 'set s 0.3; draw 0')" \
         "$("$DOMINO" -e 'goto 0.2 > /dev/null; set s 0.3; draw')"
@@ -110,12 +113,17 @@ record="effect row \"$root/examples/record.csv\""
     done
 }
 
+# bats test_tags=rows
 @test "gnuplot settings of the user have no effect" {
-    echo 'set terminal png; set title "mine"' >.gnuplot
-    plain=$("$DOMINO" -e "plot energy > a.svg" && grep -v Produced a.svg)
+    pictures() { "$DOMINO" -e 'plot energy > e.svg; set row 3; animate rate 5 > a.gif' && grep -v Produced e.svg && cksum <a.gif; }
+    plain=$(pictures)
     grep -q 'Energy' <<<"$plain"
-    HOME=$PWD "$DOMINO" -e "plot energy > $PWD/b.svg"
-    same 'plot energy' "$plain" "$(grep -v Produced b.svg)"
+    echo 'set terminal png; set title "mine"' >.gnuplot
+    same '.gnuplot' "$plain" "$(HOME=$PWD pictures)"
+    for GNUTERM in x11 'svg enhanced' 'no such terminal' ''; do
+        export GNUTERM
+        same "GNUTERM=$GNUTERM" "$plain" "$(pictures)"
+    done
 }
 
 # bats test_tags=rows
@@ -134,12 +142,20 @@ END
 }
 
 # bats test_tags=rows
-@test "draw: texts in the svg do not overlap" {
-    for row in "$record" 'set r 1.5; effect row 12' 'set q 4; set r 1.7; effect row 8' 'set r 1; effect row 60; effect push 3'; do
+@test "draw: texts in the svg do not overlap, and each domino has a number where there is room" {
+    while IFS='|' read -r row numbers; do
         "$DOMINO" -e "$row; draw > a.svg"
         "$root/tests/pictures/labels" a.svg >texts || same "$row" 'texts apart' "$(cat texts)"
-        same "$row: the tape begins at domino 1" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '^-[0-9]')"
-    done
+        cut -d ' ' -f 5- texts >words
+        same "$row: the tape begins at domino 1" '(nothing)' "$(grep '^-[0-9]' words)"
+        [ -z "$numbers" ] || same "$row: numbers" "$numbers" "$(sed -n '/^tape/,$p' words | grep -xE '[0-9]+' | sort -n | paste -sd ' ' -)"
+    done <<END
+$record|
+set q 4; set r 1.7; effect row 8|
+set r 1; effect row 60; effect push 3|
+effect row 14|2 7 8 9 10 11 12 13 14
+set r 1; effect row 14; effect push 3|1 2 3 4 5 6 7 8 9 10 11 12 13 14
+END
     # In a low picture of a row, the axis of heights has few numbers.
     "$DOMINO" -e 'set r 1; effect row 12; effect push 5; draw at 0.2 > a.svg'
     "$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- >texts
@@ -204,15 +220,6 @@ END
 }
 
 # bats test_tags=rows
-@test "draw: 'train' is the endless train, with a row and without" {
-    plain=$("$DOMINO" -e 'draw 0.3')
-    same 'with a row' "$plain" "$("$DOMINO" -e 'effect row 5; draw train 0.3')"
-    same 'without' "$plain" "$("$DOMINO" -e 'draw train 0.3')"
-    differ 'the row' "$plain" "$("$DOMINO" -e 'effect row 5; draw')"
-    same forces "$("$DOMINO" -e 'draw forces')" "$("$DOMINO" -e 'effect row 5; draw train forces')"
-}
-
-# bats test_tags=rows
 @test "draw: the row in characters has every domino, fits the terminal, and needs no gnuplot" {
     mkdir empty
     run -0 env PATH="$PWD/empty" "$DOMINO" -e "$record; draw"
@@ -240,19 +247,6 @@ END
     terminal NO_COLOR=1 >grey
     same 'no colour' 0 "$(grep -c $'\e\[[0-9]' grey)"
     terminal LC_ALL=C | grep -q '\*\*\*'
-}
-
-# bats test_tags=rows
-@test "draw: each domino has a number where there is room" {
-    local row numbers
-    while IFS='|' read -r row numbers; do
-        "$DOMINO" -e "$row; draw > a.svg"
-        "$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- >texts
-        same "$row: numbers" "$numbers" "$(sed -n '/^tape/,$p' texts | grep -xE '[0-9]+' | sort -n | paste -sd ' ' -)"
-    done <<'END'
-effect row 14|2 7 8 9 10 11 12 13 14
-set r 1; effect row 14; effect push 3|1 2 3 4 5 6 7 8 9 10 11 12 13 14
-END
 }
 
 # bats test_tags=rows,sweeps,planning
@@ -297,21 +291,6 @@ END
 }
 
 # bats test_tags=rows
-@test "GNUTERM in the environment changes no picture" {
-    local expected gif
-    energy() { "$DOMINO" -e 'plot energy > e.svg' && grep -v Produced e.svg; }
-    expected=$(energy)
-    "$DOMINO" -e "set row 3; animate > $PWD/a.gif"
-    gif=$(cksum <"$PWD/a.gif")
-    for GNUTERM in x11 dumb png 'svg enhanced' 'no such terminal' ''; do
-        export GNUTERM
-        same "GNUTERM=$GNUTERM" "$expected" "$(energy)"
-        "$DOMINO" -e "set row 3; animate > $PWD/a.gif"
-        same "GNUTERM=$GNUTERM" "$gif" "$(cksum <"$PWD/a.gif")"
-    done
-}
-
-# bats test_tags=rows
 @test "draw at end: a leaning domino that stops the row is drawn where it stands, however small the lean" {
     cd "$BATS_TEST_TMPDIR" || return
     for lean in 0.018 0.031 0.05 0.11 0.37 -0.2; do
@@ -344,20 +323,4 @@ count 112 m 1; draw tower|the last 'count' does not reach its height
 count 112 m with s 0.3; draw tower|the last count was made 'with' settings that the session does not have; first set them, and count again
 count 112 m; draw tower 3|'3' does not fit here; usage: draw
 END
-}
-
-# bats test_tags=rows,sweeps
-@test "a safe session at a terminal runs no other program, whatever the terminal can show" {
-    mkdir programs
-    for name in gnuplot less cat sh more; do
-        printf '#!/bin/bash\n: >"%s/ran-%s"\n' "$PWD" $name >programs/$name
-        chmod +x programs/$name
-    done
-    local ask='plot omega; draw 0.3; set row 3; draw; plot fall; help all; sweep s 0.1 0.9 200 : rmax'
-    for term in xterm-kitty xterm-256color foot dumb; do
-        PATH=$PWD/programs:$PATH TERM=$term \
-            python3 "$BATS_TEST_DIRNAME/../shell/terminal.py" 80 24 "$DOMINO" -n --safe -e "$ask" >seen
-        grep -q 'Angular velocity over a cycle' seen && grep -q '^.*0\.9 ' seen
-        same "$term" '(nothing)' "$(find . -name 'ran-*')"
-    done
 }
