@@ -146,49 +146,26 @@ void sheet_palette(const struct sheet *v, int shift, FILE *script)
                 k + 1, 1.5 / PICTURE_WIDTH, 1.5 / v->height, colour[k]);
 }
 
-/* Writes the outlines of the visible dominoes in one state as closed curves. Returns their number. */
-static int part_script(const struct stage *stage, const struct sheet *v, enum part part, FILE *script)
-{
-    int count = 0;
-    fprintf(script, "$part%d << END\n", (int)part);
-    for (size_t k = 0; k < stage->count; k++) {
-        const struct drawn *d = &stage->domino[k];
-        if (d->part != part || d->corner[0].x + d->height < v->left || d->corner[3].x > v->right)
-            continue;
-        struct point outline[OUTLINE];
-        int n = drawn_outline(d, outline);
-        for (int i = 0; i <= n; i++)
-            fprintf(script, "%.8g %.8g\n", outline[i % n].x, outline[i % n].y);
-        fprintf(script, "\n");
-        count++;
-    }
-    fprintf(script, "END\n");
-    return count;
-}
-
 void stage_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {
-    int count[PARTS], contacts = 0;
     axes_script(stage, v, script);
     caption_script(stage->caption, v, script);
-    for (int part = 0; part < PARTS; part++)
-        count[part] = part_script(stage, v, (enum part)part, script);
     for (size_t k = 0; k < stage->count; k++) {
         const struct drawn *d = &stage->domino[k];
+        struct point outline[OUTLINE];
+        if (d->corner[0].x + d->height < v->left || d->corner[3].x > v->right)
+            continue;
+        const int n = drawn_outline(d, outline);
+        fputs("set object polygon", script);
+        for (int i = 0; i <= n; i++)
+            fprintf(script, "%s %.8g,%.8g", i ? " to" : " from", outline[i % n].x, outline[i % n].y);
+        fprintf(script, " front fs solid border rgb '#202020' fc rgb '%s' lw 0.8\n", fill[d->part]);
         if (d->touched && d->height >= 14 * v->dot)
-            fprintf(script, "%s%.7g %.7g\n", contacts++ ? "" : "$contacts << END\n", d->contact.x,
-                    d->contact.y);
+            fprintf(script, "set label '' at %.7g,%.7g point pt 7 ps 0.5 lc rgb 'black' front\n",
+                    d->contact.x, d->contact.y);
     }
-    fputs(contacts ? "END\n" : "", script);
     names_script(stage, v, script);
     if (stage->forces)
         forces_script(stage, v, script);
-    fputs("plot NaN", script);
-    for (int part = 0; part < PARTS; part++)
-        if (count[part] > 0)
-            fprintf(script,
-                    ", $part%d with filledcurves closed fs solid 1 noborder fc rgb '%s', $part%d with lines "
-                    "lc rgb '#202020' lw 0.8 dt solid",
-                    part, fill[part], part);
-    fputs(contacts ? ", $contacts with points pt 7 ps 0.5 lc rgb 'black'\n" : "\n", script);
+    fputs("plot NaN notitle\n", script);
 }

@@ -149,7 +149,7 @@ static bool frame_visit(const struct dom_moment *m, void *context)
         f->failed = !frame_draw(f);
         return !f->failed && frame_play(f);
     }
-    fputs("unset label\nunset arrow\n", f->picture.script);
+    fputs("unset label\nunset arrow\nunset object\n", f->picture.script);
     if (f->follows)
         sheet_follow(&f->sheet, stage->at, stage->tall);
     sheet_palette(&f->sheet, (int)(f->frame % 2), f->picture.script);
