@@ -213,7 +213,11 @@ int main(int argc, char **argv)
     features_register(every_feature);
     session_init(&session, io_stdout(&ended));
     session.state.scene.compute.interrupt = &interrupted;
-    if (!plan.typed || !options_read(argc, argv, &session, &plan))
+    if (!plan.typed) {
+        fputs("domino: out of memory\n", stderr);
+        return EXIT_FAILURE;
+    }
+    if (!options_read(argc, argv, &session, &plan))
         return EXIT_USAGE;
     plan.prompt = plan.reads && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
     sigint_ends = !plan.prompt;
