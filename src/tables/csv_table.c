@@ -302,6 +302,8 @@ static bool constant_read(const char *text, struct quantity *q, struct problem *
     arena_free(&arena);
     if (good)
         error->at = skip_blanks(r.at);
+    else if (!error->at) /* memory has run out, which has no place */
+        error->at = text + strlen(text);
     return good && *error->at == '\0';
 }
 
