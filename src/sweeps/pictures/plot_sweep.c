@@ -52,23 +52,8 @@ static void row_keep(struct answer *a, const struct cell *cells, const char *rea
 struct points {
     const struct plot_rows *rows;
     const struct sweep *sweep;
-    int column;  /* index of the first plotted column */
-    size_t none; /* the number of points where a value is missing */
+    int column; /* index of the first plotted column */
 };
-
-static double value_at(const struct points *p, size_t k)
-{
-    return p->rows->row[k].number[p->column];
-}
-
-/* Returns how many of the answers have no value at point k. */
-static size_t missing_at(const struct points *p, size_t k)
-{
-    size_t missing = 0;
-    for (size_t i = 0; i < p->sweep->answers; i++)
-        missing += isnan(p->rows->row[k].number[p->column + (int)i]) != 0;
-    return missing;
-}
 
 /* Returns the index of the principal column of the answer or, if there is none, of the first column. */
 static int column_find(const struct points *p)
@@ -149,7 +134,7 @@ static void map_draw(struct chart *chart, const struct points *p)
         size_t i = k / cells[1], j = k % cells[1];
         i = first->number[0] > last->number[0] ? cells[0] - 1 - i : i; /* values may descend */
         j = first->number[1] > last->number[1] ? cells[1] - 1 - j : j;
-        value[j * cells[0] + i] = value_at(p, k);
+        value[j * cells[0] + i] = first[k].number[p->column];
     }
     label(chart->map.label, sizeof chart->map.label, value_name(p), p->rows->unit[p->column]);
     chart->map.across = (int)cells[0];
@@ -170,11 +155,13 @@ static bool plot_sweep_draw(const struct query *query, const struct plot_rows *r
     if (rows->count == 0)
         return problem_no_answer(problem, "the sweep has no points to draw");
     const bool several = p.sweep->answers > 1;
-    size_t missing = 0;
+    size_t missing = 0, none = 0; /* missing values, and points where a value is missing */
     p.column = several ? grid->axes : column_find(&p);
     for (size_t k = 0; k < rows->count; k++) {
-        missing += missing_at(&p, k);
-        p.none += missing_at(&p, k) > 0;
+        const size_t before = missing;
+        for (size_t i = 0; i < p.sweep->answers; i++)
+            missing += isnan(rows->row[k].number[p.column + (int)i]) != 0;
+        none += missing > before;
     }
     bool two = grid->axes > 1, numbers = isfinite(rows->row[0].number[0]);
     int over = !two                                                          ? 0
@@ -195,11 +182,8 @@ static bool plot_sweep_draw(const struct query *query, const struct plot_rows *r
                                  rows->count);
     snprintf(chart->title, sizeof chart->title, "%.95s against %s%s%s", p.sweep->typed,
              axis[0].parameter->name, two ? " and " : "", two ? axis[1].parameter->name : "");
-    if (p.none > 0)
-        snprintf(chart->note, sizeof chart->note, "%zu of %zu points %s.", p.none, rows->count,
-                 several       ? p.none == 1 ? "lacks an answer" : "lack an answer"
-                 : p.none == 1 ? "has no answer"
-                               : "have no answer");
+    if (none > 0)
+        snprintf(chart->note, sizeof chart->note, "No answer at %zu of %zu points.", none, rows->count);
     if (over >= 0)
         curves_draw(chart, &p, over);
     else
