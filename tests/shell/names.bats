@@ -96,17 +96,3 @@ END
     same 'a value' "$("$DOMINO" -e 'set fuel paper; fuel')" "$("$DOMINO" -e 'Set Fuel PAPER; fuel')"
     same 'an effect' "$("$DOMINO" -e 'effect friction 0.1; fuel')" "$("$DOMINO" -e 'effect Friction 0.1; FUELS')"
 }
-
-# bats test_tags=rows,pictures,sweeps
-@test "one or two letters are no effect's name, as w may be a width" {
-    local before line
-    before=$(json 'show walls; show slope; show edges')
-    differ 'the whole name' "$before" "$(json 'set walls 1 mm; show walls; show slope; show edges')"
-    for line in 'set w 24 mm' 'w = 24 mm' 'effect w 24 mm' 'set wa 24 mm' 'effect sl 2 deg' 'set ed 1 mm' \
-        'rmax with w 24 mm' 'sweep w 1 mm, 2 mm : rmax' 'let w = 24 mm' 'walls = 1 mm; undo; set w 24 mm'; do
-        same "$line" "$before" "$("$DOMINO" --keep-going -e "$line; reset output; set output json; show walls; show slope; show edges" 2>/dev/null | grep '"walls"\|"slope"\|"edges"' | bare)"
-    done
-    # No command is then refused for want of room for the walls.
-    same 'draw, after it' '(nothing)' "$("$DOMINO" --keep-going -e 'set w 24 mm; set row 4; verdict; effects; draw > a.svg' 2>&1 >/dev/null | grep -v "'w'" || true)"
-    [ -s a.svg ]
-}

@@ -15,7 +15,6 @@ load common
         same "sweep $name" '0.1 0.2' "$(json "sweep $name 0.1, 0.2 : print width" | values value | paste -sd ' ')"
     done
     same 'no walls are set' off "$(json 'set w 24 mm; show walls' | values value)"
-    same 'other short names' 'paper quad' "$(json 'set f paper; show fuel; set p quad; show precision' | values value | paste -sd ' ')"
     same completion 'width' "$(completed 'set wi')"
     [[ $("$DOMINO" -e 'help width') == *'across the row'* ]]
     same 'it stays a length' '0.012 24 mm' "$(json 'set w 12 mm; set h 20 cm; print width*h; save w.dom' | values value) $(grep -q '^set width 12 mm$' w.dom && echo 24 mm)"

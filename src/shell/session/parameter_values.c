@@ -80,26 +80,10 @@ const char *parameter_usage_write(const struct parameter *p, char usage[PARAMETE
     return usage;
 }
 
-/* The context is a names_list; the names are those of this list that are not effects. */
-static const char *without_effects(const void *context, int k)
-{
-    names_list *const *list = context;
-    const struct parameter *p;
-    const char *name;
-    for (int i = 0; (name = (*list)(NULL, i)) != NULL; i++)
-        if ((!(p = parameter_find(name)) || !p->effect) && k-- == 0)
-            break;
-    return name;
-}
-
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE])
 {
-    int k = names_exact(list, NULL, word);
-    if (k < 0 && strlen(word) < 3) { /* one or two letters name no effect: w is the width, not the walls */
-        k = names_find(without_effects, &list, what, word, message);
-        k = k < 0 ? k : names_exact(list, NULL, without_effects(&list, k));
-    } else if (k < 0)
-        k = names_find(list, NULL, what, word, message);
+    word = strcmp(word, "w") == 0 ? "width" : word;
+    int k = names_find(list, NULL, what, word, message);
     const char *feature = k < 0 && !parameter_find(word) ? parameter_missing(word) : NULL;
     if (feature) {
         snprintf(message, NAMES_MESSAGE, "'%s' belongs to '%s', which this build of the program leaves out",

@@ -112,8 +112,8 @@ const struct parameter *parameter_find(const char *name);
  * whose list it comes earliest. Returns NULL if there is none. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
-/* Like names_find, but the message also suggests names that have the word as a synonym, and an abbreviation
- * of one or two letters does not stand for an effect in a list of parameters. */
+/* Like names_find, but 'w' is the width, and the message also suggests names that have the word as a synonym.
+ */
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE]);
 
 /* Returns the description of value number i, counted from 0, or NULL after the last value. Only effects have
