@@ -6,10 +6,13 @@
 
 static const char *method_of(int effect)
 {
+    const unsigned needs = effect_at(effect)->needs;
+    const bool engine =
+        (effect >= EFFECT_feet && effect < EFFECT_ENGINE_END) || (needs >> EFFECT_feet & 1) != 0;
     bool loses = effect_at(effect)->dissipates;
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
-        loses = loses || ((effect_at(effect)->needs >> k & 1) != 0 && effect_at(k)->dissipates);
-    return effect >= DOM_EFFECT_COUNT ? "engine" : loses ? "motion" : "balance";
+        loses = loses || ((needs >> k & 1) != 0 && effect_at(k)->dissipates);
+    return engine ? "engine" : loses ? "motion" : "balance";
 }
 
 static const struct column effects_columns[] = {

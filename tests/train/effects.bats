@@ -242,6 +242,7 @@ END
     for method in 'energy balance|slope 1 deg' 'equation of motion|friction 0.1; effect row 3' 'rigid-body engine|row 2; effect push 9; effect feet 0.5'; do
         "$DOMINO" -n -e "effect ${method#*|}; effects" | grep -q "computed by the ${method%|*}\.$"
     done
-    same 'method of each' 'motion balance engine' \
-        "$(json effects | jq -r 'select(.effect == "friction" or .effect == "feet" or .effect == "slope").method' | paste -sd ' ')"
+    local on='effect row 3; effect feet 1; effect error_floor 1; effect error_mass 1 %; effects'
+    same 'method of each' 'motion balance balance engine balance engine' "$(json "$on" |
+        jq -r 'select(.effect | IN("friction", "slope", "floor", "feet", "error_mass", "error_floor")).method' | paste -sd ' ')"
 }
