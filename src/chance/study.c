@@ -166,21 +166,6 @@ static enum dom_status budget_say(struct answer *a, const struct trials *t, enum
     return DOM_OK;
 }
 
-/* Reports why there is no budget. Returns false. */
-static bool budget_none(struct problem *problem, const struct trials *t, enum dom_error_of kind)
-{
-    bool others = false;
-    for (int k = 0; k < DOM_ERROR_COUNT && kind < DOM_ERROR_COUNT; k++)
-        others = others || (k != (int)kind && t->placement.error[k].size > 0);
-    if (!others)
-        return problem_no_answer(problem, "even without random errors, the row does not fall; 'mend' looks "
-                                          "for a change that saves it");
-    return problem_no_answer(problem,
-                             "even with no error in the %s, fewer rows fall than P asks for; enter a smaller "
-                             "P, or make the other errors smaller",
-                             error_kinds[kind].name);
-}
-
 /* Returns true if the scene can have errors of this kind. Otherwise reports the problem. */
 static bool budget_check(const struct query *query, const struct trials *t, enum dom_error_of kind,
                          struct problem *problem)
@@ -219,8 +204,14 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
     if (good && status == DOM_OK && !any && answer_for_people(a))
         status = budget_say(a, &t, of, b.sigma);
     free(t.row.domino);
-    if (!good || status == DOM_STOPS)
-        return good && budget_none(problem, &t, of);
+    if (status == DOM_STOPS)
+        return problem_no_answer(
+            problem,
+            "even without %s%s, fewer rows fall than P asks for; enter a smaller P, make "
+            "the other errors smaller or, if there are none, try 'mend'",
+            of < DOM_ERROR_COUNT ? "an error in the " : "any error", of < DOM_ERROR_COUNT ? kind->name : "");
+    if (!good)
+        return false;
     if (status != DOM_OK)
         return row_status(query, problem, status);
     for (int i = 1; i < 4 && *kind->unit != 'm'; i++)

@@ -128,7 +128,7 @@ static bool improvement_answer(const struct query *query, struct answer *a, stru
     if (answer_for_people(a))
         improvement_say(query, a, i, interrupted);
     const bool keeps = query->next && !a->sink.take && i->changed > 0;
-    struct domq_domino *const domino = calloc(i->count, sizeof *domino);
+    struct domq_domino *const domino = calloc(i->count + 1, sizeof *domino);
     for (size_t k = 0; k < i->count && domino; k++)
         domino[k] = domino_from_double(&i->domino[k]);
     bool good = domino

@@ -25,10 +25,10 @@
  * than the growths from domino to domino, BFGS leaves 5.4 % with errors of gaps.
  */
 #include "chance/model/draw.h"
-#include "rows/model/study.h"
 #include "numerics/quiet.h"
 #include "numerics/real.h"
 #include "planning/model/shape.h"
+#include "rows/model/study.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics.h>
