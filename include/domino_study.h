@@ -59,9 +59,6 @@ struct dom_window {
     size_t domino;    /* the number of the domino; 0 for friction */
     double now;       /* the current value */
     double low, high; /* the window, rounded inward to seven digits; NaN if none was found */
-    /* How the fall ends just below and just above the window. DOM_ROW_FALLS means that this is unknown,
-     * because no value there was tried, or because the row does not fall at the current value. */
-    enum dom_row_end below, above;
 };
 
 /*

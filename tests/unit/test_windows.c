@@ -50,7 +50,9 @@ static bool falls_changed(const struct run *run, enum dom_window_of of, const st
     } else {
         other.row.mu = value;
     }
-    return row_end(&other) == DOM_ROW_FALLS;
+    other.row.domino = other.domino;
+    return ask_row_run(&other.row, false, NULL, NULL, &other.verdict) == DOM_OK &&
+           other.verdict.end == DOM_ROW_FALLS;
 }
 
 /* Checks that a value can be typed with seven digits. */
@@ -69,9 +71,10 @@ static void check_window(const struct run *run, enum dom_window_of of, const str
     double low = (double)w->low, high = (double)w->high;
     const double size = fmax(fabs(low), fabs(high)), digit = pow(10, floor(log10(fmax(size, 1e-3))) - 6),
                  outside = of == DOM_WINDOW_GAP ? 2 * digit : 20 * digit + 1e-9 * size;
-    /* gaps have a limit on either side, unless they reach 0 */
-    const bool ends_below = of == DOM_WINDOW_GAP ? low > 0 : w->below != DOM_ROW_FALLS,
-               ends_above = of == DOM_WINDOW_GAP || w->above != DOM_ROW_FALLS;
+    /* Gaps have a limit on either side, unless they reach 0. Other windows may end at the end of the range.
+     */
+    const bool ends_below = of == DOM_WINDOW_GAP ? low > 0 : !falls_changed(run, of, w, low - outside),
+               ends_above = of == DOM_WINDOW_GAP || !falls_changed(run, of, w, high + outside);
     assert_true(of != DOM_WINDOW_GAP || (low >= 0 && high <= (double)run->domino[w->domino - 2].height));
     assert_true(low <= high);
     for (int part = 0; part <= 8; part++)
@@ -104,6 +107,9 @@ TEST(the_verdict_changes_at_the_ends)
 {
     static struct run run;
     uint64_t seed = 41;
+    /* at least so many windows end where the verdict changes, and not at the end of the range */
+    static const int least[DOM_WINDOW_THICKNESS + 1][2] = {{45, 81}, {52, 63}, {103, 98},
+                                                           {19, 17}, {90, 90}, {53, 80}};
     int ends[DOM_WINDOW_THICKNESS + 1][2] = {{0}}, beside = 0, none = 0;
     for (int i = 0; i < 30; i++) {
         random_row(&run, &seed);
@@ -128,8 +134,6 @@ TEST(the_verdict_changes_at_the_ends)
                 }
                 assert_true(of != DOM_WINDOW_GAP || w->now == (double)run.domino[k].gap);
                 assert_true(of != DOM_WINDOW_GAP || falls || w->domino <= ends_at + 1);
-                assert_true(of != DOM_WINDOW_GAP || !falls ||
-                            ((w->below == DOM_ROW_FALLS) == (w->low == 0) && w->above != DOM_ROW_FALLS));
                 assert_true(!falls || (w->low <= w->now && w->now <= w->high));
                 assert_true(falls || w->now < w->low || w->now > w->high);
                 check_window(&run, of, w, ends[of]);
@@ -139,8 +143,7 @@ TEST(the_verdict_changes_at_the_ends)
     }
     for (int of = DOM_WINDOW_GAP; of <= DOM_WINDOW_THICKNESS; of++) {
         print_message("# kind %d: %d ends below, %d above\n", of, ends[of][0], ends[of][1]);
-        assert_true((of == DOM_WINDOW_FRICTION || ends[of][0] > 5) &&
-                    (of == DOM_WINDOW_LEAN || ends[of][1] > 5));
+        assert_true(ends[of][0] >= least[of][0] && ends[of][1] >= least[of][1]);
     }
     print_message("# %d beside, %d have none\n", beside, none);
     assert_true(beside > 5 && none > 5);
@@ -221,7 +224,6 @@ TEST(equal_dominoes)
                 const double digit = pow(10, floor(log10((double)one[k].high)) - 6);
                 assert_true(fabs((double)(one[k].low - other[k].low)) < 1.5 * digit);
                 assert_true(fabs((double)(one[k].high - other[k].high)) < 1.5 * digit);
-                assert_true(one[k].below == other[k].below && one[k].above == other[k].above);
                 assert_true(one[k].now == other[k].now);
             }
         }

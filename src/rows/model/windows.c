@@ -23,7 +23,6 @@ struct trial {
     /* the state for running slightly changed rows, or NULL if an engine runs them */
     struct study *study;
     enum dom_status status;
-    enum dom_row_end ends; /* how the fall ended in the last run in which some dominoes did not fall */
 };
 
 /* ---- The value that is changed ---- */
@@ -43,8 +42,6 @@ struct trial {
 /* The range of values that are tried. */
 struct range {
     double lowest, highest;
-    /* how the fall ends at a value above `highest`, or DOM_ROW_FALLS if this is unknown */
-    enum dom_row_end above;
 };
 
 /* The domino can move forwards until it touches the next domino, or until the previous domino barely reaches
@@ -52,8 +49,7 @@ struct range {
 static struct range places_of(const struct trial *t, const struct dom_domino *d)
 {
     const double reach = d[-1].height - d->gap, room = t->k + 1 == t->row.count ? reach : d[1].gap;
-    return (struct range){t->place - d->gap, t->place + fmin(reach, room),
-                          reach <= room ? DOM_ROW_MISSES : DOM_ROW_FALLS};
+    return (struct range){t->place - d->gap, t->place + fmin(reach, room)};
 }
 
 /*
@@ -71,7 +67,7 @@ static struct range heights_of(const struct dom_row *row, const struct dom_domin
     double highest = fmin(HEIGHT_MULTIPLE * d->height, stands);
     lowest = height_of_kind(row, d->height, lowest);
     highest = height_of_kind(row, d->height, highest);
-    return (struct range){fmin(lowest, d->height), fmax(highest, d->height), DOM_ROW_FALLS};
+    return (struct range){fmin(lowest, d->height), fmax(highest, d->height)};
 }
 
 /* The domino must be thick enough to stand, and to have room for two walls or for two rounded edges. */
@@ -80,8 +76,7 @@ static struct range thicknesses_of(const struct dom_row *row, const struct dom_d
     const double rho = row->rho != 0 && d->radius > 0 ? d->radius / d->height : row->rho,
                  stands = (tan(tilt) + 2 * rho) * d->height,
                  least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * walls_of(row, d->height));
-    return (struct range){fmin(least * (1 + STANDS_SHORT), d->thickness), HEIGHT_MULTIPLE * d->thickness,
-                          DOM_ROW_FALLS};
+    return (struct range){fmin(least * (1 + STANDS_SHORT), d->thickness), HEIGHT_MULTIPLE * d->thickness};
 }
 
 static struct range leans_of(const struct dom_row *row, const struct dom_domino *d)
@@ -89,7 +84,7 @@ static struct range leans_of(const struct dom_row *row, const struct dom_domino 
     double lean[2];
     dom_lean_limits(d, row->alpha, row->rho, lean);
     const double inside = (lean[1] - lean[0]) / 2 * STANDS_SHORT;
-    return (struct range){fmin(lean[0] + inside, d->lean), fmax(lean[1] - inside, d->lean), DOM_ROW_FALLS};
+    return (struct range){fmin(lean[0] + inside, d->lean), fmax(lean[1] - inside, d->lean)};
 }
 
 static struct range range_of(const struct trial *t)
@@ -98,13 +93,13 @@ static struct range range_of(const struct trial *t)
     const double tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
     switch (t->of) {
     case DOM_WINDOW_GAP: /* a domino can reach across a gap that is as wide as its own height */
-        return (struct range){0, d[-1].height, DOM_ROW_MISSES};
+        return (struct range){0, d[-1].height};
     case DOM_WINDOW_PLACE:
         return places_of(t, d);
     case DOM_WINDOW_HEIGHT:
         return heights_of(&t->row, d, tilt);
     case DOM_WINDOW_FRICTION:
-        return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
+        return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST)};
     case DOM_WINDOW_LEAN:
         return leans_of(&t->row, d);
     default:
@@ -178,7 +173,6 @@ static bool falls_with(double value, double *spare, void *context)
     d[next] = after;
     *d = self;
     *spare = v.end == DOM_ROW_FALLS || v.end == DOM_ROW_STOPS ? v.spare : DOM_NAN;
-    t->ends = v.end != DOM_ROW_FALLS ? v.end : t->ends;
     return t->status == DOM_OK && v.end == DOM_ROW_FALLS;
 }
 
@@ -217,14 +211,13 @@ static double value_edge(struct trial *t, double good, double bad)
 struct band {
     bool found;
     double from, to;
-    enum dom_row_end beyond; /* how the fall ends beyond `to`, if a value there was tried */
 };
 
 /* Walks from the value `from` towards `end`. If all dominoes fall at `from` (`falls` is true), the band
  * begins there. Otherwise the walk looks for the first band on its way. */
-static struct band walk(struct trial *t, double from, double end, bool falls, enum dom_row_end beyond)
+static struct band walk(struct trial *t, double from, double end, bool falls)
 {
-    struct band band = {.found = falls, .from = from, .to = end, .beyond = beyond};
+    struct band band = {.found = falls, .from = from, .to = end};
     double last = from, spare;
     const int steps = t->row.engine ? STEPS_OF_ENGINE : STEPS;
     for (int i = 1; i <= steps && last != end && t->status == DOM_OK; i++) {
@@ -235,7 +228,6 @@ static struct band walk(struct trial *t, double from, double end, bool falls, en
             band.found = true;
         } else if (!good && band.found) {
             band.to = value_edge(t, last, x);
-            band.beyond = t->ends; /* from the closest trial at which the row did not fall */
             break;
         }
         last = x;
@@ -250,13 +242,9 @@ static struct band walk(struct trial *t, double from, double end, bool falls, en
 static void window_around(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
-    const struct band below = walk(t, w->now, range.lowest, true, DOM_ROW_FALLS),
-                      above = walk(t, w->now, range.highest, true, range.above);
     /* Rounding to a few digits must not move an edge past the current value. */
-    w->low = fmin(below.to, w->now);
-    w->high = fmax(above.to, w->now);
-    w->below = below.beyond;
-    w->above = above.beyond;
+    w->low = fmin(walk(t, w->now, range.lowest, true).to, w->now);
+    w->high = fmax(walk(t, w->now, range.highest, true).to, w->now);
 }
 
 /* Returns true if domino k and its two neighbours equal domino k - 1 and its two neighbours. Then the window
@@ -274,7 +262,7 @@ static bool is_repeated(const struct dom_row *row, size_t k)
 
 /* Looks for an edge near `guess`. The search steps from there towards the edge, each step eight times as long
  * as the one before, until the edge lies between two trials. */
-static double edge_near(struct trial *t, double guess, double end, enum dom_row_end *beyond)
+static double edge_near(struct trial *t, double guess, double end)
 {
     const double now = value_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
     const double first = fmin(fmax(multiple_of(round(guess / digit), digit), fmin(now, end)), fmax(now, end));
@@ -289,10 +277,8 @@ static double edge_near(struct trial *t, double guess, double end, enum dom_row_
             good = fabs(good - now) < fabs(step) ? now : bad - step;
             bad = falls_with(good, &spare, t) ? bad : good;
         }
-    if (good == bad) /* all dominoes fall even at the end of the range */
-        return good;
-    *beyond = t->ends;
-    return value_edge(t, good, bad);
+    /* If both are equal, all dominoes fall even at the end of the range. */
+    return good == bad ? good : value_edge(t, good, bad);
 }
 
 /* Finds the window of a domino that equals the previous domino. To save time, the search looks first near the
@@ -301,9 +287,8 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
 {
     const struct range range = range_of(t);
     const double by = w->now - last->now;
-    w->above = range.above;
-    w->low = fmin(edge_near(t, last->low + by, range.lowest, &w->below), w->now);
-    w->high = fmax(edge_near(t, last->high + by, range.highest, &w->above), w->now);
+    w->low = fmin(edge_near(t, last->low + by, range.lowest), w->now);
+    w->high = fmax(edge_near(t, last->high + by, range.highest), w->now);
 }
 
 /* For a row that does not fall, finds the window nearest to the current value, if there is one. If the value
@@ -315,10 +300,10 @@ static void window_beside(struct trial *t, struct dom_window *w)
     struct band near;
     double spare;
     if (w->now > range.highest && falls_with(range.highest, &spare, t))
-        near = walk(t, range.highest, range.lowest, true, DOM_ROW_FALLS);
+        near = walk(t, range.highest, range.lowest, true);
     else {
-        const struct band out = walk(t, w->now, range.highest, false, DOM_ROW_FALLS);
-        near = walk(t, w->now, range.lowest, false, DOM_ROW_FALLS);
+        const struct band out = walk(t, w->now, range.highest, false);
+        near = walk(t, w->now, range.lowest, false);
         if (!near.found || (out.found && fabs(out.from - w->now) < fabs(w->now - near.from)))
             near = out;
     }
@@ -361,12 +346,8 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
     for (t.k = first; t.k < end && t.status == DOM_OK; t.k++) {
         if (t.k > 0)
             t.place += t.domino[t.k - 1].thickness + t.domino[t.k].gap;
-        struct dom_window w = {.domino = one ? 0 : t.k + 1,
-                               .now = value_now(&t),
-                               .low = DOM_NAN,
-                               .high = DOM_NAN,
-                               .below = DOM_ROW_FALLS,
-                               .above = DOM_ROW_FALLS};
+        struct dom_window w = {
+            .domino = one ? 0 : t.k + 1, .now = value_now(&t), .low = DOM_NAN, .high = DOM_NAN};
         if (falls && t.k > first && is_repeated(row, t.k))
             window_repeat(&t, &windows[t.k - first - 1], &w);
         else if (falls)
