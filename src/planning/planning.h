@@ -20,8 +20,7 @@ struct wishes {
     size_t boards;
 };
 
-bool design_parse(struct reader *reader, struct question *question);
-bool improve_parse(struct reader *reader, struct question *question);
+bool wishes_parse(struct reader *reader, struct question *question);
 bool wishes_bind(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
 

@@ -89,8 +89,9 @@ static bool boards_parse(struct reader *r, struct wishes_parsed *w)
     return true;
 }
 
-static bool wishes_parse(struct reader *r, names_list *list, struct question *q)
+bool wishes_parse(struct reader *r, struct question *q)
 {
+    names_list *const list = q->command->run == run_improve ? improve_wishes : design_wishes;
     static const struct argument values[BOARDS] = {{.name = "falls", .kind = ARGUMENT_ANY},
                                                    {.name = "safety", .kind = ARGUMENT_ANY},
                                                    {.name = "hall", .kind = ARGUMENT_HEIGHT},
@@ -122,16 +123,6 @@ static bool wishes_parse(struct reader *r, names_list *list, struct question *q)
             return false;
     }
     return true;
-}
-
-bool design_parse(struct reader *r, struct question *q)
-{
-    return wishes_parse(r, design_wishes, q);
-}
-
-bool improve_parse(struct reader *r, struct question *q)
-{
-    return wishes_parse(r, improve_wishes, q);
 }
 
 bool grid_check(domq_real grid, domq_real first, struct problem *problem)
