@@ -372,7 +372,7 @@ static bool run_help(struct session *session, const struct arguments *given, str
             help_name(session, a, topic_names(NULL, k));
         else if (feature && !*end)
             help_name(session, a, feature->name);
-        else if (is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0)
+        else if (is_value_name(&session->state, word) || names_exact(expression_units, NULL, word) >= 0)
             help_name(session, a, "print"); /* such as sin or cm */
         else if (!topics_write(a, word, false)) {
             problem->place = given->column[0];
