@@ -6,27 +6,6 @@
 
 /* ---- Limits ---- */
 
-/* Checks that a tiny lean to either side changes the results in proportion to the lean. */
-TEST(continuous)
-{
-    static struct run run;
-    for (int mu = 0; mu < 2; mu++) {
-        double omega[5], few[] = {0, 1e-6, -1e-6, 2e-6, -2e-6};
-        for (int i = 0; i < 5; i++) {
-            make_row(&run, 8, 0.4, 1.2, 0.2 * mu);
-            for (size_t k = 0; k < 8; k++)
-                run.domino[k].lean = few[i];
-            assert_status(run_whole(&run), DOM_OK);
-            assert_int_equal(run.verdict.end, DOM_ROW_FALLS);
-            omega[i] = (double)run.fall[7].omega;
-        }
-        double slope = (omega[1] - omega[2]) / 2e-6, second = (omega[3] - omega[4]) / 4e-6;
-        assert_near("omega", omega[1] + omega[2], 2 * omega[0], 1e-10);
-        assert_near("slope", slope, second, 1e-4);
-        assert_true(fabs(slope) > 0.01);
-    }
-}
-
 /* Compares a tipped first domino with a calculation by hand: the tilt at which it touches the next domino,
  * which leans, and the energy that tips it. */
 TEST(touches)
@@ -47,20 +26,6 @@ TEST(touches)
         assert_near("on the face", (x - bottom_x) * cos(phi) + h, (z - bottom_z) * sin(phi) + h, 1e-14);
         double energy = hypot(h, d) - h * cos(-0.08) - d * sin(-0.08);
         assert_near("to tip it", run.fall[0].barrier, (double)run.domino[0].mass * 9.81 * energy / 2, 1e-13);
-    }
-}
-
-/* Checks that a domino needs less energy the more it leans forwards. */
-TEST(easier_forwards)
-{
-    static struct run run;
-    domq_real before = INFINITY;
-    for (double lean = -0.9; lean < 0.95; lean += 0.1) {
-        make_row(&run, 6, 0.4, 1.6, 0.2);
-        run.domino[0].lean = lean * tips_at(&run.domino[0]);
-        assert_status(run_whole(&run), DOM_OK);
-        assert_true(run.fall[0].barrier < before);
-        before = run.fall[0].barrier;
     }
 }
 
