@@ -366,21 +366,6 @@ KERNEL enum dom_status dynamics_slope(const struct geometry *geometry, struct ti
     return status;
 }
 
-KERNEL enum dom_status dynamics_required(const struct geometry *geometry, struct tilt from, real p,
-                                         real *energy)
-{
-    if (!geometry->conservative) {
-        real ln_G, u;
-        flow_at(geometry, 2 * atan(p), &ln_G, &u);
-        *energy = geometry->flow->J0 * u;
-        return DOM_OK;
-    }
-    struct sums sums;
-    enum dom_status status = chain_change(geometry, from, tilt_half(p), PASS_PLAIN, &sums);
-    *energy = sums.dH;
-    return status;
-}
-
 KERNEL enum dom_status dynamics_speed(const struct geometry *geometry, const struct start *start, real theta,
                                       real *omegasq)
 {

@@ -93,10 +93,6 @@ struct start {
 KERNEL enum dom_status dynamics_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope);
 
-/* Finds the smallest kinetic energy at the tilt `from` that takes the head to the tilt 2 atan p. */
-KERNEL enum dom_status dynamics_required(const struct geometry *geometry, struct tilt from, real p,
-                                         real *energy);
-
 /* Finds tau^2 omega^2 at a tilt. */
 KERNEL enum dom_status dynamics_speed(const struct geometry *geometry, const struct start *start, real theta,
                                       real *omegasq);

@@ -2,7 +2,6 @@
 /* The list of the effects, which have a file each, the law of motion that they make, and the units of time
  * that depend on them. */
 #include "effects/effects.h"
-#include "geometry/far.h"
 
 static const struct dom_effect *const effects[DOM_EFFECT_COUNT] = {
 #define EFFECT(effect)                   [DOM_EFFECT_##effect] = &dom_effect_##effect,

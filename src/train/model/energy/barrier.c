@@ -41,14 +41,22 @@ static void barrier_keep(struct barrier *b, real p, real height)
     }
 }
 
-/* If H at p is higher than the barrier in *b, stores p and its height in *b. */
+/* If H at p, or the energy that dominoes with losses need to reach p, is higher than the barrier in *b,
+ * stores p and this height in *b. */
 static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
 {
-    real height = 0;
-    enum dom_status status = dynamics_required(c->geometry, c->from, p, &height);
-    if (status == DOM_OK)
-        barrier_keep(b, p, height);
-    return status;
+    const struct geometry *geometry = c->geometry;
+    struct sums sums;
+    real ln_G, u;
+    if (geometry->conservative) {
+        const enum dom_status status = chain_change(geometry, c->from, tilt_half(p), PASS_PLAIN, &sums);
+        if (status == DOM_OK)
+            barrier_keep(b, p, sums.dH);
+        return status;
+    }
+    flow_at(geometry, 2 * atan(p), &ln_G, &u);
+    barrier_keep(b, p, geometry->flow->J0 * u);
+    return DOM_OK;
 }
 
 /* The state of the search for one top, a local maximum of H. The variable of the search is p = tan(theta /

@@ -96,6 +96,11 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
 
 /* ---- The passes ---- */
 
+/* Builds the series geometry->far. Its order is chosen to save the most time if `passes` passes use the
+ * series. If edges are rounded, if a domino detaches, if theta_inf is pi/2, or if no series saves time, the
+ * order is 0: there is no series. */
+KERNEL void far_make(struct geometry *geometry, real passes);
+
 /* Finds J and H1. If `sign` is true, only the sign of H1 is reliable, and the pass ends early. */
 KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, bool sign,
                                  struct sums *sums);

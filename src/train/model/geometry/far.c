@@ -9,7 +9,7 @@
  *
  * From these equations, each coefficient of H and J follows from the coefficients before it.
  */
-#include "geometry/far.h"
+#include "geometry/chain.h"
 
 /* Finds the series f = (z - p) / (1 + z p) of the follower, where p = tan((theta_1 - theta) / 2). Returns 1 -
  * f'(0), which is small if s is small. Callers must not compute it as 1 - f[1], because digits would

@@ -25,7 +25,7 @@ enum { FAR_FIRST = 4, FAR_ORDER = 12 };
 enum { FAR_FIRST = 4, FAR_ORDER = 20 };
 #endif
 
-/* H and J of a train, as power series around theta_inf (far.h) */
+/* H and J of a train, as power series around theta_inf (far.c) */
 struct far {
     int order; /* the order of both series, which is even; 0 if there are no series */
     real radius, rest_H, rest_J;
@@ -247,7 +247,7 @@ KERNEL real half_of_tilt(struct tilt t)
 
 /* Returns the tangent of half the angle between two tilts. If `from` is upright, no digits are lost to
  * cancellation. */
-KERNEL real tan_half_between(struct tilt from, struct tilt head)
+KERNEL_LOOP real tan_half_between(struct tilt from, struct tilt head)
 {
     real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
     return sine / (1 + cosine);

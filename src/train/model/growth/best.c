@@ -28,8 +28,9 @@ struct best {
 
 /* Returns r_max at s, or 0 if there is no r_max. After an error, returns NaN. At an open dip the result is
  * its growth: the train goes on at least up to there. */
-static real rmax_at(struct best *b, real s)
+static real rmax_at(real s, void *context)
 {
+    struct best *b = context;
     struct margin_context *c = b->c;
     struct limit *limit = &b->last;
     if (c->status != DOM_OK) /* a later failure does not replace the status of the first one */
@@ -61,23 +62,17 @@ static real highest_near(const struct point *at, const struct point *beyond, rea
     return at->r_max + fmin(slope, 2 * at->r_max / at->s) * width;
 }
 
-/* Returns an upper bound on r_max between lo and hi, estimated from the points before and after them. */
-static real highest_between(const struct point *before, const struct point *lo, const struct point *hi,
-                            const struct point *after)
-{
-    const real width = hi->s - lo->s;
-    return fmax(highest_near(lo, before, width), highest_near(hi, after, width));
-}
-
 /* Halves an interval of s as long as a larger r_max may hide inside. */
 static void best_between(struct best *b, const struct point *before, const struct point *lo,
                          const struct point *hi, const struct point *after)
 {
-    if (b->c->status != DOM_OK || hi->s - lo->s <= (b->r_max > 1 ? BEST_FINEST : BEST_FIRST) * hi->s ||
-        !(highest_between(before, lo, hi, after) > b->r_max))
+    const real width = hi->s - lo->s,
+               highest = fmax(highest_near(lo, before, width), highest_near(hi, after, width));
+    if (b->c->status != DOM_OK || width <= (b->r_max > 1 ? BEST_FINEST : BEST_FIRST) * hi->s ||
+        !(highest > b->r_max))
         return;
     const real s = (lo->s + hi->s) / 2;
-    const struct point middle = {s, rmax_at(b, s)};
+    const struct point middle = {s, rmax_at(s, b)};
     best_between(b, lo, &middle, hi, after);
     best_between(b, before, lo, &middle, hi);
 }
@@ -91,7 +86,7 @@ static void best_sample(struct best *b)
     for (real s = span; n < BEST_MOST && s > BEST_LOWEST && lower < BEST_PATIENCE && b->c->status == DOM_OK;
          s *= BEST_RATIO, n++) {
         const real before = b->r_max;
-        at[n] = (struct point){s, rmax_at(b, s)};
+        at[n] = (struct point){s, rmax_at(s, b)};
         lower = b->r_max > before || b->r_max == 0 ? 0 : lower + 1;
     }
     for (int k = 0; k + 1 < n; k++)
@@ -134,7 +129,7 @@ static real best_slope(real s, void *context)
 {
     struct best *b = context;
     struct margin_context *c = b->c;
-    const real r = rmax_at(b, s), h = r > 0 ? slope_step(c->geometry.span, s, r) * b->finer : 0;
+    const real r = rmax_at(s, b), h = r > 0 ? slope_step(c->geometry.span, s, r) * b->finer : 0;
     if (c->status != DOM_OK)
         return REAL_NAN;
     const real slope = b->last.ends == DOM_END_BARRIER && s + h > s ? margin_slope(c, s, r, h) : -1;
@@ -168,19 +163,14 @@ static void best_step(struct best *b)
     }
 }
 
-static real rmax_of_s(real s, void *context)
-{
-    return rmax_at(context, s);
-}
-
 /* Close to a kink of r_max(s), the nine-point rule mixes the slopes on both sides. There, finds the maximum
  * from r_max alone, within `width` of b->s. */
 static enum dom_status best_kink(struct best *b, real width, bool *found)
 {
     const real s = b->s, lo = s - width, hi = fmin(s + width, b->c->geometry.span), r = b->r_max,
                noise = 64 * REAL_EPSILON * r;
-    const real far[] = {r - rmax_at(b, lo), r - rmax_at(b, hi)},
-               near[] = {r - rmax_at(b, (lo + s) / 2), r - rmax_at(b, (hi + s) / 2)};
+    const real far[] = {r - rmax_at(lo, b), r - rmax_at(hi, b)},
+               near[] = {r - rmax_at((lo + s) / 2, b), r - rmax_at((hi + s) / 2, b)};
     bool kink = b->r_max > r + noise;
     for (int k = 0; k < 2; k++) /* next to a smooth maximum, r_max falls with the square of the distance */
         kink = kink || (far[k] > noise && near[k] > (real)0.4 * far[k]);
@@ -188,7 +178,7 @@ static enum dom_status best_kink(struct best *b, real width, bool *found)
     if (b->c->status != DOM_OK || !kink || !(b->s > lo && b->s < hi))
         return b->c->status;
     real top;
-    const enum num_status solver = num_maximum(rmax_of_s, b, lo, b->s, hi, b->c->geometry.tol / 8, &top);
+    const enum num_status solver = num_maximum(rmax_at, b, lo, b->s, hi, b->c->geometry.tol / 8, &top);
     *found = solver == NUM_OK;
     return solver == NUM_NOT_BRACKETED ? b->c->status : model_status(b->c->status, solver);
 }
@@ -208,13 +198,13 @@ static enum dom_status best_top(struct best *b, real width, bool *found)
             num_root_between(best_slope, b, lo, up, hi, down, c->geometry.tol / 8, &s);
         c->status = model_status(c->status, solver);
         /* At a jump, the dip is open. Step back to the nearest separation whose train certainly passes it. */
-        real r = rmax_at(b, s), step = b->s > s ? 2 * REAL_EPSILON * s : -2 * REAL_EPSILON * s;
+        real r = rmax_at(s, b), step = b->s > s ? 2 * REAL_EPSILON * s : -2 * REAL_EPSILON * s;
         for (; r < b->r_max * (1 - BEST_JUMP) && fabs(step) < fabs(b->s - s); step *= 2)
-            r = rmax_at(b, s + step);
+            r = rmax_at(s + step, b);
         /* A smooth maximum is flat: the errors of r_max decide which of the separations near it has the
          * largest r_max. The root of the slope has more digits. */
         const real error = fmax(c->geometry.tol, 64 * REAL_EPSILON);
-        if (c->status == DOM_OK && (r = rmax_at(b, s)) >= b->r_max * (1 - error)) {
+        if (c->status == DOM_OK && (r = rmax_at(s, b)) >= b->r_max * (1 - error)) {
             b->s = s;
             b->r_max = r;
         }
@@ -244,13 +234,13 @@ static enum dom_status best_uncertainty(struct best *b, struct dom_best *best)
     /* on which side r_max is lower by a jump, if at all */
     struct best aside = *b;
     aside.r_max = (real)INFINITY;
-    const real below = rmax_at(&aside, s - drop), above = s + drop < span ? rmax_at(&aside, s + drop) : r;
+    const real below = rmax_at(s - drop, &aside), above = s + drop < span ? rmax_at(s + drop, &aside) : r;
     if (c->status == DOM_OK && fmin(below, above) < r * (1 - BEST_JUMP)) {
         /* The lower side stops in a dip. The margin at this dip is 0 at the jump. */
         const real dip = fmax(fmin(below, above), 1),
                    by = fabs(margin_slope(c, s, dip, slope_step(span, s, dip)));
         s_error += 2 * error / by;
-        const real far = rmax_at(&aside, below < above ? s + 2 * s_error : s - 2 * s_error);
+        const real far = rmax_at(below < above ? s + 2 * s_error : s - 2 * s_error, &aside);
         r_error += fabs(far - r);
     } else if (c->status == DOM_OK && limit.ends == DOM_END_BARRIER && s + h > s) {
         const real second = fabs(best_slope(s + 4 * h, b) - best_slope(s - 4 * h, b)) / (8 * h);
@@ -273,11 +263,11 @@ static enum dom_status best_find(struct best *b)
     bool found = false;
     if (c->near > 0) {
         b->s = c->s;
-        rmax_at(b, b->s);
+        rmax_at(b->s, b);
         status = best_top(b, NEAR_WIDTH, &found);
         if (status == DOM_OK && !found) {
             c->near = b->r_max = 0;
-            rmax_at(b, (real)c->train->s);
+            rmax_at((real)c->train->s, b);
             status = best_top(b, JUMP_WIDTH, &found);
         }
     }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The limits of growth.
- * - margin.c computes the margin K - B of a train or of a pair.
- * - root.c finds a root of the margin, from a guess or from a bracket.
+ * - margin.c computes the margin K - B of a train or of a pair, and finds a root of it, from a guess or from
+ * a bracket.
  * - first.c finds the first growth at which the margin changes sign.
  * - limit.c finds r_max, and how uncertain it is.
  * - best.c finds the separation with the largest r_max.
@@ -82,17 +82,6 @@ KERNEL real margin_error(const struct margin_context *c, const struct margin *m,
 
 /* The finest tolerance of a margin. */
 KERNEL real margin_finest(const struct margin_context *c);
-
-/*
- * margin_follow returns margin_share at r, for the next step of a root search. It computes only as many
- * digits as this step needs. Each call starts near the maximum of H that the previous call found. Call
- * margin_follow_begin before the first call, with an estimate of margin_share there.
- */
-KERNEL void margin_follow_begin(struct margin_context *c, real share);
-KERNEL real margin_follow(real r, void *context);
-
-/* Returns true if the maximum of H that margin_follow has tracked is the highest maximum at the root r. */
-KERNEL bool margin_highest(const struct margin_context *c, real r);
 
 /* ---- Its roots ---- */
 
