@@ -201,7 +201,7 @@ $record|draw|10 dominoes, 24 cm to 5.5 m tall, on 8.85 m of floor.
 $record|draw|All 10 fall: the last one lies flat 7.65 s after the first hit.
 $record|draw|Weakest: domino 8, which needs 40 % of the energy that it has.
 $record|draw at domino 8|3.348 s after the first hit: domino 8 falls; 2 dominoes still stand.
-$record|draw at -0.1|0.100 s before the first hit: domino 1 falls; 9 dominoes still stand.
+$record|draw at domino 1|0.000 s after the first hit: domino 2 falls; 8 dominoes still stand.
 $record|draw at end|all have fallen.
 set r 1.6; effect row 12|draw|stops the row: it has 96 % of the energy that it needs.
 set r 1.6; effect row 12|draw at end|the fall ends at domino 2; 10 dominoes 

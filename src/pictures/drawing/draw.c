@@ -114,7 +114,7 @@ static bool moment_time(struct problem *problem, const struct options *options, 
                                  "how far the row falls",
                                  number, end);
     }
-    if (*time < 0 && !row_run_tipped(&row->run, 0))
+    if (*time < 0)
         return problem_no_answer(
             problem, "times count from the %s and cannot be negative; 'draw at 0' shows the row at the %s",
             start, start);

@@ -108,14 +108,7 @@ void falling_row_free(struct falling_row *row)
 
 double falling_row_hit(const struct falling_row *row, size_t k)
 {
-    const struct domq_domino *d = &row->run.scene.domino[0];
-    domq_real flat = d->thickness / d->height;
-    /* While the tilt is still close to the balance point, its distance from this point grows exponentially.
-     * `growth` is the time in s in which the distance grows by a factor of e. */
-    domq_real growth = quad(sqrt)(2 * d->height / (3 * row->run.scene.row.g) * quad(sqrt)(1 + flat * flat));
-    return row_run_tipped(&row->run, k) ? -3 * (double)growth
-           : k < row->run.hits          ? (double)row->run.fall[k].time
-                                        : (double)NAN;
+    return k == 0 ? 0 : k < row->run.hits ? (double)row->run.fall[k].time : (double)NAN;
 }
 
 enum dom_status falling_row_watch(const struct falling_row *row, const double *times, size_t count,
@@ -249,8 +242,7 @@ void falling_row_moment(const struct falling_row *row, const struct dom_moment *
 {
     const bool over = m->time >= row->end;
     const size_t after = row->stage.count - m->head;
-    snprintf(text, SENTENCE, "%.3f s %s the %s: ", fabs(m->time), m->time < 0 ? "before" : "after",
-             falling_row_start(row));
+    snprintf(text, SENTENCE, "%.3f s after the %s: ", m->time, falling_row_start(row));
     if (over && row->run.verdict.end == DOM_ROW_FALLS) {
         text_add(text, SENTENCE, "all have fallen.");
         return;

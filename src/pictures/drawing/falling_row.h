@@ -23,12 +23,8 @@ bool falling_row_make(const struct query *query, struct problem *problem, bool h
                       struct falling_row *row);
 void falling_row_free(struct falling_row *row);
 
-/*
- * Returns the time when domino k, counted from 0, is hit, or NaN if this never happens or cannot be computed.
- *
- * Without a push, domino 0 is not hit. For k = 0, the function then returns the negative time at which domino
- * 0 visibly begins to move.
- */
+/* Returns the time when domino k, counted from 0, is hit, or NaN if this never happens or cannot be computed.
+ * For k = 0, returns the time 0 at which the clock starts. */
 double falling_row_hit(const struct falling_row *row, size_t k);
 
 /* Runs the row again and calls `visit` at each of the times, which must not decrease. Infinity stands for the

@@ -148,83 +148,13 @@ static enum dom_status watch_rest(struct run *run)
     return status;
 }
 
-/* ---- Before the first hit ---- */
-
-/*
- * A single domino tips over from theta_u. Let its tilt be theta_u + phi. It would take an infinite time to
- * leave theta_u, so times are counted back from the hit. tau omega / sin(phi / 2) is a smooth function of
- * phi, and constant with sharp edges. So the variable is q = ln [tan(phi_c / 4) / tan(phi / 4)], with phi_c
- * at the hit.
- */
-static real tipping_phi(const struct segment *st, real q)
-{
-    return 4 * atan(tan((st->hi - st->lo) / 4) * exp(-q));
-}
-
-/* With drag, the solution of the equation of motion has too few digits where the domino has hardly moved.
- * There, a power series for omega^2 takes its place, with an error of about the square of the angle. */
-#define DRAG_CLOSE ((real)1e-4)
-
-/* Returns tau omega / sin(phi / 2), which is a smooth function of phi. */
-static real tipping_rate(const struct segment *st, real phi)
-{
-    const struct geometry *geometry = &st->geometry;
-    if (!losses_end_alone(geometry) && phi > DRAG_CLOSE) {
-        const real theta = fmin(st->lo + phi, st->hi);
-        real ln_G, u;
-        flow_at(geometry, theta, &ln_G, &u);
-        u = num_linear_moved(&geometry->flow->solution, theta, theta - st->lo); /* without cancellation */
-        return sqrt(fmax(exp(ln_G) * u, 0)) / sin(phi / 2);
-    }
-    const struct tilt u = tilt_half(geometry_half_u(geometry)),
-                      at = tilt_make(sin(st->lo + phi), cos(st->lo + phi));
-    /* The released energy divided by sin^2(phi / 2). h' is 0 at theta_u, so no large terms cancel. */
-    real energy = 2 * geometry_height(geometry, u) * (1 - 2 * geometry->drag * phi / 3);
-    const real half = sin(phi / 2);
-    energy += geometry->rounded.roll * (phi < exp(log(REAL_EPSILON) / 5) ? -2 * phi / 3 * (1 + phi * phi / 30)
-                                                                         : (sin(phi) - phi) / (half * half));
-    return sqrt(energy / geometry_inertia(geometry, at));
-}
-
-/* Returns dq/dt, in 1/tau. */
-static real tipping_slope(const struct segment *st, real q)
-{
-    return tipping_rate(st, tipping_phi(st, q)) / 2;
-}
-
-/* Number of steps per tau, and a q at which the domino has not moved within rounding errors. */
-#define TIPPING_STEPS 128
-#define TIPPING_STILL 700
-
-/* Returns q at the time `left` before the hit, in tau, by the method of Runge and Kutta. */
-static real tipping_at(const struct segment *st, real left)
-{
-    const real steps = ceil(TIPPING_STEPS * left), h = left / steps;
-    real q = 0;
-    for (real k = 0; k < steps && q < TIPPING_STILL; k++) {
-        const real a = tipping_slope(st, q), b = tipping_slope(st, q + h / 2 * a),
-                   c = tipping_slope(st, q + h / 2 * b), d = tipping_slope(st, q + h * c);
-        q += h * (a + 2 * b + 2 * c + d) / 6;
-    }
-    return q;
-}
-
-/* Reports the states at those requested times that lie before the first hit. */
+/* The first domino has tipped over, and hits the second one or the floor at the time 0. */
 static enum dom_status watch_tip(struct run *run, struct segment *tip, real tau)
 {
     struct watch *w = run->hooked;
-    if (tip->hi <= tip->lo) {
-        w->tilt[0] = tip->hi;
-        return DOM_OK;
-    }
-    watch_keep(w, &(struct passage){.st = tip, .to = tip->hi, .tau = tau});
-    w->moving = 1;
-    while (!w->ended && w->next < w->times && w->time[w->next] < 0) {
-        const real phi = tipping_phi(tip, tipping_at(tip, -w->time[w->next] / tau));
-        w->tilt[0] = tip->lo + phi;
-        w->omega[0] = tipping_rate(tip, phi) * sin(phi / 2) / tau;
-        watch_visit(w, w->time[w->next]);
-    }
+    w->tilt[0] = tip->hi;
+    if (tip->hi > tip->lo)
+        watch_keep(w, &(struct passage){.st = tip, .to = tip->hi, .tau = tau});
     return DOM_OK;
 }
 
@@ -252,7 +182,7 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
     if (status != DOM_OK || row->engine)
         return status != DOM_OK ? status : DOM_NO_METHOD;
     for (size_t k = 0; k < count; k++)
-        if (isnan(times[k]) || (k > 0 && times[k] < times[k - 1]) || (times[k] < 0 && !isnan(row->push)))
+        if (isnan(times[k]) || times[k] < 0 || (k > 0 && times[k] < times[k - 1]))
             return DOM_BAD_TIME;
     struct watch w = {.time = times,
                       .times = count,

@@ -172,12 +172,11 @@ static domq_real film_speed(const struct film *f, double seconds)
 /* Fills f->time with the times of the frames. Infinity stands for the end of the motion. */
 static bool times_find(struct film *f)
 {
-    double begins = row_run_tipped(&f->row.run, 0) ? falling_row_hit(&f->row, 0) : 0;
-    const domq_real speed = f->speed = film_speed(f, f->row.end - begins);
+    const domq_real speed = f->speed = film_speed(f, f->row.end);
     const double step = f->delay / 100.0 * (double)speed;
     if (!isfinite(f->row.end))
         return row_status(f->query, f->problem, DOM_NO_MARGIN);
-    double moving = ceil((f->row.end - begins) / step - 1e-9);
+    double moving = ceil(f->row.end / step - 1e-9);
     const double frames = moving + 1 + (f->is_data || !f->out->path ? 0 : HELD * 100 / f->delay);
     if (frames > FRAMES_MOST)
         return problem_no_answer(
@@ -187,7 +186,7 @@ static bool times_find(struct film *f)
     f->frames = (size_t)frames;
     f->time = malloc(f->frames * sizeof *f->time);
     for (size_t k = 0; k < f->frames && f->time; k++)
-        f->time[k] = (double)k < moving ? begins + step * (double)k : HUGE_VAL;
+        f->time[k] = (double)k < moving ? step * (double)k : HUGE_VAL;
     return f->time || problem_status(f->problem, f->query->scene, DOM_NO_MEMORY);
 }
 
