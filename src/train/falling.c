@@ -285,7 +285,7 @@ static size_t plain_count(domq_real dominoes)
 }
 
 bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes,
-                struct start *start, struct problem *problem)
+               struct start *start, struct problem *problem)
 {
     struct plain_run run;
     struct double_row in_double;

@@ -127,18 +127,13 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
                    "A %s that just tips over can topple one %s times as large, across a gap of %.6g times "
                    "the larger height.",
                    dominoes_words(train.q, "domino").text, limit_words(limit.r_max, 6).text, (double)train.s);
-    const bool good = answer_row(
+    return answer_row(
         a,
         ROW(cell_real(train.s), cell_limit(cell_uncertain(limit.r_max, limit.uncertainty)),
             cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE
             ? "no growth possible: at this s and d, a domino that just tips over does not topple the next one"
             : NULL);
-    if (limit.ends != DOM_END_NONE)
-        answer_detail(a, "%s.",
-                      limit.ends == DOM_END_REACH ? "The domino falls past a larger one without touching it"
-                                                  : "For a larger one the domino has too little energy");
-    return good;
 }
 
 static const struct column best_columns[] = {

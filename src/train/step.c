@@ -313,50 +313,35 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
 
 /* ---- Moving ---- */
 
-/* Moves to the next event or, if `forward` is false, to the last event before the current position. Returns
- * false if there is no such event. */
-static bool walk_step(struct walk *w, bool forward)
+/* Moves by the number of steps in the arguments, backward if `back` is true. If the walk ends earlier, prints
+ * an answer for the steps made, and then reports why it ended. */
+static bool walk_by(const struct query *query, struct answer *a, struct problem *problem, struct walk *w,
+                    bool begun, bool back)
 {
+    const long steps = query->given->count > 0 ? (long)query->given->number[0] : 1,
+               last = (w->verdict == DOM_OK ? CYCLES_MAX : 1) * (long)w->count - 1,
+               from = (w->cycle - 1) * (long)w->count + w->event;
     const bool is_between = w->theta > w->events[w->event].theta;
-    const int cycles = w->verdict == DOM_OK ? CYCLES_MAX : 1, at = (w->cycle - 1) * w->count + w->event +
-                                                                   (forward      ? 1
-                                                                    : is_between ? 0
-                                                                                 : -1);
-    if (at < 0 || at >= cycles * w->count)
+    /* A new walk begins at the launch of the first cycle. Going there counts as the first step forward. */
+    const long to = back ? from - steps + is_between : from + steps - begun, at = to < 0      ? 0
+                                                                                  : to > last ? last
+                                                                                              : to;
+    const bool moved = begun || at != from || (back && is_between);
+    w->cycle = (int)(at / w->count) + 1;
+    w->event = (int)(at % w->count);
+    if (moved)
+        w->theta = w->events[w->event].theta;
+    if (moved && !walk_answer(query, a, problem, w))
         return false;
-    w->cycle = at / w->count + 1;
-    w->event = at % w->count;
-    w->theta = w->events[w->event].theta;
-    return true;
-}
-
-/* Sets *problem to the reason why the walk cannot move farther in this direction. Always returns false. */
-static bool walk_ended(const struct walk *w, struct problem *problem, bool forward)
-{
-    if (!forward)
+    if (to < 0)
         return problem_no_answer(problem,
                                  "this is the launch of the first cycle; 'step' goes to the next event");
-    if (w->verdict == DOM_STOPS)
+    if (to > last && w->verdict == DOM_STOPS)
         return problem_no_answer(
             problem, "the train has stopped; 'why' explains it, and 'step to start' begins again");
-    return problem_no_answer(problem, "the steps end after %d cycles; enter 'step to start' or 'step back'",
+    return to <= last ||
+           problem_no_answer(problem, "the steps end after %d cycles; enter 'step to start' or 'step back'",
                              CYCLES_MAX);
-}
-
-/* Moves by the number of steps in the arguments. If the walk ends earlier, prints an answer for the steps
- * made, and then reports why it ended. */
-static bool walk_by(const struct query *query, struct answer *a, struct problem *problem, struct walk *w,
-                    bool begun, bool forward)
-{
-    long steps = query->given->count > 0 ? (long)query->given->number[0] : 1;
-    bool moved = begun, goes_on = true;
-    /* A new walk begins at the launch of the first cycle. Going there counts as the first step forward. */
-    for (steps -= begun && forward; goes_on && steps > 0; steps--) {
-        goes_on = walk_step(w, forward);
-        moved = moved || goes_on;
-    }
-    return (!(moved || goes_on) || walk_answer(query, a, problem, w)) &&
-           (goes_on || walk_ended(w, problem, forward));
 }
 
 /* Moves to the tilt in the first argument. A negative argument -1 - k stands for the event of kind k. */
@@ -395,7 +380,7 @@ static bool walk_move(const struct query *query, struct answer *a, struct proble
         done = walk_answer(query, a, problem, &walk);
     else if (done)
         done = move == MOVE_GOTO ? walk_to(query, a, problem, &walk)
-                                 : walk_by(query, a, problem, &walk, begun, move == MOVE_STEP);
+                                 : walk_by(query, a, problem, &walk, begun, move == MOVE_BACK);
     /* The walk is saved even if a problem is reported, for example that the walk has ended. */
     if (query->next)
         *query->walk = walk;

@@ -83,30 +83,25 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
     }
 }
 
+/* Says whether the dominoes stay in contact, as the paper assumes. At r s = 1 the head is hit at its own
+ * hinge, and the impulse has no bound. */
 static void contact_say(const struct query *query, struct answer *a, const struct domq_least_force *c)
 {
-    const struct answer_style *style = &query->state->settings.style;
-    const struct measured weight = measured(quad(fabs)(c->force), "share", 3);
-    const char *unit = style_angle_unit(style);
-    double tilt = (double)style_angle(style, c->theta);
+    char where[400] = "in the collision, one domino would have to be pulled";
     if (!isfinite(c->force) || !isfinite(c->impulse))
-        answer_say(a, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is 0, the "
-                      "impulse has no upper bound, and the paper's assumption of contact fails (14; b10).");
-    else if (c->force > 0 && c->impulse > 0)
-        answer_detail(
-            a,
-            "The dominoes stay in contact, as the paper assumes. The weakest contact pushes domino %zu with "
-            "a force equal to %s of that domino's weight, at a head tilt of %.4g %s.",
-            c->domino, weight.text, tilt, unit);
-    else if (c->force > 0)
-        answer_say(a, "The paper assumes that the dominoes stay in contact, but they do not: in the "
-                      "collision, one domino would have to be pulled. The answer is not valid.");
+        return;
+    if (!(c->force > 0) || c->impulse > 0)
+        snprintf(where, sizeof where, "domino %zu %s with %s of its weight, at a head tilt of %s", c->domino,
+                 c->force > 0 ? "is pushed" : "would have to be pulled",
+                 measured(quad(fabs)(c->force), "share", 3).text, angle_text(query, c->theta, 4).text);
+    if (c->force > 0 && c->impulse > 0)
+        answer_detail(a, "The dominoes stay in contact, as the paper assumes: at the weakest contact, %s.",
+                      where);
     else
         answer_say(a,
-                   "The paper assumes that the dominoes stay in contact, but they do not: domino %zu would "
-                   "have to be pulled with a force of %s of its weight, at a head tilt of %.4g %s. Once a "
-                   "contact would have to pull, the answer is no longer valid.",
-                   c->domino, weight.text, tilt, unit);
+                   "The dominoes do not stay in contact, as the paper assumes: %s. Once a contact would have "
+                   "to pull, the answer is no longer valid.",
+                   where);
 }
 
 bool run_why(const struct query *query, struct answer *a, struct problem *problem)
