@@ -30,11 +30,10 @@ static void dominoes_write(const struct query *query, struct answer *a, const st
 {
     const bool has_masses = scene_has_masses(query->scene);
     bool has_radii = false, has_leans = false, has_widths = false;
-    domq_real heaviest = 0, sum = 0;
+    domq_real sum = 0;
     for (size_t k = from; k < to; k++) {
         const struct domq_domino *d = &scene->domino[k];
         sum += d->mass;
-        heaviest = quad_larger(heaviest, d->mass);
         has_radii = has_radii || d->radius > 0;
         has_leans = has_leans || d->lean != 0;
         has_widths = has_widths || d->width != d->height / 2;
@@ -45,7 +44,6 @@ static void dominoes_write(const struct query *query, struct answer *a, const st
     answer_leave_out(a, has_radii ? "" : "radius");
     answer_leave_out(a, has_leans ? "" : "lean");
     answer_leave_out(a, has_widths ? "" : "width");
-    answer_unit(a, "mass", measure_of("kg", heaviest));
     a->csv.units = true;
     a->style.errors = 0; /* 'set row FILE' cannot read columns with errors */
     /* First all numbers are announced, so that the columns get their units. */

@@ -94,13 +94,6 @@ void answer_announce(struct answer *a, const char *key, domq_real number)
             a->layout.largest[i] = fmax(a->layout.largest[i], fabs((double)number));
 }
 
-void answer_unit(struct answer *a, const char *key, struct measure measure)
-{
-    for (int i = 0; a->columns[i].key; i++)
-        if (strcmp(a->columns[i].key, key) == 0)
-            a->layout.measure[i] = measure;
-}
-
 bool answer_has_error(const struct answer *a, int i)
 {
     return (a->layout.errors >> i & 1) != 0;
@@ -133,8 +126,7 @@ void answer_plan(struct answer *a, const struct cell *sample)
         most = is_real    ? quad_larger(most, quad(fabs)(sample[i].number))
                : most > 0 ? most
                           : (domq_real)DBL_MAX;
-        if (!a->layout.measure[i].unit) /* see answer_unit */
-            a->layout.measure[i] = measure_of(a->columns[i].unit, most);
+        a->layout.measure[i] = measure_of(a->columns[i].unit, most);
     }
 }
 

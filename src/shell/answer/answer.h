@@ -198,9 +198,6 @@ void answer_leave_out(struct answer *answer, const char *keys);
  * unit. If `meaning` is NULL, the column keeps its explanation. */
 void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
-/* Chooses the unit of a column in a table of rows. If no column has this key, nothing happens. */
-void answer_unit(struct answer *answer, const char *key, struct measure measure);
-
 /* Announces a number that a column will contain. In a table of rows, each column has one unit, which must be
  * chosen before the first row is written. The unit suits the largest number that was announced or is in the
  * first row. If no column has this key, nothing happens. */

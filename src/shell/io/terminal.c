@@ -71,7 +71,8 @@ bool terminal_utf8(void)
     return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
 
-int utf8_width(const char *text, size_t length)
+/* Returns the number of terminal columns of the first `length` bytes of a UTF-8 text. */
+static int utf8_width(const char *text, size_t length)
 {
     int columns = 0;
     for (size_t i = 0; i < length; i++)

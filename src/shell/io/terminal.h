@@ -29,9 +29,6 @@ bool terminal_utf8(void);
 /* Returns the number of terminal columns of a UTF-8 text. Wide characters count as one column. */
 int utf8_columns(const char *text);
 
-/* The same of its first `length` bytes. */
-int utf8_width(const char *text, size_t length);
-
 /* ---- Lines: text is broken at blanks. Some words stay together on a line, such as "r = 1.5" or "7.5 cm".
  * Such a group of words, or a single word, is called a piece. ---- */
 

@@ -36,12 +36,6 @@ enum {
         EFFECT_COUNT
 };
 
-/* Returns true for an effect that gives rows random errors. */
-static inline bool effect_is_random(int effect)
-{
-    return effect == EFFECT_placement || effect >= EFFECT_ENGINE_END;
-}
-
 /* First values of an effect that stand for the words "off" and "on". EFFECT_ON turns an effect on with its
  * usual values. If the effect is already on, its values do not change. */
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
