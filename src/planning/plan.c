@@ -3,7 +3,6 @@
 #include "chance/chance.h"
 #include "language/quad.h"
 #include "pictures/drawing/falling_row.h"
-#include "pictures/picture/paper.h"
 #include "planning/planning.h"
 #include <math.h>
 #include <stdlib.h>

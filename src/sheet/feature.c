@@ -8,7 +8,6 @@
 #include "language/text.h"
 #include "language/units.h"
 #include "pictures/drawing/falling_row.h"
-#include "pictures/picture/paper.h"
 #include "session/parameters.h"
 #include <stdlib.h>
 #include <strings.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "pictures/picture/paper.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include "pictures/picture/picture.h"
+#include "pictures/picture/stage.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

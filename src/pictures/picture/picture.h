@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What charts and stages are drawn with: a canvas of characters, and gnuplot. */
+/* What charts and stages are drawn with: a canvas of characters, gnuplot, and the whole screen. */
 #ifndef SHELL_PICTURE_H
 #define SHELL_PICTURE_H
 
@@ -119,5 +119,23 @@ bool picture_end(struct picture *picture, bool whole, struct problem *problem);
  * the picture. Other control characters and bytes that are not UTF-8 are escaped (see escape.h). */
 void gnuplot_text_part(FILE *script, const char *text, size_t length);
 void gnuplot_text(FILE *script, const char *text);
+
+/* ---- The screen (screen.c) ---- */
+
+/* A second screen of the terminal, without a cursor, on which keys are read one by one. ^Z stops the program
+ * at once, with the terminal as it was before. When the program continues, the screen is shown again. */
+
+/* Keys beyond characters. KEY_BACK: the program has continued after ^Z, and the screen is empty. KEY_END: the
+ * user has typed 'q', ^D or ^C, or the terminal is gone. */
+enum { KEY_NONE = 0, KEY_UP = 256, KEY_DOWN, KEY_RIGHT, KEY_LEFT, KEY_BACK, KEY_END };
+
+/* Shows the screen. Returns a stream to write on it, or NULL if `out` is not shown on a terminal, or if this
+ * program is not in the terminal's foreground. */
+FILE *screen_begin(FILE *out);
+void screen_end(void);
+
+/* Waits for a key, for at most this many seconds, and not longer than 0.2 s. Returns KEY_NONE if there is
+ * none. */
+int screen_key(double seconds, const volatile sig_atomic_t *interrupt);
 
 #endif

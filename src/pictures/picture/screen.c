@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "pictures/picture/screen.h"
 #include "domino_common.h"
 #include "io/terminal.h"
+#include "pictures/picture/picture.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>

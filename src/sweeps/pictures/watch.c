@@ -3,7 +3,6 @@
  * stores the value in the session. */
 #include "interpreter/feature.h"
 #include "io/terminal.h"
-#include "pictures/picture/screen.h"
 #include "pictures/plots/plots.h"
 #include "session/session.h"
 #include "sweeps/sweeps.h"
