@@ -3,7 +3,7 @@
  * is largest or smallest. */
 #include "language/quad.h"
 #include "language/text.h"
-#include "sweeps/search.h"
+#include "sweeps/sweeps.h"
 #include "train/falling.h"
 #include <math.h>
 #include <stdlib.h>
@@ -197,7 +197,11 @@ static bool hunt_run(struct hunt *h, struct problem *problem)
         (void)best_ask(h, 0, 0); /* leaves the best answer in search.answer */
     if (dom_raised(scene->compute.interrupt))
         return problem_status(problem, scene, DOM_INTERRUPTED);
-    return is_found ? !is_constant || search_constant(s, s->answer, problem) : search_empty(s, problem);
+    char ranges[RANGES_TEXT];
+    if (!is_found)
+        return problem_no_answer(problem, "%s has no answer for any %s: %s", s->sweep->answer->name,
+                                 search_ranges(s, ranges), s->reason);
+    return !is_constant || search_constant(s, s->answer, problem);
 }
 
 /* ---- The answer ---- */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "sweeps/search.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "parallel/workers.h"
+#include "sweeps/sweeps.h"
 #include <math.h>
 #include <string.h>
 
@@ -119,11 +119,4 @@ bool search_constant(const struct search *s, domq_real answer, struct problem *p
     return problem_no_answer(
         problem, "%s does not change: it is %s everywhere in %s; 'sensitivity' shows what it depends on",
         s->sweep->answer->name, quad_text(answer, 10), search_ranges(s, text));
-}
-
-bool search_empty(const struct search *s, struct problem *problem)
-{
-    char text[RANGES_TEXT];
-    return problem_no_answer(problem, "%s has no answer for any %s: %s", s->sweep->answer->name,
-                             search_ranges(s, text), s->reason);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'solve', which finds where an answer has a given value, or where a verdict changes. */
 #include "language/quad.h"
-#include "sweeps/search.h"
+#include "sweeps/sweeps.h"
 #include <math.h>
 #include <stdlib.h>
 
