@@ -2,10 +2,20 @@
 /* The command 'assert', which reports an error unless a condition or a verdict is true. */
 #include "sweeps/sweeps.h"
 
+const char *assert_names(const void *context, int k)
+{
+    const struct command *c;
+    (void)context;
+    for (int i = 0; (c = command_at(i)) != NULL; i++)
+        if (c->holds && k-- == 0)
+            return c->name;
+    return NULL;
+}
+
 bool assert_parse(struct reader *r, struct question *q)
 {
     struct question *asserted = q->parsed = reader_memory(r, sizeof *asserted);
-    if (!asserted || !question_parse_any(r, asserted, false))
+    if (!asserted || !question_parse_any(r, asserted, false, assert_names))
         return false;
     if (asserted->command->holds)
         return true;

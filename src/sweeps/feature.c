@@ -126,7 +126,7 @@ static const struct command sweep_commands[] = {
                    .kind = ARGUMENT_COMMAND,
                    .noun = "command with a verdict",
                    .parse = assert_parse,
-                   .choices = question_names}},
+                   .choices = assert_names}},
      .summary = "report an error unless COMMAND answers yes or the comparison is true",
      .help =
          "'assert' runs the command, and reports an error if its verdict is no: for example, if the row does "

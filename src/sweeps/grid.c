@@ -62,9 +62,15 @@ static bool value_parse(struct reader *r, const struct parsed *s, const struct p
     bool ends = reader_ends(r);
     reader_place(r, r->at);
     snprintf(what, sizeof what, "%s: %s is missing", p->name, name);
-    return ends                   ? form_wrong(r, s, what)
-           : s->form == FORM_GRID ? item_parse_listed(r, p, item)
-                                  : item_parse_value(r, p, 0, p->value->name, item);
+    if (ends)
+        return form_wrong(r, s, what);
+    if (s->form == FORM_GRID)
+        return item_parse_listed(r, p, item);
+    struct argument *a = reader_memory(r, sizeof *a); /* an end of a range is no word, such as "off" */
+    if (!a)
+        return false;
+    *a = (struct argument){.name = name, .kind = ARGUMENT_VALUE_OF, .parameter = p->name};
+    return item_parse(r, a, item);
 }
 
 /* Parses the remaining values of a list, after the first one. */
@@ -203,12 +209,23 @@ static bool answer_begins(struct reader *r, const struct parsed *s)
     return !reader_ends(r) || form_wrong(r, s, what);
 }
 
+/* A names_list (see names.h) of the commands that can be swept. */
+static const char *sweepable_names(const void *context, int k)
+{
+    const struct command *c;
+    (void)context;
+    for (int i = 0; (c = command_at(i)) != NULL; i++)
+        if (c->columns && !c->sweep.refusal && k-- == 0)
+            return c->name;
+    return NULL;
+}
+
 /* Parses a command or an expression. The name of the question does not include the word 'print'. */
 static bool answer_parse(struct reader *r, struct question *q)
 {
     const char *begin = r->at;
     q->key = -1;
-    const struct command *c = q->command = command_read_inner(r, question_names);
+    const struct command *c = q->command = command_read_inner(r, sweepable_names);
     if (!c)
         return false;
     if (c->sweep.refusal)
@@ -235,13 +252,13 @@ bool sweep_parse_answers(struct reader *r, struct question *q)
     /* In a list, each answer is one number. */
     if (is_good && *r->at == ',') {
         r->at = begin;
-        is_good = question_parse_any(r, &s->answer[0], true);
+        is_good = question_parse_any(r, &s->answer[0], true, question_names);
     }
     while (is_good && *r->at == ',')
         is_good = answer_begins(r, s) &&
                   (s->answers < ANSWER_COLUMNS ||
                    problem_error(r->problem, "there are more than %d answers", ANSWER_COLUMNS)) &&
-                  question_parse_any(r, &s->answer[s->answers++], true);
+                  question_parse_any(r, &s->answer[s->answers++], true, question_names);
     s->typed = s->answers > 1 ? question_name(r, begin, r->at) : s->answer[0].name;
     r->stops = NULL;
     return is_good;
@@ -250,7 +267,7 @@ bool sweep_parse_answers(struct reader *r, struct question *q)
 bool answer_parse_number(struct reader *r, struct question *q)
 {
     struct parsed *s = q->parsed;
-    return answer_begins(r, s) && question_parse_any(r, &s->answer[s->answers++], true);
+    return answer_begins(r, s) && question_parse_any(r, &s->answer[s->answers++], true, question_names);
 }
 
 bool answer_parse_value(struct reader *r, struct question *q)
@@ -261,7 +278,7 @@ bool answer_parse_value(struct reader *r, struct question *q)
     if (!answer_begins(r, s))
         return false;
     r->stops = "=";
-    bool is_good = question_parse_any(r, &s->answer[s->answers++], false);
+    bool is_good = question_parse_any(r, &s->answer[s->answers++], false, question_names);
     r->stops = NULL;
     if (!is_good)
         return false;

@@ -32,7 +32,7 @@ const char *question_names(const void *context, int k)
     const struct command *c;
     (void)context;
     for (int i = 0; (c = command_at(i)) != NULL; i++)
-        if (c->columns && !c->sweep.refusal && k-- == 0)
+        if ((c->principal || c->holds) && !c->sweep.refusal && k-- == 0)
             return c->name;
     return NULL;
 }
@@ -59,7 +59,7 @@ bool question_needs_number(const struct question *q, struct problem *problem)
                          names_join(command_keys, c, before, keys));
 }
 
-bool question_parse_any(struct reader *r, struct question *q, bool is_number)
+bool question_parse_any(struct reader *r, struct question *q, bool is_number, names_list *offered)
 {
     const char *begin = r->at;
     size_t length = strspn(begin, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.");
@@ -68,7 +68,7 @@ bool question_parse_any(struct reader *r, struct question *q, bool is_number)
     struct reader behind = *r;
     behind.at = begin + length;
     bool is_whole = isspace((unsigned char)*behind.at) || reader_ends(&behind);
-    offer_names(r, question_names, NULL);
+    offer_names(r, offered, NULL);
     *q = (struct question){.command = command_find("print"), .key = -1};
     if (c && is_whole && !goes_on(skip_blanks(behind.at))) {
         q->command = c;

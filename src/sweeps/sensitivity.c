@@ -19,7 +19,7 @@ const struct column sensitivity_columns[] = {
 bool sensitivity_parse(struct reader *r, struct question *q)
 {
     q->parsed = reader_memory(r, sizeof(struct question));
-    return q->parsed && question_parse_any(r, q->parsed, true);
+    return q->parsed && question_parse_any(r, q->parsed, true, question_names);
 }
 
 /* How much the answer changes if a parameter is made smaller or larger by a step. */

@@ -10,8 +10,9 @@
 
 /* Parses a question inside another command, such as 'sweep'. The question can be a command, a command with
  * the key of a column, such as "rmax.r", or an expression, which stands for 'print'. The answer must be one
- * number. If `is_number` is false, it may also be yes or no. */
-bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
+ * number. If `is_number` is false, it may also be yes or no. Completion offers the names in `offered`. */
+bool question_parse_any(struct reader *reader, struct question *question, bool is_number,
+                        names_list *offered);
 
 /* A names_list of the commands that completion offers for question_parse_any. */
 const char *question_names(const void *context, int k);
@@ -178,5 +179,6 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
 
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
+const char *assert_names(const void *context, int k); /* a names_list of the commands with a verdict */
 
 #endif
