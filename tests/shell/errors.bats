@@ -29,7 +29,7 @@ junk() { # PATTERN
 5|set foo 1|^set: unknown parameter 'foo'
 11|set s=0.4 1|^set: '1' .*too many.*set NAME VALUE
 6|show foo|^show: unknown parameter 'foo'
-6|help foo|^help: unknown (topic|command) 'foo'
+6|help zzz|^help: unknown topic 'zzz'
 END
 }
 

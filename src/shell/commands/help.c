@@ -11,7 +11,6 @@
 #include "prompt/input.h"
 #include "session/session.h"
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- Topics: commands, parameters and effects ---- */
@@ -374,7 +373,7 @@ static bool run_help(struct session *session, const struct arguments *given, str
             help_name(session, a, feature->name);
         else if (is_value_name(&session->state, word) || names_exact(expression_units, NULL, word) >= 0)
             help_name(session, a, "print"); /* such as sin or cm */
-        else if (!topics_write(a, word, false)) {
+        else if (k == NAMES_SEVERAL || !topics_write(a, word, false)) {
             problem->place = given->column[0];
             return problem_error(problem, k == NAMES_UNKNOWN ? "%s; 'apropos WORD' finds topics" : "%s",
                                  message);

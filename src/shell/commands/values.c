@@ -4,7 +4,6 @@
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 

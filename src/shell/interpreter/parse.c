@@ -7,7 +7,6 @@
 #include "language/variables.h"
 #include <ctype.h>
 #include <errno.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { NODES_MAX = 1000000, NAME_SIZE = 32 };

@@ -140,13 +140,11 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
 
-/* Returns true if the command ends here, or if there is a '>', the word 'details' or one of the characters in
- * r->stops. Otherwise, sets r->problem. */
+/* Returns true if there are no more arguments. Otherwise, sets r->problem. */
 static bool end_check(struct reader *r, const struct command *c)
 {
     reader_place(r, r->at);
-    if (command_ends(r->at) || *r->at == '>' || (r->stops && strchr(r->stops, *r->at)) ||
-        (r->details && word_is_next(r, "details")))
+    if (reader_ends(r) && !word_is_next(r, "with"))
         return true;
     const char *word = read_word(r, false);
     return too_many(r, word ? word : "", "", command_usage(c));

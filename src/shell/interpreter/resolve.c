@@ -4,7 +4,6 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -6,7 +6,6 @@
 #include "io/terminal.h"
 #include "session/row.h"
 #include "session/session.h"
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
