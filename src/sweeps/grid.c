@@ -69,7 +69,7 @@ static bool value_parse(struct reader *r, const struct parsed *s, const struct p
     struct argument *a = reader_memory(r, sizeof *a); /* an end of a range is no word, such as "off" */
     if (!a)
         return false;
-    *a = (struct argument){.name = name, .kind = ARGUMENT_VALUE_OF, .parameter = p->name};
+    *a = (struct argument){.name = p->value->name, .kind = ARGUMENT_VALUE_OF, .parameter = p->name};
     return item_parse(r, a, item);
 }
 
