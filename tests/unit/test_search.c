@@ -112,6 +112,11 @@ TEST(a_domino_at_rest_topples_nothing)
                 assert_status(ask_limit_pair(&train, &limit), DOM_OK);
                 assert_int_equal(limit.ends, DOM_END_NONE);
             }
+    struct setup in_air = train_of(0.0732569, 0.48576, 4, 0, IN_DOUBLE);
+    struct domq_limit limit;
+    in_air.air = 1.2 / 650;
+    assert_status(ask_limit_pair(&in_air, &limit), DOM_OK);
+    assert_int_equal(limit.ends, DOM_END_NONE);
 }
 
 /* Checks that smooth maxima are found to tol. Samples of r_max alone would give only sqrt(tol). */

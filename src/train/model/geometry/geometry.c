@@ -132,13 +132,6 @@ KERNEL real geometry_rise_u(const struct geometry *geometry)
     return half * (geometry->h.x * (1 + u.y) - geometry->h.y * u.x) + geometry->rounded.roll * 2 * atan(half);
 }
 
-KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine)
-{
-    real u = geometry->steepest; /* h(theta_u) (6; b2) */
-    *sine = -geometry_lift(geometry, geometry->c) / u;
-    *cosine = geometry_height(geometry, geometry->c) / u;
-}
-
 KERNEL struct tilt geometry_hit(const struct geometry *geometry, real gap)
 {
     if (geometry->rolls)
@@ -176,10 +169,11 @@ KERNEL real geometry_paper_fuel(const struct geometry *geometry)
 
 KERNEL real geometry_tipped_omegasq(const struct geometry *geometry)
 {
-    real sine, cosine;
     if (geometry->rolls)
         return fmax(rounded_fall(geometry, geometry->c) + geometry_rise_u(geometry), 0) /
                geometry_inertia(geometry, geometry->c);
-    geometry_tips(geometry, &sine, &cosine);
+    /* h(theta_u) (6; b2), and the sine and cosine of theta_c - theta_u */
+    const real u = geometry->steepest, sine = -geometry_lift(geometry, geometry->c) / u,
+               cosine = geometry_height(geometry, geometry->c) / u;
     return sine > 0 ? geometry->steepest * sine * sine / (1 + cosine) : 0;
 }

@@ -207,10 +207,6 @@ KERNEL_SHARED real geometry_theta_u(const struct geometry *geometry);
 KERNEL_SHARED real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
-/* Finds the sine and cosine of theta_c - theta_u. If the sine is negative, domino 1 hits the next domino
- * before it tips over (5; b0). With rounded edges on a slope, only the sign of the sine is right. */
-KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);
-
 /* Converts an angle to a tilt. If the angle equals theta_c apart from rounding, the result is theta_c.
  * Returns DOM_BAD_TILT if the angle is less than the lean of the head (0 in a train), or exceeds theta_c. */
 KERNEL_SHARED enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);

@@ -63,25 +63,23 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
                                    struct margin *m)
 {
     struct geometry two = *geometry;
-    real sine, cosine;
-    geometry_tips(geometry, &sine, &cosine);
-    two.n = 1; /* the domino that hits has no followers */
+    const bool tips = geometry_lift(geometry, geometry->c) < 0; /* (5; b0) */
+    two.n = 1;                                                  /* the domino that hits has no followers */
     real J = geometry_inertia(geometry, geometry->c);
     real k = geometry->inertia * J, inertia_ratio = 0;
     enum dom_status status = dynamics_inertia_ratio(geometry, &two, geometry->c, J, &inertia_ratio);
     if (status != DOM_OK)
         return status;
-    real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
-    real tipped = 0;
-    if (!losses_end_alone(geometry) && sine > 0) {
-        status = losses_tipped(geometry, &tipped);
-        geometry->flow->solution.panels = 0; /* the flow is needed for the pair */
-    } else
+    real share = collision_velocity_ratio(inertia_ratio), tipped = 0; /* (15; b11) */
+    if (tips && losses_end_alone(geometry)) {
         tipped = geometry_tipped_omegasq(geometry);
-    if (status != DOM_OK)
-        return status;
-    real kinetic = (geometry->upright_inertia + k) * geometry->r * tipped * share * share;
-    *m = (struct margin){.kinetic = sine > 0 ? kinetic : 0};
+    } else if (tips) {
+        status = losses_tipped(geometry, &tipped);
+        if (status != DOM_OK)
+            return status;
+        geometry->flow->solution.panels = 0; /* the flow is needed for the pair */
+    }
+    *m = (struct margin){.kinetic = (geometry->upright_inertia + k) * geometry->r * tipped * share * share};
     two.n = c->dominoes;
     return margin_barrier(&two, c, m);
 }
