@@ -160,7 +160,7 @@ static bool contender_measure(struct cost *cost, struct contender by, double sha
 /* ---- The command ---- */
 
 static const struct column cost_columns[] = {
-    {"method", "", "our own method, or one for comparison: the paper's recipe or GSL's solvers", 6},
+    {"method", "", "the method: ours, or one for comparison", 6},
     {"precision", "", "the arithmetic", 9},
     {"tol", "", "the relative tolerance that was requested", 7},
     {"error", "", "the relative error that was achieved, compared with the most accurate quad answer", 9},
@@ -269,7 +269,7 @@ const struct command cost_commands[] = {
      .summary = "how much time each digit of an answer costs",
      .help = "COMMAND is barrier, duration, rmax or pair, with the parameters of the session. "
              "Each method computes the answer several times, with smaller and smaller tolerances. Our method "
-             "is measured in every precision, the others only in double. The error in the table is the true "
+             "is measured in every precision, others only in double. The error in the table is the true "
              "error, which includes the effect of rounding the parameters.",
      .see = "rmax set",
      .sweep.refusal =

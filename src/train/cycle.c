@@ -322,7 +322,6 @@ const struct command cycle_commands[] = {
      TRAIN_COMMAND,
      .synonyms = "angles collision",
      .summary = "the tilts at which a cycle begins, changes and ends",
-     .help = "'explain thetac' shows the equations for the dominoes of the session.",
      .equation = "(2; a2) (4; b1) (40; A16) (41; A17) (42; A18)",
      .example = "thetac",
      .see = "theta1 chain",
