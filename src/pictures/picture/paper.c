@@ -193,34 +193,28 @@ static void document_draw(struct pen *p, const char *line)
     page_end(p);
 }
 
-/* Sets up the first page with a drawing of at most `most` dots. The document begins below the drawing. */
-static struct pen pen_with(const char *title, const struct stage *stage, double most)
-{
-    struct pen p = {.title = title, .stage = stage, .page = 1, .sheet = sheet_of(stage, HEIGHT_LEAST, most)};
-    p.sheet.indent = SIDE;
-    p.sheet.head = SIDE / 2.0 + (title ? TITLE : 0);
-    p.sheet.above += p.sheet.head;
-    p.sheet.height += p.sheet.head;
-    p.y = p.sheet.height;
-    return p;
-}
-
-/* Sets up the first page. The drawing becomes smaller if one more part then fits below it. */
+/* Sets up the first page, with the document below the drawing. The drawing becomes smaller if one more part
+ * then fits below it. */
 static struct pen pen_first(const char *title, const struct stage *stage, const char *line, bool is_cut)
 {
-    struct pen p = pen_with(title, stage, DRAWING_MOST);
-    const double drawing = p.sheet.height - p.sheet.above - p.sheet.below;
-    double excess = p.y - (PAGE - SIDE), shrink = 0;
+    const double head = SIDE / 2.0 + (title ? TITLE : 0);
+    struct sheet sheet = sheet_of(stage, HEIGHT_LEAST, DRAWING_MOST);
+    const double drawing = sheet.height - sheet.above - sheet.below;
+    double excess = sheet.height + head - (PAGE - SIDE), shrink = 0;
     while (*line && *line != '\f') {
         excess += part_height(&line);
         shrink = excess > 0 && drawing - excess >= DRAWING_LEAST ? excess : shrink;
     }
     if (is_cut && shrink > 0)
-        p = pen_with(title, stage, p.sheet.height - p.sheet.head - shrink);
+        sheet = sheet_of(stage, HEIGHT_LEAST, sheet.height - shrink);
+    struct pen p = {.title = title, .stage = stage, .page = 1, .y = sheet.height + head};
     p.bottom = is_cut ? PAGE - SIDE : HUGE_VAL;
-    const double height = is_cut ? PAGE : ceil(excess + PAGE);
-    p.sheet.below += height - p.sheet.height;
-    p.sheet.height = height;
+    sheet.indent = SIDE;
+    sheet.head = head;
+    sheet.above += head;
+    sheet.height = is_cut ? PAGE : ceil(excess + PAGE);
+    sheet.below += sheet.height - p.y;
+    p.sheet = sheet;
     return p;
 }
 

@@ -144,31 +144,24 @@ static bool gnuplot_run(const struct picture *p, struct problem *problem)
 /* A quote is written as "\047", in a string of its own. Within single quotes, gnuplot reads '' as a quote,
  * but not at the beginning of a string; and after "'" it would expand macros such as @NAME in the next
  * string. */
-static void quoted(FILE *script, const char *text, size_t length, bool escapes)
+void gnuplot_text_part(FILE *script, const char *text, size_t length)
 {
     char piece[ESCAPE_PIECE];
     putc('\'', script);
     for (const char *end = text + length; text < end;) {
         if (*text == '\n' || *text == '\'') {
             fputs(*text++ == '\n' ? "'.\"\\n\".'" : "'.\"\\047\".'", script);
-        } else if (escapes) {
+        } else {
             text += escape_next(text, piece);
             fputs(piece, script);
-        } else {
-            putc(*text++, script);
         }
     }
     putc('\'', script);
 }
 
-void gnuplot_text_part(FILE *script, const char *text, size_t length)
-{
-    quoted(script, text, length, true);
-}
-
 void gnuplot_text(FILE *script, const char *text)
 {
-    quoted(script, text, strlen(text), true);
+    gnuplot_text_part(script, text, strlen(text));
 }
 
 static bool is_script(const struct answer *a)
@@ -203,7 +196,7 @@ bool picture_begin(struct picture *p, const struct answer *a, double height, dou
         fputs("# A picture and its data, written by the program domino. gnuplot draws it into a .pdf file of "
               "the same name.\nset output './'.",
               script);
-        quoted(script, pdf, strlen(pdf), false); /* a control character belongs to the name */
+        gnuplot_text(script, pdf);
         putc('\n', script);
     }
     /* The font sizes differ because each terminal has its own unit. */
