@@ -37,63 +37,18 @@ static bool parses(const char *line)
 /* Returns true if the parser accepts the line as the beginning of a longer one. */
 static bool may_go_on(const char *line)
 {
-    static const char *const more[] = {"",
-                                       " 0.3",
-                                       " 2",
-                                       " 0.3 2",
-                                       " 0.1 0.9 9",
-                                       " 1 2 3",
-                                       " : rmax",
-                                       " 0.1 0.9 9 : rmax",
-                                       " 1 2 2 : rmax",
-                                       ", 2 : rmax",
-                                       " x = 2",
-                                       " s 0.1 0.9: rmax",
-                                       " s 0.3",
-                                       " friction 0.2",
-                                       " barrier",
-                                       " friction a.csv",
-                                       " a",
-                                       " a b",
-                                       " 5 : rmax = 1",
-                                       " mass",
-                                       " row.csv",
-                                       " 2 0.3",
-                                       " 2 gap 1 mm",
-                                       " gap 1 mm",
-                                       " 0.3 0.4 2 : rmax",
-                                       " s 0.1 0.9 9 : rmax",
-                                       " d : rmax = 1",
-                                       " 1 mm",
-                                       " 9 : rmax",
-                                       " 1 : rmax",
-                                       ": rmax",
-                                       " : rmax = 1",
-                                       " : verdict",
-                                       " = 1",
-                                       " name",
-                                       " 2 s",
-                                       "0)",
-                                       "1)",
-                                       "0.1)",
-                                       "5)",
-                                       "1,0.1)",
-                                       "1,2)",
-                                       "1,2,3)",
-                                       " 4 m",
-                                       " friction",
-                                       " 0.01 0.1 2 : rmax",
-                                       "0.5) 9",
-                                       "2) 9",
-                                       "0.1,0.1) 9",
-                                       " rmax",
-                                       " growth",
-                                       " log",
-                                       " 1 2",
-                                       " examples/measured/friction.csv"};
+    /* endings that make some command whole, separated by '|' */
+    static const char more[] =
+        "| 0.3| 2| 0.3 2| 0.1 0.9 9| 1 2 3| : rmax| 0.1 0.9 9 : rmax| 1 2 2 : rmax|, 2 : rmax|"
+        " x = 2| s 0.1 0.9: rmax| s 0.3| friction 0.2| barrier| friction a.csv| a| a b|"
+        " 5 : rmax = 1| mass| row.csv| 2 0.3| 2 gap 1 mm| gap 1 mm| 0.3 0.4 2 : rmax|"
+        " s 0.1 0.9 9 : rmax| d : rmax = 1| 1 mm| 9 : rmax| 1 : rmax|: rmax| : rmax = 1|"
+        " : verdict| = 1| name| 2 s|0)|1)|0.1)|5)|1,0.1)|1,2)|1,2,3)| 4 m| friction|"
+        " 0.01 0.1 2 : rmax|0.5) 9|2) 9|0.1,0.1) 9| rmax| growth| log| 1 2|"
+        " examples/measured/friction.csv";
     char whole[2 * LINE];
-    for (size_t i = 0; i < sizeof more / sizeof *more; i++) {
-        snprintf(whole, sizeof whole, "%s%s", line, more[i]);
+    for (const char *ending = more; ending; ending = strchr(ending, '|') ? strchr(ending, '|') + 1 : NULL) {
+        snprintf(whole, sizeof whole, "%s%.*s", line, (int)strcspn(ending, "|"), ending);
         if (parses(whole))
             return true;
     }
@@ -114,7 +69,6 @@ static bool may_go_on(const char *line)
 /* Checks all words that are offered after a line, and recursively the words after each of them. */
 static void explore(const char *line, int depth)
 {
-    static const char *const numbers[] = {"0.3 "};
     struct offers *o = calloc(1, sizeof *o);
     char longer[2 * LINE];
     assert_non_null(o);
@@ -131,8 +85,8 @@ static void explore(const char *line, int depth)
         if (depth > 1 && !strchr(o->word[i], '(') && strcmp(line, "print ") != 0)
             explore(longer, depth - (strlen(line) > 0));
     }
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers && depth > 1 && word > 0; i++) {
-        snprintf(longer, sizeof longer, "%s%s", line, numbers[i]);
+    if (depth > 1 && word > 0) {
+        snprintf(longer, sizeof longer, "%s0.3 ", line);
         if (may_go_on(longer))
             explore(longer, depth - 1);
     }

@@ -24,11 +24,8 @@ struct conversion {
 static bool conversion_parse(struct reader *r, struct question *q)
 {
     struct item *item = &q->item[1];
-    if (!reader_takes(r, "to")) {
-        const char *word = read_word(r, false);
-        return problem_error(r->problem, "'%s' is one argument too many; usage: print VALUE [to U]",
-                             names_shown(word ? word : ""));
-    }
+    if (!reader_takes(r, "to"))
+        return true; /* what is there is one argument too many */
     *item = (struct item){.at = r->at};
     offer_names(r, expression_units, NULL);
     item->word = reader_ends(r) ? "" : read_word(r, false);
