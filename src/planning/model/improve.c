@@ -18,7 +18,7 @@
  * A single width for all margins would be a mistake. Errors of a few mm hardly affect large dominoes. But
  * with a single width, large dominoes would get as much spare energy as small ones, without needing it.
  *
- * The minimizer is BFGS, with a step that is halved until the function falls. For eleven dominoes, 2.5 % of
+ * The minimizer is BFGS, with a step that is halved until the function falls. For eleven dominoes, 2.8 % of
  * rows still fail with errors of gaps, and 5.1 % with errors of four kinds. In trials, BFGS from GSL left 3.8
  * % and 5.1 %, COBYLA from NLopt 3.8 % and 5.9 %, the simplex method of Nelder and Mead 4.3 % and 5.5 %, and
  * cross-entropy with 40 candidates over 10 % with errors of gaps. If the variables are the heights, rather
@@ -60,7 +60,7 @@ enum { SCATTER_ROWS = 128 };
  * are logarithms, so these are relative changes. The first trial of a step may be halved HALVED times. */
 #define FIRST_STEP 0.02
 #define STEP_MOST  0.1
-enum { HALVED = 11 };
+enum { HALVED = 4 };
 
 /*
  * The energy margin of a domino lies between MARGIN_LEAST and MARGIN_MOST. Three cases have a fixed value:
