@@ -110,7 +110,7 @@ KERNEL_SHARED enum dom_status geometry_tilt(const struct geometry *geometry, rea
     return DOM_OK;
 }
 
-KERNEL_SHARED real geometry_half_u(const struct geometry *geometry)
+KERNEL real geometry_half_u(const struct geometry *geometry)
 {
     if (geometry->rounded.roll != 0)
         return tan(geometry_theta_u(geometry) / 2);

@@ -204,7 +204,7 @@ KERNEL real geometry_tipped_omegasq(const struct geometry *geometry);
 /* A single domino tips over at theta_u. These functions return theta_u, tan(theta_u / 2) and
  * h(theta_u) - h(0). */
 KERNEL_SHARED real geometry_theta_u(const struct geometry *geometry);
-KERNEL_SHARED real geometry_half_u(const struct geometry *geometry);
+KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
 /* Converts an angle to a tilt. If the angle equals theta_c apart from rounding, the result is theta_c.

@@ -94,8 +94,8 @@ KERNEL void num_linear_free(struct num_linear *s)
     s->panel = NULL;
 }
 
-KERNEL_SHARED enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi,
-                                               real tol, struct num_linear *s)
+KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
+                                        struct num_linear *s)
 {
     real node[N], width = hi - lo, ln_G = 0, v = 0;
     const int n = isinf(tol) ? N_ROUGH : s->integral ? N : N_EQUATION;
@@ -166,7 +166,7 @@ static real series_moved(const real *series, int n, real x, real by)
     return sum;
 }
 
-KERNEL_SHARED real num_linear_moved(const struct num_linear *s, real x, real by)
+KERNEL real num_linear_moved(const struct num_linear *s, real x, real by)
 {
     /* From the start of the solution on, whole panels are added. If rounding errors of `by` were carried from
      * panel to panel, they would count where v changes fastest. */

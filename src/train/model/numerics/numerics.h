@@ -88,8 +88,8 @@ struct num_linear {
  * end at lo. The relative error of G is about tol, and the error of v is about tol times the range of v. If
  * tol is infinite, the solution is rough: it has a single panel, on which p and c are evaluated only at 7
  * nodes, so its series may not have converged. */
-KERNEL_SHARED enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi,
-                                               real tol, struct num_linear *solution);
+KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
+                                        struct num_linear *solution);
 
 KERNEL void num_linear_free(struct num_linear *solution);
 
@@ -97,6 +97,6 @@ KERNEL void num_linear_free(struct num_linear *solution);
 KERNEL void num_linear_at(const struct num_linear *solution, real x, real *ln_G, real *v);
 
 /* Returns v(x) - v(x - by). The relative error does not grow if `by` is tiny. */
-KERNEL_SHARED real num_linear_moved(const struct num_linear *solution, real x, real by);
+KERNEL real num_linear_moved(const struct num_linear *solution, real x, real by);
 
 #endif
