@@ -276,9 +276,9 @@ END
 @test "rows that cannot be drawn give a one-line error that says what works" {
     one_line "'draw at' shows a row at a given time; first enter 'set row N', for example 'set row 10'" 'draw at 2 s'
     one_line "the motion ends at 7.648 s; 'draw at end' shows the row at this time" "$record; draw at 8 s > a.svg"
-    one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last one" "$record; draw at domino 11"
-    one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
-    one_line "domino 5 is never hit: the fall ends at domino 2; 'draw at end' shows how far the row falls" 'set r 1.6; effect row 12; draw at domino 5'
+    one_line "domino 11 is never hit: this row has 10, and the fall ends at domino 10;" "$record; draw at domino 11"
+    one_line 'domino 2.5 is never hit: this row has 10' "$record; draw at domino 2.5"
+    one_line "domino 5 is never hit: this row has 12, and the fall ends at domino 2; 'draw at end' shows how far the row falls" 'set r 1.6; effect row 12; draw at domino 5'
     one_line "times count from the push and cannot be negative; 'draw at 0' shows the row at the push" 'effect row 5; effect push 5; draw at -1'
     one_line "this needs a time such as 2.5 s, not a length" "$record; draw at 2 m"
     one_line "'at' needs a time, 'domino N' or 'end'; usage: draw, draw at 2.5 s, " "$record; draw at"

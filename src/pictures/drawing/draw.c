@@ -101,18 +101,15 @@ static bool moment_time(struct problem *problem, const struct options *options, 
     const char *start = falling_row_start(row);
     problem->place = options->column[is_hit ? DRAW_DOMINO : is_end ? DRAW_END : DRAW_TIME];
     *time = is_end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
-    if (is_hit && (!(domino >= 1 && domino <= (domq_real)count) || domino != quad(floor)(domino)))
-        return problem_no_answer(
-            problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last one",
-            quad_text(domino, 10), count, count);
     if (is_hit) {
-        const size_t number = (size_t)domino;
-        *time = (domq_real)falling_row_hit(row, number - 1);
-        return !isnan(*time) || number <= end ||
-               problem_no_answer(problem,
-                                 "domino %zu is never hit: the fall ends at domino %zu; 'draw at end' shows "
-                                 "how far the row falls",
-                                 number, end);
+        const bool is_there = domino >= 1 && domino <= (domq_real)count && domino == quad(floor)(domino);
+        *time = is_there ? (domq_real)falling_row_hit(row, (size_t)domino - 1) : DOMQ_NAN;
+        return !isnan(*time) || (is_there && (size_t)domino <= end) ||
+               problem_no_answer(
+                   problem,
+                   "domino %s is never hit: this row has %zu, and the fall ends at domino %zu; 'draw "
+                   "at end' shows how far the row falls",
+                   quad_text(domino, 10), count, end);
     }
     if (*time < 0)
         return problem_no_answer(
