@@ -91,6 +91,26 @@ TEST(contacts)
 /* ---- Cases in which digits are lost: near the reach, with hardly any friction, with edges that are nearly
  * sharp ---- */
 
+/* Checks that passes down equal dominoes end, where only the turns to theta_inf decrease from one domino to
+ * the next, and rounding errors of a turn do not. */
+TEST(equal_dominoes_in_thousands)
+{
+    for (double s = 1e-2; s > 1e-5; s /= 3) {
+        struct setup train = train_of(s, 0.012677, 0);
+        domq_real duration, finer;
+        train.d = 0.0628582;
+        train.r = 1;
+        const enum dom_status status = ask_cycle_duration(&train, &duration);
+        assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
+        if (status != DOM_OK)
+            continue;
+        train.precision = IN_QUAD;
+        train.tol = 1e-16;
+        assert_status(ask_cycle_duration(&train, &finer), DOM_OK);
+        assert_near("duration", (double)duration, (double)finer, 1e-10);
+    }
+}
+
 /* Compares difficult trains with quad, which has enough digits in any case. */
 TEST(difficult_limits)
 {
