@@ -85,20 +85,20 @@ static const struct {
     double digits;
     bool tilted; /* the command takes the tilt of the table */
 } asked[] = {
-    {"thetac", "theta_c", "theta_c", 1e-19},
-    {"thetac", "theta_f", "theta_f", 1e-19},
-    {"thetac", "theta_leave", "theta_leave", 1e-19},
+    {"thetac", "theta_c", "theta_c", 1e-19, false},
+    {"thetac", "theta_f", "theta_f", 1e-19, false},
+    {"thetac", "theta_leave", "theta_leave", 1e-19, false},
     {"theta1", "theta_1", "theta_1", 1e-19, true},
     {"theta1", "slope", "dtheta_1", 1e-19, true},
     {"energy", "J0", "J0", 1e-19, true},
     {"energy", "J", "J", 1e-19, true},
     {"energy", "dH", "dH", 1e-19, true},
-    {"fuel", "fuel_exact", "fuel_exact", 1e-19},
-    {"fuel", "fuel_paper", "fuel_paper", 1e-19},
-    {"barrier", "theta_m", "theta_m", 1e-19},
-    {"barrier", "barrier", "barrier", 1e-19},
-    {"launch", "omega0sq", "omega0sq_exact", 1e-19},
-    {"duration", "duration", "duration_exact", 1e-13},
+    {"fuel", "fuel_exact", "fuel_exact", 1e-19, false},
+    {"fuel", "fuel_paper", "fuel_paper", 1e-19, false},
+    {"barrier", "theta_m", "theta_m", 1e-19, false},
+    {"barrier", "barrier", "barrier", 1e-19, false},
+    {"launch", "omega0sq", "omega0sq_exact", 1e-19, false},
+    {"duration", "duration", "duration_exact", 1e-13, false},
 };
 
 static void points(const char *precision)
