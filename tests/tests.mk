@@ -2,7 +2,7 @@
 # Tests, checks, fuzzing and measurements. The Makefile includes this file.
 
 # What each goal needs, besides what the program needs.
-DEPS_test     := dpkg-dev lintian libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils poppler-utils jq python3 python3-numpy python3-pandas
+DEPS_test     := dpkg-dev lintian libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf libxml2-utils poppler-utils jq python3 python3-numpy python3-pandas
 $(foreach goal,quick unit hard sessions sanitize race removable,$(eval DEPS_$(goal) := $(DEPS_test)))
 DEPS_faults   := bats expect gnuplot-nox binutils util-linux
 DEPS_valgrind := valgrind libc6-dbg
