@@ -198,7 +198,8 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
     changed->state = state;
     changed->scene = &state->scene;
     changed->next = NULL;
-    return state_assign(state, assigned, count, problem) && lengths_check(state, problem);
+    return state_assign(state, assigned, count, problem) &&
+           (!scene_has_lengths(&state->scene) || lengths_check(state, problem));
 }
 
 bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,

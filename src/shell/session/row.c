@@ -419,6 +419,12 @@ domq_real scene_release(const struct scene *scene)
     return tilt == RELEASE_TOUCH ? (domq_real)HUGE_VAL : tilt;
 }
 
+bool scene_has_lengths(const struct scene *scene)
+{
+    static const struct typed_length none[SHARE_COUNT];
+    return memcmp(scene->length, none, sizeof none) != 0;
+}
+
 void scene_apply_lengths(struct scene *scene)
 {
     domq_real *const value[SHARE_COUNT] = {
@@ -428,10 +434,11 @@ void scene_apply_lengths(struct scene *scene)
         [SHARE_walls] = scene->effect[DOM_EFFECT_walls].value,
         [SHARE_edges] = scene->effect[DOM_EFFECT_edges].value,
     };
-    for (int share = 0; share < SHARE_COUNT; share++)
+    const bool has_lengths = scene_has_lengths(scene);
+    for (int share = 0; share < SHARE_COUNT && has_lengths; share++)
         if (value[share] && scene->length[share].m > 0)
             *value[share] = scene->length[share].m / scene->scale.h;
     effects_apply(scene);
-    if (scene->length[SHARE_push].m > 0 && scene->effect[DOM_EFFECT_push].on)
+    if (scene->effect[DOM_EFFECT_push].on && scene->length[SHARE_push].m > 0)
         scene->effect[DOM_EFFECT_push].value[0] = scene_push(scene, scene_first_height(scene));
 }

@@ -137,6 +137,10 @@ void state_close(struct state *state);
 /* Turns all effects off and frees the memory of the row. */
 void effects_reset(struct scene *scene);
 
+/* Returns false if no length and no speed has been given. This costs a sweep less than to look at each of
+ * them. */
+bool scene_has_lengths(const struct scene *scene);
+
 /* Sets the parameters for which lengths, or a speed, have been given. */
 void scene_apply_lengths(struct scene *scene);
 
