@@ -191,22 +191,45 @@ struct tower {
     bool falls;
 };
 
-static bool tower_find(const struct query *query, struct tower *t, struct problem *problem)
+/* Finds the largest growth of a moving train, and of a row that starts from rest. */
+static bool growth_find(const struct query *query, struct tower *t, struct problem *problem)
 {
-    struct domq_barrier barrier;
-    enum dom_status status = any_barrier_find(&t->train, &query->scene->compute, &barrier);
-    t->stops = verdict_reason(status);
-    if (!t->stops && !query_status(query, problem, status))
-        return false;
-    status = any_limit_rmax(&t->train, &query->scene->compute, &t->limit);
+    const enum dom_status status = any_limit_rmax(&t->train, &query->scene->compute, &t->limit);
     t->growth = (struct start_growths){.r_max = DOMQ_NAN};
     if (status != DOM_OK)
         return problem_limit(problem, query->scene, status, &t->limit);
-    if ((t->limit.ends != DOM_END_NONE &&
-         !start_growths_find(query, &t->train, t->limit.r_max, &t->growth, problem)) ||
+    return t->limit.ends == DOM_END_NONE ||
+           start_growths_find(query, &t->train, t->limit.r_max, &t->growth, problem);
+}
+
+static bool tower_find(const struct query *query, struct tower *t, struct problem *problem)
+{
+    struct domq_barrier barrier;
+    const enum dom_status status = any_barrier_find(&t->train, &query->scene->compute, &barrier);
+    t->stops = verdict_reason(status);
+    if ((!t->stops && !query_status(query, problem, status)) || !growth_find(query, t, problem) ||
         !start_run(query, &t->train, t->count.dominoes + 1, &t->start, problem))
         return false;
     t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > t->count.dominoes);
+    return true;
+}
+
+/* Replaces the dominoes by those of the kind that has a name and can grow most, with their growth. */
+static bool kind_choose(const struct query *query, struct tower *best, struct problem *problem)
+{
+    const struct tower t = *best;
+    for (const struct word *w = parameter_find("q")->words; w->name; w++) {
+        struct tower other = t;
+        struct domq_angles angles;
+        other.train.q = w->value;
+        if (w->value == t.train.q ||
+            any_angles_find(&other.train, query_compute(query), &angles) == DOM_NO_AIR)
+            continue;
+        if (!growth_find(query, &other, problem))
+            return false;
+        if (other.growth.r_max > best->growth.r_max)
+            *best = other;
+    }
     return true;
 }
 
@@ -303,6 +326,9 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
     if (!tower_find(query, &t, problem))
         return false;
     const bool people = answer_for_people(a), is_enough = isfinite(t.count.dominoes);
+    struct tower best = t;
+    if (people && t.falls && !kind_choose(query, &best, problem))
+        return false;
     const char *why = count_reason(query, &t, reason);
     answer_set_verdict(a, t.falls && is_enough);
     if (is_enough)
@@ -321,7 +347,7 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
         answer_detail(a, "%s", why);
     if (is_enough)
         count_detail(query, a, &t);
-    growth_say(query, a, &t);
+    growth_say(query, a, &best);
     return true;
 }
 

@@ -32,7 +32,7 @@ END
 # bats test_tags=rows
 @test "count 112 answers the quiz in the words of the quiz" {
     same 'count 112' '20 solid dominoes, each 1.5 times as large as the one before, with gaps of 0.4 times the height, topple one that is 112 m tall. Such a row falls.
-Solid dominoes can each be 1.59 times as large as the one before: then 17 are enough.' "$("$DOMINO" -e 'count 112')"
+Hollow dominoes can each be 2.04 times as large as the one before: then 11 are enough.' "$("$DOMINO" -e 'count 112')"
     answer=$("$DOMINO" -e 'count 112 details')
     for words in '^Domino 20 is 106\.4 m tall; it could topple a domino up to 159\.6 m tall' '^last_height  *159\.612 m '; do
         grep -q "$words" <<<"$answer" || same 'count 112' "$words" "$answer"
