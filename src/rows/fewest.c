@@ -136,16 +136,6 @@ static bool fewest_find(struct search *s, domq_real count)
 
 /* ---- The answer ---- */
 
-/* Returns the word for how a row starts. */
-static const char *start_word(const struct query *query, bool moves)
-{
-    const domq_real push = scene_push(query->scene, query->scene->scale.h);
-    return moves                                              ? "moving"
-           : isnan(push)                                      ? "tips over"
-           : push == 0 && !isnan(scene_release(query->scene)) ? "released"
-                                                              : "pushed";
-}
-
 /* Finds the row for one kind of domino, and writes it. Stores its train in *first unless one is there. */
 static bool row_answer(const struct query *query, struct answer *a, struct search s, bool has_engine,
                        struct domq_train *first, struct problem *problem)
@@ -156,7 +146,11 @@ static bool row_answer(const struct query *query, struct answer *a, struct searc
     char name[48];
     snprintf(name, sizeof name, "%s%s", word ? "" : "q = ", word ? word : quad_text(s.train.q, 6));
     row[0] = cell_word(name);
-    row[1] = cell_word(start_word(query, s.moves));
+    const domq_real push = scene_push(query->scene, h);
+    row[1] = cell_word(s.moves                                            ? "moving"
+                       : isnan(push)                                      ? "tips over"
+                       : push == 0 && !isnan(scene_release(query->scene)) ? "released"
+                                                                          : "pushed");
     if (has_engine && !s.moves)
         return answer_row(a, row,
                           "the rigid-body engine would take too long to search for the fewest dominoes");
@@ -166,7 +160,7 @@ static bool row_answer(const struct query *query, struct answer *a, struct searc
     if (!is_found)
         return answer_row(a, row,
                           s.moves ? "no such train keeps falling, whatever its gaps and its growth"
-                          : isnan(scene_push(query->scene, h))
+                          : isnan(push)
                               ? "no such row starts by itself, whatever its gaps and its growth"
                               : "no such row falls from this start, whatever its gaps and its growth");
     const domq_real r = s.train.r, last = h * quad(pow)(r, s.count - 1);

@@ -159,20 +159,16 @@ static bool frame_visit(const struct dom_moment *m, void *context)
 
 /* ---- The film ---- */
 
-/* In a file, a long fall is shown faster, which keeps the file small. */
-static domq_real film_speed(const struct film *f, double seconds)
-{
-    const bool is_file = f->is_data || f->out->path;
-    if (f->options->has[FILM_SPEED])
-        return f->options->value[FILM_SPEED];
-    return is_file && seconds > LONGEST ? round_digits((domq_real)(seconds / LONGEST), 2, true) : 1;
-}
-
 /* Fills f->time with the times of the frames. Infinity stands for the end of the motion. */
 static bool times_find(struct film *f)
 {
-    const domq_real speed = f->speed = film_speed(f, f->row.end);
+    /* In a file, a long fall is shown faster, which keeps the file small. */
+    const bool is_long = (f->is_data || f->out->path) && f->row.end > LONGEST;
+    const domq_real speed = f->options->has[FILM_SPEED] ? f->options->value[FILM_SPEED]
+                            : is_long ? round_digits((domq_real)(f->row.end / LONGEST), 2, true)
+                                      : 1;
     const double step = f->delay / 100.0 * (double)speed;
+    f->speed = speed;
     if (!isfinite(f->row.end))
         return row_status(f->query, f->problem, DOM_NO_MARGIN);
     double moving = ceil(f->row.end / step - 1e-9);
