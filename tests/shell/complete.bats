@@ -55,7 +55,7 @@ sweep fuel |exact paper
 sweep h 40 mm 60 mm 3 den|density
 count 2*sq|2*sqrt(
 rmax.r_max_e|rmax.r_max_exact
-solve d 0.05 |m mm cm in ft yd
+solve d 0.05 |m mm cm km in ft yd
 rmax with q ho|hollow
 q = |hollow solid
 print 4 cm to f|ft
