@@ -91,7 +91,10 @@ static bool boards_parse(struct reader *r, struct wishes_parsed *w)
 
 bool wishes_parse(struct reader *r, struct question *q)
 {
-    names_list *const list = q->command->run == run_improve ? improve_wishes : design_wishes;
+    const struct argument *own = q->command->argument;
+    while (own->parse != wishes_parse)
+        own++;
+    names_list *const list = own->choices;
     static const struct argument values[BOARDS] = {{.name = "falls", .kind = ARGUMENT_ANY},
                                                    {.name = "safety", .kind = ARGUMENT_ANY},
                                                    {.name = "hall", .kind = ARGUMENT_HEIGHT},

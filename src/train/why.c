@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'why', which explains why the train keeps falling or stops. */
+/* The command 'why', which explains why the train keeps falling or stops, and what all commands about a cycle
+ * share: its units and its verdict. */
 #include "language/quad.h"
 #include "train/falling.h"
 #include "train/train.h"
+#include <string.h>
 
 const struct column why_columns[] = {
     {"verdict", "", "'goes on', 'stops' or 'no fuel' (no energy is released)", 7},
@@ -14,6 +16,46 @@ const struct column why_columns[] = {
     {"r_max", "", "largest growth at this s: either K = B, or r equals the reach", 0},
     {NULL, NULL, NULL, 0},
 };
+
+struct walk_units walk_units(const struct query *query, int cycle)
+{
+    const struct domq_train *t = &query->scene->train;
+    domq_real mass = scene_mass(query->scene), grown = quad(pow)(t->r, (domq_real)(cycle - 1)),
+              heavier = quad(pow)(grown, t->q);
+    struct domq_scale scale = query->scene->scale;
+    scale.h *= grown;
+    bool known = mass > 0;
+    return (struct walk_units){
+        .height = scale.h,
+        .tau = domq_scale_tau(&scale, t),
+        .energy = known ? heavier * mass * scale.g * query->scene->scale.h / 2 : heavier,
+        .energy_unit = known       ? "J"
+                       : cycle > 1 ? "mgh/2 of the first head"
+                                   : "mgh/2",
+    };
+}
+
+void columns_in_joules(struct answer *a)
+{
+    for (struct column *c = answer_columns(a, a->columns); c->key; c++)
+        if (strcmp(c->unit, "mgh/2") == 0)
+            c->unit = "J";
+}
+
+void walk_columns_in(const struct query *query, struct answer *a)
+{
+    if (scene_mass(query->scene) > 0)
+        columns_in_joules(a);
+}
+
+struct measured angle_text(const struct query *query, domq_real theta, int digits)
+{
+    const struct answer_style *style = &query->state->settings.style;
+    struct measured text;
+    snprintf(text.text, sizeof text.text, "%.*g %s", digits, (double)style_angle(style, theta),
+             style_angle_unit(style));
+    return text;
+}
 
 struct cell verdict_cell(enum dom_status verdict)
 {
