@@ -182,15 +182,12 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 bench: all $(B)/bench
 	@$(B)/bench $(B)
 
-$(B)/bench: $(call OBJ,$(addprefix tests/bench/,bench.c processes.c) $(ANY)) $(P)/libdomino.a
+$(B)/bench: $(call OBJ,tests/bench/bench.c $(ANY)) $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
-$(B)/answers: $(call OBJ,tests/bench/answers.c $(ANY)) $(P)/libdomino.a
-	$(call LINK,$(GSL))
-
-# Compares the numbers of instructions of answers with tests/bench/instructions.csv. 'make guard KEEP=1' writes that
+# Compares the numbers of instructions of questions with tests/bench/instructions.csv. 'make guard KEEP=1' writes that
 # file again.
-guard: all $(B)/answers
+guard: all
 	@echo '$(CFLAGS)' > $(B)/flags
 	@KEEP=$(KEEP) tests/bench/guard $(B)
 
@@ -205,7 +202,7 @@ C_FILES := $(wildcard examples/*.c src/*.c src/*/*.c src/*/*/*.c src/*/*/*/*.c t
 PAGES   := $(wildcard man/*.[1-9])
 H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h tests/*/*.h)
 
-LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
+LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/verify_rows
 
 # Compiles everything with gcc, with warnings as errors. This takes a separate folder, since make does not know which
 # objects were compiled with warnings, unless WERROR=1 is set. Clang then only checks the sources. Its warning about

@@ -190,33 +190,6 @@ TEST(trains_anywhere)
     assert_true(goes > 500 && stops > 100);
 }
 
-/* Checks that no nearby separation is better than the best one, and that r_max there is the growth that was
- * reported. */
-TEST(best_separations)
-{
-    static const struct {
-        double d, q, mu, rho, alpha;
-    } table[] = {
-        {0.01, 4, 0.05, 0, 0.005},  {0.2, 4, 0.05, 0, 0},          {0.046, 1, 2e-8, 0, 0},
-        {7 / 48., 3, 0.1, 0.01, 0}, {0.0585, 4, 0.27, 4e-5, 0.02}, {0.052, 1, 0.52, 3e-6, 0},
-        {0.16, 3, 0, 9e-9, 0},      {0.1, 4, 0, 0.01, -0.02},
-    };
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        struct setup train = train_of(0.5, table[i].rho, table[i].mu);
-        struct domq_best best;
-        train.d = table[i].d;
-        train.q = table[i].q;
-        train.alpha = table[i].alpha;
-        assert_status(ask_limit_best(&train, &best), DOM_OK);
-        train.s = best.s;
-        assert_near("r_max of the best", rmax_of(&train), (double)best.r_max, 1e-11);
-        for (int k = -8; k <= 8; k++) {
-            train.s = fmin((double)best.s * (1 + 5e-4 * k), 1 - table[i].rho);
-            assert_true(!(rmax_of(&train) > (double)best.r_max * (1 + 1e-11)));
-        }
-    }
-}
-
 /* ---- Newton's law ---- */
 
 enum { MOST = 40 };

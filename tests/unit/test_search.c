@@ -24,59 +24,31 @@ TEST(the_first_root_counts)
 {
     static const struct {
         double s, d, q, mu, r_max, bound;
-        enum dom_fuel fuel;
+        bool paper;
     } cases[] = {
-        {0.2, 0.225, 1.045, 0, 3.389170782, 1e-9, DOM_FUEL_EXACT},
-        {0.1293, 0.2, 0.65, 0.1, 4.40969, 2e-6, DOM_FUEL_EXACT},
-        {0.012128376507914842, 0.0089507755427695561, 1.0982787021882383, 0, 78.7589963324, 1e-11,
-         DOM_FUEL_EXACT},
-        {0.97, 0.7, 3, 0, 1.008242542, 1e-9, DOM_FUEL_EXACT},
-        {0.89707461069654282, 0.66076923965943846, 1.2165593014670335, 0, 1.0506314420456, 1e-11,
-         DOM_FUEL_EXACT},
-        {0.36734999806042479, 0.45929295403908421, 0.32726005034519973, 0, 1.5703902231761672, 1e-11,
-         DOM_FUEL_EXACT},
-        {0.38560115946349943, 0.44546286174077077, 0.74467728097552022, 0, 1.6576833795185, 1e-11,
-         DOM_FUEL_PAPER},
-        {0.37099426266065866, 0.38699109308628765, 0.98654822402858566, 0, 1.7891406276440615, 1e-11,
-         DOM_FUEL_EXACT},
-        {0.096285919065617093, 0.24748533405701234, 0.44528726227386245, 0, 5.0486849610969580, 1e-11,
-         DOM_FUEL_PAPER},
-        {0.50140717804106072, 0.50829806206800721, 0.47287566425845079, 0, 1.2805135240214840, 1e-11,
-         DOM_FUEL_EXACT},
+        {0.2, 0.225, 1.045, 0, 3.389170782, 1e-9, false},
+        {0.1293, 0.2, 0.65, 0.1, 4.40969, 2e-6, false},
+        {0.012128376507914842, 0.0089507755427695561, 1.0982787021882383, 0, 78.7589963324, 1e-11, false},
+        {0.97, 0.7, 3, 0, 1.008242542, 1e-9, false},
+        {0.89707461069654282, 0.66076923965943846, 1.2165593014670335, 0, 1.0506314420456, 1e-11, false},
+        {0.36734999806042479, 0.45929295403908421, 0.32726005034519973, 0, 1.5703902231761672, 1e-11, false},
+        {0.38560115946349943, 0.44546286174077077, 0.74467728097552022, 0, 1.6576833795185, 1e-11, true},
+        {0.37099426266065866, 0.38699109308628765, 0.98654822402858566, 0, 1.7891406276440615, 1e-11, false},
+        {0.096285919065617093, 0.24748533405701234, 0.44528726227386245, 0, 5.0486849610969580, 1e-11, true},
+        {0.50140717804106072, 0.50829806206800721, 0.47287566425845079, 0, 1.2805135240214840, 1e-11, false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct domq_limit limit[2];
         for (int p = 0; p < (cases[i].mu > 0 ? 1 : 2); p++) {
             struct setup train =
                 train_of(cases[i].s, cases[i].d, cases[i].q, cases[i].mu, p == 0 ? IN_DOUBLE : IN_QUAD);
-            train.fuel = cases[i].fuel;
+            train.fuel = cases[i].paper ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
             assert_status(ask_limit_rmax(&train, &limit[p]), DOM_OK);
             assert_int_equal(limit[p].ends, DOM_END_BARRIER);
             assert_near("r_max", limit[p].r_max, cases[i].r_max, cases[i].bound);
         }
         if (cases[i].mu == 0)
             assert_near("double and quad", limit[0].r_max, limit[1].r_max, 1e-10);
-    }
-}
-
-/* Checks separations at which r_max jumps, because a dip touches 0 there. The train passes the dip. */
-TEST(the_best_separation_at_a_jump)
-{
-    static const struct {
-        double d, q, s, r_max;
-    } cases[] = {{0.134101, 0.370576, 0.02760431303202, 34.1206806955},
-                 {0.0124453, 0.522, 0.00274654571703, 364.044522361},
-                 {0.0758594, 0.312005, 0.01063775410219, 92.855140264}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct setup train = train_of(1, cases[i].d, cases[i].q, 0, IN_DOUBLE);
-        struct domq_best best;
-        struct domq_limit limit;
-        assert_status(ask_limit_best(&train, &best), DOM_OK);
-        assert_near("best s", best.s, cases[i].s, 1e-12);
-        assert_near("best r_max", best.r_max, cases[i].r_max, 1e-11);
-        train.s = best.s;
-        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
-        assert_near("r_max there", limit.r_max, best.r_max, 1e-12);
     }
 }
 
@@ -119,19 +91,63 @@ TEST(a_domino_at_rest_topples_nothing)
     assert_int_equal(limit.ends, DOM_END_NONE);
 }
 
-/* Checks that smooth maxima are found to tol. Samples of r_max alone would give only sqrt(tol). */
-TEST(the_best_separation_to_its_digits)
+/*
+ * Checks that no separation is better than the best one, neither nearby nor in steps over the whole range,
+ * and that r_max there is the growth that was reported. Where s or r_max is known, it is found to tol;
+ * samples of r_max alone would give only sqrt(tol).
+ */
+TEST(no_separation_is_better)
 {
     static const struct {
-        double d, q, s;
-    } cases[] = {{0.014, 3, 0.206532218328},
-                 {0.49, 4, 0.775717721697},
-                 {0.12778554479402274, 2.7824337707394533, 0.39923974909131787}};
+        double d, q, mu, rho, alpha, s, r_max;
+        bool paper;
+    } cases[] = {
+        /* r_max jumps, because a dip touches 0 there; the train passes the dip */
+        {0.134101, 0.370576, 0, 0, 0, 0.02760431303202, 34.1206806955, false},
+        {0.0124453, 0.522, 0, 0, 0, 0.00274654571703, 364.044522361, false},
+        {0.0758594, 0.312005, 0, 0, 0, 0.01063775410219, 92.855140264, false},
+        /* smooth maxima */
+        {0.014, 3, 0, 0, 0, 0.206532218328, 0, false},
+        {0.49, 4, 0, 0, 0, 0.775717721697, 0, false},
+        {0.12778554479402274, 2.7824337707394533, 0, 0, 0, 0.39923974909131787, 0, false},
+        /* two maxima are close to the same sample s = 0.9^k */
+        {0.087418934476537202, 0.69962152853913306, 0, 0, 0, 0, 29.8327373, true},
+        /* thick dominoes, which grow only above s = 0.9, if at all */
+        {0.665, 3, 0, 0, 0, 0, 0, false},
+        {0.705, 3, 0, 0, 0, 0, 0, false},
+        {0.745, 3, 0, 0, 0, 0, 0, false},
+        /* effects */
+        {0.01, 4, 0.05, 0, 0.005, 0, 0, false},
+        {0.2, 4, 0.05, 0, 0, 0, 0, false},
+        {0.046, 1, 2e-8, 0, 0, 0, 0, false},
+        {7 / 48., 3, 0.1, 0.01, 0, 0, 0, false},
+        {0.0585, 4, 0.27, 4e-5, 0.02, 0, 0, false},
+        {0.052, 1, 0.52, 3e-6, 0, 0, 0, false},
+        {0.16, 3, 0, 9e-9, 0, 0, 0, false},
+        {0.1, 4, 0, 0.01, -0.02, 0, 0, false},
+    };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct setup train = train_of(1, cases[i].d, cases[i].q, 0, IN_DOUBLE);
+        struct setup train = train_of(1, cases[i].d, cases[i].q, cases[i].mu, IN_DOUBLE);
         struct domq_best best;
+        struct domq_limit limit;
+        train.rho = cases[i].rho;
+        train.alpha = cases[i].alpha;
+        train.fuel = cases[i].paper ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
         assert_status(ask_limit_best(&train, &best), DOM_OK);
-        assert_near("best s", best.s, cases[i].s, 4e-12);
+        assert_true(best.r_max > 1 && (cases[i].d < 0.6 || best.s > 0.9));
+        if (cases[i].s > 0)
+            assert_near("best s", best.s, cases[i].s, 4e-12);
+        if (cases[i].r_max > 0)
+            assert_near("best r_max", best.r_max, cases[i].r_max, 1e-8);
+        train.s = best.s;
+        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+        assert_near("r_max there", limit.r_max, best.r_max, 1e-11);
+        for (int k = -8; k <= 40; k++) {
+            train.s = k <= 8 ? (double)best.s * (1 + 5e-4 * k) : 0.031 * (k - 8);
+            train.s = fmin((double)train.s, 1 - cases[i].rho);
+            assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+            assert_true(!(limit.r_max > best.r_max * (1 + 1e-9)));
+        }
     }
 }
 
@@ -162,51 +178,20 @@ TEST(the_best_separation_in_quad_begins_near)
     }
 }
 
-/* Checks thick dominoes, which grow only above s = 0.9, if at all. */
-TEST(thick_dominoes_grow_at_wide_gaps)
+/* Checks that a search that would take more than the allowed work soon ends with an error, and that thin
+ * dominoes with tiny gaps are quick, for which hundreds of thousands of followers matter at r = 1, but only a
+ * few at r_max. */
+TEST(work)
 {
-    for (double d = 0.665; d < 0.7486; d += 0.02) {
-        struct setup train = train_of(1, d, 3, 0, IN_DOUBLE);
-        struct domq_best best;
-        struct domq_limit limit;
-        assert_status(ask_limit_best(&train, &best), DOM_OK);
-        assert_true(best.s > 0.9 && best.r_max > 1);
-        for (train.s = 0.905; train.s < 1; train.s += 0.01) {
-            assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
-            assert_true(limit.ends == DOM_END_NONE || limit.r_max <= best.r_max * (1 + 1e-9));
-        }
-    }
-}
-
-/* Checks that the higher of two maxima is found if both are close to the same sample s = 0.9^k. */
-TEST(the_higher_of_two_tops)
-{
-    struct setup train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, IN_DOUBLE);
-    struct domq_best best;
-    train.fuel = DOM_FUEL_PAPER;
-    assert_status(ask_limit_best(&train, &best), DOM_OK);
-    assert_near("best r_max", best.r_max, 29.8327373, 1e-8);
-}
-
-/* Checks that a search that would take more than the allowed work soon ends with an error. */
-TEST(too_much_work_is_refused)
-{
-    struct setup train = train_of(1, 1e-12, 1e-6, 0.57735, IN_DOUBLE);
+    struct setup endless = train_of(1, 1e-12, 1e-6, 0.57735, IN_DOUBLE),
+                 thin = train_of(1e-5, 3e-6, 0.9, 0, IN_DOUBLE);
     struct dom_work work = {0};
     struct domq_best best;
-    train.work = &work;
-    assert_status(ask_limit_best(&train, &best), DOM_TOO_LONG);
-    assert_true(work.dominoes < 20000000);
-}
-
-/* Checks thin dominoes with tiny gaps, for which hundreds of thousands of followers matter at r = 1, but only
- * a few at r_max. */
-TEST(thin_dominoes_are_quick)
-{
-    struct setup train = train_of(1e-5, 3e-6, 0.9, 0, IN_DOUBLE);
-    struct dom_work work = {0};
     struct domq_limit limit;
-    train.work = &work;
-    assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
-    assert_true(work.dominoes < 1000000);
+    endless.work = thin.work = &work;
+    assert_status(ask_limit_best(&endless, &best), DOM_TOO_LONG);
+    assert_true(work.dominoes < 20000000);
+    work.dominoes = 0;
+    assert_status(ask_limit_rmax(&thin, &limit), DOM_OK);
+    assert_true(work.dominoes > 0 && work.dominoes < 1000000);
 }
