@@ -105,7 +105,6 @@ static bool explain_parse(struct reader *r, struct question *q)
         return false;
     offer_names(r, deep_names, NULL);
     if (e->value && !reader_ends(r) && !word_is_next(r, "deep")) {
-        r->last = false;
         if (!item_parse(r, value_argument(e), &p->value))
             return false;
     }

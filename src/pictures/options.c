@@ -15,10 +15,6 @@ static bool value_parse(struct reader *r, struct options_parsed *p, int k)
     reader_place(r, r->at);
     if (reader_ends(r))
         return problem_error(r->problem, "the value of '%s' is missing; %s", w->name, p->list->usage);
-    /* Is this the last argument of the command? */
-    r->last = true;
-    for (const struct option *other = p->list->options; other->name; other++)
-        r->last = r->last && !option_fits(other, p->seen | BIT(k));
     return item_parse(r, w->argument, &p->item[k]);
 }
 
@@ -32,7 +28,6 @@ const struct options_parsed *options_parse(struct reader *r, struct question *q,
     while (!reader_ends(r)) {
         int k = 0;
         const struct option *w;
-        r->last = false;
         reader_place(r, r->at);
         const int column = r->problem->place;
         for (; (w = &list->options[k])->name; k++)

@@ -103,7 +103,6 @@ bool wishes_parse(struct reader *r, struct question *q)
     struct wishes_parsed *w = q->parsed = reader_memory(r, sizeof *w);
     if (!w)
         return false;
-    r->last = false;
     while (!reader_ends(r)) {
         struct item name;
         reader_place(r, r->at);

@@ -44,7 +44,6 @@ bool change_parse_dominoes(struct reader *r, struct question *q)
     if (!c)
         return false;
     parsed->change = c;
-    r->last = false;
     if (reader_takes(r, "all"))
         return true;
     for (;; r->at = skip_blanks(r->at + 1)) {
@@ -71,7 +70,6 @@ bool change_parse_value(struct reader *r, struct question *q)
     const char *begin = r->at;
     reader_place(r, begin);
     c->has_sign = *begin == '+' || *begin == '-';
-    r->last = true;
     if (!item_parse(r, &value, &c->value))
         return false;
     c->is_share = r->at > begin && r->at[-1] == '%';

@@ -293,7 +293,6 @@ bool answer_parse_value(struct reader *r, struct question *q)
         return false;
     r->at = skip_blanks(r->at + 1);
     reader_place(r, r->at);
-    r->last = true;
     return item_parse(r, &value_argument, &s->value);
 }
 

@@ -45,7 +45,7 @@ let big_ben = 3 m; print big ben|3 m
 let eiffel = 3 m; reset eiffel; print eiffel|330 m
 let f(eiffel) = 2*eiffel; f(4)|8
 END
-    wrong_line 'let big = 4; print big ben' "'ben' is not a unit and has no value"
+    wrong_line 'let big = 4; print big ben' "'ben' is one argument too many"
 }
 
 @test "no landmark has a name that something else has" {

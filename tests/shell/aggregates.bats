@@ -45,7 +45,7 @@ let twice(x) = 2*x; print sum(twice(landmarks.height)) / sum(landmarks.height)|2
 print max(landmarks.height) to m|8848.86 m
 print count(landmarks.name) - count(landmarks.height)|0
 print sum(chain(0).weight / sum(chain(0).weight))|1
-set s 0.3; let a = sum(chain(0).arm_a); set s 0.4; print (sum(chain(0).arm_a) with s 0.3) - a|0
+set s 0.3; let a = sum(chain(0).arm_a); set s 0.4; print sum(chain(0).arm_a) - a with s 0.3|0
 print count(112 m) + count(112 m, 2)|32
 print max(3, 4) + min(3, 4)|7
 let sum(x) = 3*x; print sum(rmax) - 3*rmax|0
@@ -81,10 +81,8 @@ END
 7|print count(chain(0).weight > 0.1)|'sum.CONDITION.' counts the rows for which a condition is true
 11|print sum(landmarks.what)|landmarks.what consists of words, which only 'count' takes
 36|print sum(landmarks.height/(1 m) + chain(0).weight)|'chain' is another table; all columns must be of one table
-31|print sum(landmarks.height * (chain(0).weight with s 0.4))|'with' must stand outside the aggregate, as in '.sum.chain.weight. with s 0.3.'
 28|print sum(landmarks.height + 1)|a length and a plain number cannot be added
 17|print sum(chain(chain(0).weight).weight)|'chain' has no value: its answer is a table
-35|print sum((chain(0).weight with s chain(0).weight))|'chain' has no value: its answer is a table
 11|print sum(curve(0.1, 0.9, 3).s)|'curve' has no value
 7|print max(fall.hit)|there is no row
 END

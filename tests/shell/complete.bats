@@ -59,7 +59,7 @@ solve d 0.05 |m mm cm km in ft yd
 rmax with q ho|hollow
 q = |hollow solid
 print 4 cm to f|ft
-2*(rmax with fri|friction
+2*rmax with fri|friction
 sweep s 0.1 0.3 3 q hollow, s|solid
 animate speed 2; set ou|output
 draw |at tower train forces

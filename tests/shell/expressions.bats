@@ -209,9 +209,8 @@ END
     local alone
     alone=$("$DOMINO" -n -e 'set q hollow; set d 0.1; print rmax(0.4)')
     same 'command' "$alone" "$("$DOMINO" -n -e 'print rmax(0.4) with q hollow d 0.1')"
-    same 'in parentheses' "$alone" "$("$DOMINO" -n -e 'print (rmax(0.4) with d 0.1 q hollow)')"
     same 'with =' "$alone" "$("$DOMINO" -n -e 'print rmax(0.4) with q = hollow d = 1/10')"
-    same 'in a function' "$alone" "$("$DOMINO" -n -e 'let f(x) = (rmax(x) with q 3 d x/4); f(0.4)')"
+    same 'a function' "$alone" "$("$DOMINO" -n -e 'let f(x) = rmax(x)*d/0.1; f(0.4) with q 3 d 0.1')"
     same 'sweep' "$("$DOMINO" -n -e 'set output csv; set q hollow; sweep s 0.2 0.4 3 : rmax')" \
         "$("$DOMINO" -n -e 'set output csv; sweep s 0.2 0.4 3 : rmax with q hollow')"
     same 'solve' "$("$DOMINO" -n -e 'set output csv; set q hollow; solve s 0.1 0.9 : rmax = 2')" \
@@ -284,8 +283,8 @@ END
     # 600 lines of nested values, most of them with a wrapper inside another, and each followed by 41+1. A wrapper that is
     # nested 6,000 deep overflowed the stack; those near the limit must not, either.
     awk 'BEGIN {
-        n = split("(|sin(|-|not |2^|if(1, |rmax(|(rmax with s |(rmax with q hollow s |(0.1 + 2*", open, "|")
-        split(")|)||||, 1)|)|)|)|)", close_, "|")
+        n = split("(|sin(|-|not |2^|if(1, |rmax(|(0.1 + 2*", open, "|")
+        split(")|)||||, 1)|)|)", close_, "|")
         split("print |let x = |let f(x) = |rmax |rmax with s |set s |assert 0 < |sweep r 1 2 2 : |solve s : rmax = |change 1 height ", command, "|")
         srand(7)
         for (line = 0; line < 600; line++) {
@@ -308,8 +307,8 @@ END
     [[ $status == 1 && $stderr == *'nested too deeply'* ]]
     same 'answers' 700 "$(grep -cx 42 <<<"$output")"
     # The deepest value that is accepted has its answer.
-    for n in 30 32 34 36 38 40; do
-        printf 'print %s0.3%s\n' "$(printf '(rmax with s %.0s' $(seq "$n"))" "$(printf ')/9%.0s' $(seq "$n"))"
+    for n in 196 198 200 202; do
+        printf 'print %s0.3%s\n' "$(printf 'rmax(%.0s' $(seq "$n"))" "$(printf ')/9%.0s' $(seq "$n"))"
     done >deep.dom
     run --separate-stderr bash -c 'ulimit -s 1024; "$DOMINO" --keep-going -f deep.dom'
     [[ $(wc -l <<<"$output") -ge 2 && $stderr == *'nested too deeply'* ]]

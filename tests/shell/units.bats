@@ -141,7 +141,7 @@ END
 
 @test "a message suggests the right unit after a misspelling, and functions and units are help topics" {
     wrong_at 11 'theta1 10 dge' "^theta1: 'dge' is not a unit; did you mean 'deg'"
-    wrong_at 9 'print 3 furlong' "^print: 'furlong' is not a unit"
+    wrong_at 9 'print 3 furlong' "^print: 'furlong' is one argument too many"
     for topic in sin pi cm units ans; do "$DOMINO" -e "help $topic" | grep -q '^print VALUE'; done
 }
 
@@ -172,7 +172,7 @@ END
     wrong '5 to m/s' 'the value is a plain number, but 1 m/s is in m s\^-1'
     wrong '112 m to fot' "'fot' is not a unit; did you mean 'ft'"
     wrong '112 m to' "the unit after 'to' is missing; enter, for example, 'print 112 m to ft'"
-    wrong '112 m ti ft' "'ti' is not a unit"
+    wrong '112 m ti ft' "'ti' is one argument too many; usage: print VALUE"
     wrong '112 m to ft 3' "'3' is one argument too many"
     wrong 'rmax to m/h' "'m/h' is not a unit"
 }
@@ -238,7 +238,7 @@ END
     same 'another row' '1.2 0.8 3' "$(json 'set row 5; set push 0.144 m/s; set row tall.csv; show push; remove 1; show push; set row 5; show push' | values value | paste -sd ' ')"
     same 'a design' '0.144 m/s' "$("$DOMINO" -e 'set row tall.csv; set push 0.144 m/s; design 1 m; show' | awk '$1 == "push" { print $2, $3 }')"
     same 'its first domino' "$(json 'set row 5; set push 3; design 1 m' | tail -n 1)" "$(json 'set row tall.csv; set push 0.144 m/s; design 1 m' | tail -n 1)"
-    same 'in an expression' "$(json 'set row 5; print (verdict with push 3)')" "$(json 'set row 5; print (verdict with push 0.144 m/s)')"
+    same 'in an expression' "$(json 'set row 5; print verdict with push 3')" "$(json 'set row 5; print verdict with push 0.144 m/s')"
     same 'a sweep' '3 6' "$(json 'set row 5; sweep push 0.144 m/s, 0.288 m/s : verdict' | values push | paste -sd ' ')"
     same 'undo' '14.4 cm/s' "$("$DOMINO" -e 'set row 5; set push 14.4 cm/s; set push 4; undo; show' | awk '$1 == "push" { print $2, $3 }')"
     same 'an angular velocity stays one' 3 "$(json 'set row 5; set push 1 m/s; set push 3; set h 1; show push' | values value | tail -n 1)"

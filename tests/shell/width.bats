@@ -11,7 +11,7 @@ load common
         same "set $name" 0.25 "$(json "set $name 12 mm; print width" | values value)"
         same "show $name" width "$(json "show $name" | values name)"
         same "reset $name" 0.5 "$(json "set width 2; reset $name; print width" | values value)"
-        same "with $name" 0.25 "$(json "print (width with $name 12 mm)" | values value)"
+        same "with $name" 0.25 "$(json "print width with $name 12 mm" | values value)"
         same "sweep $name" '0.1 0.2' "$(json "sweep $name 0.1, 0.2 : print width" | values value | paste -sd ' ')"
     done
     same 'no walls are set' off "$(json 'set w 24 mm; show walls' | values value)"

@@ -344,7 +344,7 @@ static bool help_parse(struct reader *r, struct question *q)
     const char *outer = r->stops;
     offer_names(r, topic_names, NULL);
     r->stops = "?";
-    q->item[0].word = read_word(r, false);
+    q->item[0].word = read_word(r, true);
     r->stops = outer;
     r->at = skip_blanks(r->at);
     r->at += strspn(r->at, "?"); /* as in 'rmax?' */
@@ -457,7 +457,7 @@ const struct command help_commands[] = {
      .act = run_details},
     {.name = "apropos",
      .synonyms = "search find look",
-     .argument = {{.name = "WORD", .kind = ARGUMENT_WORD, .choices = topic_names}},
+     .argument = {{.name = "WORD", .kind = ARGUMENT_WORDS, .parse = help_parse}},
      .summary = "commands and parameters that mention WORD",
      .example = "apropos barrier",
      .see = "help",

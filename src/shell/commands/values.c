@@ -129,7 +129,6 @@ static bool definition_parse(struct reader *r, struct question *q)
     *a = (struct argument){.name = v->name, .kind = ARGUMENT_ANY};
     value = r->at;
     r->unresolved = v->count > 0; /* the names in a function are resolved when the function is called */
-    r->last = !r->unresolved;
     if (!item_parse(r, a, &d->value))
         return false;
     v->body = r->unresolved ? reader_copy(r, value, (size_t)(r->at - value)) : NULL;
@@ -194,7 +193,7 @@ const struct command value_commands[] = {
          "comparison is 1 if it is true, and 0 otherwise. Write '(a > b)' in parentheses, because otherwise "
          "'>' sends the answer to a file. 'and', 'or' and 'not' join comparisons, and 'if(r > 1.5, 1, 0)' "
          "chooses one of two values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q "
-         "hollow d 0.1'. In an expression, 'with' needs parentheses: '2*(rmax with friction 0.2)'. A text in "
+         "hollow d 0.1', '2*rmax with friction 0.2'. A text in "
          "double quotes is written as 'echo' writes it.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set landmarks",

@@ -27,7 +27,6 @@ enum argument_kind {
     ARGUMENT_CHOICE,    /* one of the choices, stored as its index */
     ARGUMENT_PARAMETER, /* the name of a parameter; variables are accepted if no ARGUMENT_VALUE follows */
     ARGUMENT_VALUE,     /* a value of the parameter that an earlier argument names, or a file */
-    ARGUMENT_WORD,      /* a single word, or several words in double quotes */
     ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
     ARGUMENT_REST,      /* the rest of the line, unparsed, including any ';' */
     /* Arguments that are parsed by a function of their own (argument.parse): */

@@ -117,13 +117,13 @@ static bool make_alike(const struct evaluation *e, struct quantity *a, struct qu
 static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
 {
     struct quantity by;
-    const enum tree_operator op = value->op;
-    const bool adds = op >= OPERATOR_PLUS;
+    const char op = value->op;
+    const bool adds = op == '+' || op == '-';
     if (!expression_evaluate(e, value, &by))
         return false;
-    if (op == OPERATOR_OVER && by.value == 0)
+    if (op == '/' && by.value == 0)
         return expression_no_value(e->problem, value->op_at, "division by zero");
-    if (op == OPERATOR_POWER) {
+    if (op == '^') {
         const bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
         const int n = whole ? (int)by.value : 0;
         if (!quantity_is_number(by) || (!whole && !quantity_is_number(*q)))
@@ -132,24 +132,24 @@ static bool apply(struct evaluation *e, const struct tree *t, const struct tree 
                                     "before '^' has a unit");
         *q = (struct quantity){quad(pow)(q->value, by.value), n * q->length, n * q->time, n * q->angle,
                                n * q->mass};
-    } else if (op == OPERATOR_TIMES || op == OPERATOR_OVER)
-        quantity_multiply(q, by, op == OPERATOR_OVER ? -1 : 1);
+    } else if (op == '*' || op == '/')
+        quantity_multiply(q, by, op == '/' ? -1 : 1);
     else if (!make_alike(e, q, &by))
         return expression_wrong(e->problem, value->op_at,
                                 adds ? "%s and %s cannot be added" : "%s and %s cannot be compared",
                                 expression_kind(*q), expression_kind(by));
     else if (adds)
-        q->value += op == OPERATOR_MINUS ? -by.value : by.value;
+        q->value += op == '-' ? -by.value : by.value;
     else {
         const domq_real a = q->value, b = by.value;
-        *q = (struct quantity){.value = op == OPERATOR_LESS       ? a < b
-                                        : op == OPERATOR_AT_MOST  ? a <= b
-                                        : op == OPERATOR_MORE     ? a > b
-                                        : op == OPERATOR_AT_LEAST ? a >= b
-                                        : op == OPERATOR_EQUAL    ? a == b
-                                                                  : a != b};
+        *q = (struct quantity){.value = op == '<'   ? a < b
+                                        : op == 'l' ? a <= b
+                                        : op == '>' ? a > b
+                                        : op == 'g' ? a >= b
+                                        : op == '=' ? a == b
+                                                    : a != b};
     }
-    return is_valid(e, op == OPERATOR_POWER ? t->at : value->op_at, q);
+    return is_valid(e, op == '^' ? t->at : value->op_at, q);
 }
 
 static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool *is_true)
@@ -166,9 +166,9 @@ static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool 
 static bool evaluate_chain(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
     const struct tree *child = t->child;
-    const enum tree_operator op = child->next->op;
+    const char op = child->next->op;
     bool is_true = false;
-    if (op > OPERATOR_AND) {
+    if (op != '&' && op != '|') {
         bool good = expression_evaluate(e, child, q);
         while (good && (child = child->next) != NULL)
             good = apply(e, t, child, q);
@@ -179,7 +179,7 @@ static bool evaluate_chain(struct evaluation *e, const struct tree *t, struct qu
         if (!evaluate_condition(e, child, &is_true))
             return false;
         child = child->next;
-    } while (child && is_true != (op == OPERATOR_OR));
+    } while (child && is_true != (op == '|'));
     *q = (struct quantity){.value = is_true};
     return true;
 }

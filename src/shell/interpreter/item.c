@@ -6,57 +6,17 @@
 
 /* ---- Expressions ---- */
 
-/* Checks what follows a value. Text directly after it is an error. So is a word that is probably meant as a
- * unit, if the value is the last of the command. */
+/* Text directly after a value is an error. */
 static bool end_check(struct reader *r, const char *name, const char *end)
 {
-    char word[NAMES_SHOWN];
-    reader_place(r, end);
-    if (!isspace((unsigned char)*end) && (*end == '#' || !command_ends(end)) && *end != '>' &&
-        !(r->stops && strchr(r->stops, *end)))
-        return problem_error(r->problem, "unexpected '%s' after the value of %s; %s", names_shown(end), name,
-                             *end == ',' && isdigit((unsigned char)end[1]) ? "use a decimal point, as in 0.5"
-                             : *end == ',' ? "separate values by blanks, without a comma"
-                                           : "an operator or a blank is missing");
-    const char *next = skip_blanks(end);
-    if (!r->last || next == end || !isalpha((unsigned char)*next) ||
-        !name_copy(next, name_length(next), word, sizeof word) || is_value_name(r->query->state, word) ||
-        strcmp(word, "to") == 0 || strcmp(word, "with") == 0)
+    if (isspace((unsigned char)*end) || (*end != '#' && command_ends(end)) || *end == '>' ||
+        (r->stops && strchr(r->stops, *end)))
         return true;
-    const char *close = names_closest(expression_units, NULL, word), *shown = names_shown(word);
-    reader_place(r, next);
-    if (close && strcmp(close, word) == 0)
-        return problem_error(
-            r->problem, "the unit '%s' must follow a number or a ')'; 'to' converts, as in '4.8 cm to mm'",
-            shown);
-    return close ? problem_error(r->problem, "'%s' is not a unit; did you mean '%s'?", shown, close)
-                 : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
-}
-
-/* Parses "with NAME VALUE ..." in "(VALUE with NAME VALUE ...)". This function is the callback reader.with.
- */
-static struct tree *with_parse(struct reader *outer, struct tree *value)
-{
-    struct reader r = *outer;
-    r.at = skip_blanks(r.at + strlen("with"));
-    r.text = r.scope ? NULL : r.text; /* the body of a function is not part of the line */
-    r.stops = ")";
-    r.depth += NESTING_WITH;
-    r.last = r.evaluates = false;
-    const struct assignment *with = assignments_parse(&r);
-    struct tree *t = with ? reader_memory(&r, sizeof *t) : NULL;
-    if (!t)
-        return NULL;
-    *t = (struct tree){.kind = TREE_SYMBOL,
-                       .symbol = SYMBOL_WITH,
-                       .at = outer->at,
-                       .refers = with,
-                       .child = value,
-                       .count = 1};
-    outer->at = r.at;
-    outer->deepest = r.deepest;
-    outer->routines = r.routines;
-    return t;
+    reader_place(r, end);
+    return problem_error(r->problem, "unexpected '%s' after the value of %s; %s", names_shown(end), name,
+                         *end == ',' && isdigit((unsigned char)end[1]) ? "use a decimal point, as in 0.5"
+                         : *end == ',' ? "separate values by blanks, without a comma"
+                                       : "an operator or a blank is missing");
 }
 
 bool item_parse(struct reader *r, const struct argument *a, struct item *item)
@@ -64,7 +24,6 @@ bool item_parse(struct reader *r, const struct argument *a, struct item *item)
     const char *begin = r->at;
     /* completion must read on after a name that is not known */
     r->names = r->unresolved || r->offer ? NULL : name_resolve;
-    r->with = with_parse;
     struct tree *tree = expression_parse(r);
     const char *end = r->at;
     r->at = begin;
@@ -72,9 +31,12 @@ bool item_parse(struct reader *r, const struct argument *a, struct item *item)
     if (r->offer) { /* a value, the rest of an expression, or a unit after a number */
         struct reader behind = *r;
         behind.at = tree ? skip_blanks(end) : end;
-        offer_value(r, a, false);
-        if (!tree && end > begin)
-            offer_value(&behind, a, true);
+        struct offer *o = reader_offer(r), *inside = !tree && end > begin ? reader_offer(&behind) : NULL;
+        o = inside ? inside : o;
+        if (o) {
+            o->value = *a;
+            o->is_inside = inside != NULL;
+        }
         if (tree && (isdigit((unsigned char)end[-1]) || end[-1] == '.'))
             offer_kind(&behind, OFFER_UNIT);
     }
@@ -178,7 +140,8 @@ bool item_parse_place(struct reader *r, const struct argument *a, struct item *i
 
 /* ---- Parameters and their values ---- */
 
-const char *model_names(const void *context, int k)
+/* A names_list (see names.h) of the parameters of the model and, after them, the effects. */
+static const char *model_names(const void *context, int k)
 {
     const struct parameter *p = session_parameters;
     (void)context;

@@ -114,10 +114,6 @@ static bool column_quantity(struct evaluation *e, const struct tree *t, struct q
     const struct rows *rows = e->rows;
     const char *key = ((const struct command *)t->refers)->columns[t->index].key;
     int index = 0;
-    if (!rows)
-        return expression_wrong(e->problem, t->at,
-                                "'with' must stand outside the aggregate, as in '(sum(%s.%s) with s 0.3)'",
-                                t->name, key);
     bool is_same = t->refers == rows->column->refers;
     if (is_same && t != rows->column && !arguments_evaluate(e, t, argument))
         return false;
@@ -177,7 +173,7 @@ static bool routine_quantity(struct evaluation *e, const struct tree *t, const s
     return good || routine_wrong(e->problem, t->at, routine->function);
 }
 
-/* ---- Values and 'with' ---- */
+/* ---- Values ---- */
 
 bool item_wrong(struct problem *problem, const struct text *text, const char *name)
 {
@@ -195,52 +191,6 @@ bool item_wrong(struct problem *problem, const struct text *text, const char *na
     return false;
 }
 
-/* Computes and checks the value of an item, as item_bind does. */
-static bool item_quantity(struct evaluation *e, const struct item *item, const struct text *text,
-                          struct quantity *q, domq_real *number)
-{
-    *q = (struct quantity){.value = item->number};
-    if (text && item->at)
-        e->problem->place = text_column(text, item->at);
-    if (item->value && !expression_evaluate(e, item->value, q))
-        return text ? item_wrong(e->problem, text, item->argument->name) : false;
-    *number = q->value;
-    return !item->value || argument_check(e->query, item->argument, *q, number, e->problem);
-}
-
-bool with_apply(struct evaluation *e, const struct assignment *with, const struct text *text,
-                struct state *state, struct query *changed)
-{
-    struct assigned assigned[ASSIGNED_MAX];
-    int count = 0;
-    for (const struct assignment *a = with; a; a = a->next) {
-        struct quantity typed;
-        assigned[count] = (struct assigned){.parameter = a->parameter};
-        if (!item_quantity(e, &a->item, text, &typed, &assigned[count].value))
-            return false;
-        assigned[count++].length = share_length(a->parameter, &typed);
-    }
-    return query_with(e->query, assigned, count, state, changed, e->problem);
-}
-
-/* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state. */
-static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const struct tree *t,
-                                                    struct quantity *result)
-{
-    const struct query *outer = e->query;
-    struct rows *rows = e->rows;
-    struct state state;
-    struct query changed;
-    if (!with_apply(e, t->refers, NULL, &state, &changed))
-        return false;
-    e->query = &changed;
-    e->rows = NULL;
-    const bool good = expression_evaluate(e, t->child, result);
-    e->query = outer;
-    e->rows = rows;
-    return good;
-}
-
 static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct quantity *result)
 {
     const struct last_answer *ans = e->query->ans;
@@ -256,8 +206,6 @@ static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct q
     case SYMBOL_ANS:
         *result = ans->value;
         return !t->refers || cell_quantity(e, t, ans->cells, "", result);
-    case SYMBOL_WITH:
-        return with_quantity(e, t, result);
     case SYMBOL_COLUMN:
         return column_quantity(e, t, result);
     case SYMBOL_AGGREGATE:
@@ -286,8 +234,14 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
                struct quantity *quantity, domq_real *number, struct problem *problem)
 {
     struct evaluation e = query_evaluation(query, problem);
-    struct quantity q;
-    return item_quantity(&e, item, text, quantity ? quantity : &q, number);
+    struct quantity own, *q = quantity ? quantity : &own;
+    *q = (struct quantity){.value = item->number};
+    if (item->at)
+        problem->place = text_column(text, item->at);
+    if (item->value && !expression_evaluate(&e, item->value, q))
+        return item_wrong(problem, text, item->argument->name);
+    *number = q->value;
+    return !item->value || argument_check(query, item->argument, *q, number, problem);
 }
 
 /* ---- Questions ---- */
@@ -295,15 +249,24 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 bool question_bind(const struct question *q, const struct query *query, struct call *call,
                    struct problem *problem)
 {
+    struct assigned assigned[ASSIGNED_MAX];
+    int count = 0;
     call->given = (struct arguments){.count = q->count,
                                      .parameter = q->parameter,
                                      .variable = q->variable,
                                      .details = q->details,
                                      .bound = q->parsed};
     call->query = *query;
-    struct evaluation e = query_evaluation(query, problem);
-    if (!command_allowed(query->run_context, q->command, problem) ||
-        (q->with && !with_apply(&e, q->with, q->text, &call->state, &call->query)))
+    if (!command_allowed(query->run_context, q->command, problem))
+        return false;
+    for (const struct assignment *with = q->with; with; with = with->next) {
+        struct quantity typed;
+        assigned[count] = (struct assigned){.parameter = with->parameter};
+        if (!item_bind(&with->item, q->text, query, &typed, &assigned[count].value, problem))
+            return false;
+        assigned[count++].length = share_length(with->parameter, &typed);
+    }
+    if (count > 0 && !query_with(query, assigned, count, &call->state, &call->query, problem))
         return false;
     call->query.given = &call->given;
     for (int i = 0; i < q->count; i++) {

@@ -39,8 +39,7 @@ static struct tree *make_parent(struct reader *r, enum tree_kind kind, const cha
 
 /* Appends an operand to a chain. `op` is the operator before the operand, and `last` is the last child of the
  * chain so far. */
-static void append(struct tree *chain, struct tree *last, enum tree_operator op, const char *at,
-                   struct tree *value)
+static void append(struct tree *chain, struct tree *last, char op, const char *at, struct tree *value)
 {
     value->op = op;
     value->op_at = at;
@@ -92,7 +91,7 @@ static struct tree *parse_unit(struct reader *r, struct tree *value)
     if (!factor)
         return NULL;
     factor->value = unit;
-    append(chain, value, OPERATOR_TIMES, c, factor);
+    append(chain, value, '*', c, factor);
     return chain;
 }
 
@@ -202,8 +201,6 @@ static struct tree *parse_parentheses(struct reader *r)
     r->at = skip_blanks(r->at);
     struct tree *t = parse_chain(r, LEVEL_OR);
     r->at = t ? skip_blanks(r->at) : r->at;
-    if (t && r->with && is_word(r->at, "with"))
-        t = r->with(r, t);
     if (!t)
         return NULL;
     r->nested--;
@@ -233,15 +230,13 @@ static struct tree *parse_primary(struct reader *r)
 /* "<=" comes before its prefix "<". parse_factor handles '^'. */
 static const struct op {
     const char *text;
-    enum tree_operator op;
+    char op; /* as in struct tree */
     enum level level;
 } operators[] = {
-    {"+", OPERATOR_PLUS, LEVEL_SUM},         {"-", OPERATOR_MINUS, LEVEL_SUM},
-    {"*", OPERATOR_TIMES, LEVEL_PRODUCT},    {"/", OPERATOR_OVER, LEVEL_PRODUCT},
-    {"<=", OPERATOR_AT_MOST, LEVEL_COMPARE}, {">=", OPERATOR_AT_LEAST, LEVEL_COMPARE},
-    {"==", OPERATOR_EQUAL, LEVEL_COMPARE},   {"!=", OPERATOR_UNEQUAL, LEVEL_COMPARE},
-    {"<", OPERATOR_LESS, LEVEL_COMPARE},     {">", OPERATOR_MORE, LEVEL_COMPARE},
-    {"and", OPERATOR_AND, LEVEL_AND},        {"or", OPERATOR_OR, LEVEL_OR},
+    {"+", '+', LEVEL_SUM},      {"-", '-', LEVEL_SUM},      {"*", '*', LEVEL_PRODUCT},
+    {"/", '/', LEVEL_PRODUCT},  {"<=", 'l', LEVEL_COMPARE}, {">=", 'g', LEVEL_COMPARE},
+    {"==", '=', LEVEL_COMPARE}, {"!=", '!', LEVEL_COMPARE}, {"<", '<', LEVEL_COMPARE},
+    {">", '>', LEVEL_COMPARE},  {"and", '&', LEVEL_AND},    {"or", '|', LEVEL_OR},
 };
 
 /* Returns the operator that continues an expression, or NULL if there is none. `at` is the first position
@@ -259,7 +254,7 @@ static const struct op *op_at(const struct reader *r, const char *at)
     if (!op)
         return NULL;
     bool is_sign = op->level == LEVEL_SUM && at != r->at && skip_blanks(at + 1) == at + 1;
-    bool redirects = op->op == OPERATOR_MORE;
+    bool redirects = op->op == '>';
     return (is_sign || redirects) && r->nested == 0 ? NULL : op;
 }
 
@@ -289,7 +284,7 @@ static struct tree *parse_factor(struct reader *r)
         struct tree *exponent = parse_factor(r), *base = t;
         t = exponent ? make_parent(r, TREE_CHAIN, power, base) : NULL;
         if (t)
-            append(t, base, OPERATOR_POWER, exponent_at, exponent);
+            append(t, base, '^', exponent_at, exponent);
     }
     r->depth--;
     return t;
@@ -335,7 +330,7 @@ static struct tree *parse_chain(struct reader *r, enum level least)
         struct tree *right = parse_chain(r, op->level + 1);
         if (!right)
             return NULL;
-        if (op->op == OPERATOR_OVER && !(before && before->op == OPERATOR_OVER))
+        if (op->op == '/' && !(before && before->op == '/'))
             unit_move(before ? last : left, right);
         if (!before || before->level != op->level) {
             last = left;

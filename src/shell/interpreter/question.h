@@ -34,9 +34,9 @@
 /*
  * How deeply values may be nested. Parsing and evaluating are recursive, and the parser counts the levels: a
  * parenthesis, a sign, an exponent and a call take one level each. A function that 'let' defines adds the
- * levels of its body. A "with" needs more stack than the others, so it counts as several levels.
+ * levels of its body.
  */
-enum { NESTING_MOST = 200, NESTING_WITH = 4 };
+enum { NESTING_MOST = 200 };
 #define NESTED_TOO_DEEPLY "the expression is nested too deeply"
 
 /* The parser makes a TREE_NAME for each name that is not built in. The callback reader.names then resolves
@@ -53,29 +53,14 @@ enum tree_kind {
     TREE_IF
 };
 
-enum tree_operator {
-    OPERATOR_NONE,
-    OPERATOR_OR,
-    OPERATOR_AND,
-    OPERATOR_LESS,
-    OPERATOR_AT_MOST,
-    OPERATOR_MORE,
-    OPERATOR_AT_LEAST,
-    OPERATOR_EQUAL,
-    OPERATOR_UNEQUAL,
-    OPERATOR_PLUS,
-    OPERATOR_MINUS,
-    OPERATOR_TIMES,
-    OPERATOR_OVER,
-    OPERATOR_POWER,
-};
-
 struct function;
 struct reader;
 
 struct tree {
     enum tree_kind kind;
-    enum tree_operator op; /* for an operand of a chain: the operator before the operand */
+    /* For an operand of a chain: the operator before the operand, as one character. '<=' is 'l', '>=' is 'g',
+     * '==' is '=', '!=' is '!', 'and' is '&', 'or' is '|'. */
+    char op;
     /* Where an error in the operation `op` is reported: at the operator or, for '^', at the exponent. */
     const char *op_at;
     const char *at;        /* where an error in this node is reported */
@@ -158,7 +143,7 @@ struct reader {
     /* The query whose state determines which names are known. NULL if no names are, as in a csv file. */
     const struct query *query;
     struct problem *problem;
-    const struct text *text; /* the line; NULL for the body of a function, where problems have no column */
+    const struct text *text; /* the line; NULL for a text that nobody has typed */
     const char *at;          /* the next character */
     struct arena *arena;     /* the memory for parsed expressions and words */
     /* Additional characters that end a word or value, such as ','. May be NULL. */
@@ -172,14 +157,10 @@ struct reader {
     /* Resolves a name whose arguments have been parsed. On failure, sets the problem and returns false. If
      * the pointer is NULL, names stay as they are. */
     bool (*names)(struct reader *reader, struct tree *name);
-    /* Parses a "with" after a value in parentheses, as in "(rmax with q hollow d 0.1)". The reader is at the
-     * "with". Returns a tree for the value and its "with", or NULL after an error. */
-    struct tree *(*with)(struct reader *reader, struct tree *value);
     const struct variable *scope; /* the function whose body is being parsed, or NULL */
     struct routine *routines;     /* the 'let' functions that the command has used so far */
     bool unresolved;     /* names in expressions are left unresolved, as in the definition of a function */
     bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
-    bool last;           /* the last argument of the command is being read */
     bool details;        /* the word 'details' may end the command */
     struct offer *offer; /* records what may be typed; NULL unless the line is only previewed */
 };
@@ -195,7 +176,6 @@ static inline struct offer *reader_offer(const struct reader *r)
 /* If the reader is at the cursor, these functions record what may be typed there. */
 void offer_kind(const struct reader *reader, enum offer_kind kind);
 void offer_names(const struct reader *reader, names_list *list, const void *context);
-void offer_value(const struct reader *reader, const struct argument *argument, bool is_inside);
 
 /* Sets the place of the next problem to the column of `at`. */
 void reader_place(const struct reader *reader, const char *at);
@@ -305,16 +285,13 @@ const struct parameter *parameter_parse(struct reader *reader, const char *form)
 const struct assignment *assignments_parse(struct reader *reader);
 
 /* Computes and checks the value of an item. Stores the value in *number. If `quantity` is not NULL, also
- * stores the value with its unit in *quantity. If `text` is not NULL, a problem says at which column of the
- * line the value is. */
+ * stores the value with its unit in *quantity. A problem says at which column of the line `text` the value
+ * is. */
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 
 /* Returns true if the name is known in expressions (see value_names). */
 bool is_value_name(const struct state *state, const char *name);
-
-/* A names_list of the parameters of the model and, after them, the effects. */
-const char *model_names(const void *context, int k);
 
 /* ---- Names in expressions (resolve.c, lookup.c) ---- */
 
@@ -336,7 +313,6 @@ enum symbol {
     SYMBOL_ANS,
     SYMBOL_COLUMN,    /* a struct command whose answer is a table; the value is column `index` in one row */
     SYMBOL_AGGREGATE, /* NULL; `index` is an enum aggregate of the child node over the rows of a table */
-    SYMBOL_WITH,      /* the linked list of assignments that apply while the child node is evaluated */
 };
 
 enum aggregate { AGGREGATE_SUM, AGGREGATE_MIN, AGGREGATE_MAX, AGGREGATE_COUNT };
@@ -366,11 +342,6 @@ bool routine_wrong(struct problem *problem, const char *at, const struct variabl
 /* Returns what is needed to evaluate trees in the state of a query. An error has a position if it is one of
  * the expression (problem.at), and none if a command in it has no answer. */
 struct evaluation query_evaluation(const struct query *query, struct problem *problem);
-
-/* Makes *changed a copy of e->query in which the parameters after 'with' have their new values. *state
- * becomes the state of the copy. `text` is the line, or NULL. */
-bool with_apply(struct evaluation *e, const struct assignment *with, const struct text *text,
-                struct state *state, struct query *changed);
 
 /* Adds the name of a value to an error in its expression, and finds the column of the error if `text` is not
  * NULL. Returns false. */
@@ -419,9 +390,5 @@ void *arguments_take(struct arguments *given, size_t size, const struct query *q
  * numbers (answer/cell.h). */
 bool command_compute(const struct command *command, const struct query *query, struct answer *answer,
                      struct problem *problem);
-
-/* Parses and runs the command at the reader's position, writes its answer to standard output or a file, and
- * moves the reader to where parsing ended. */
-void run_command_at(struct session *session, struct reader *line);
 
 #endif

@@ -27,8 +27,14 @@ static bool is_path(const struct reader *r)
     return exists;
 }
 
-static bool too_many(struct reader *r, const char *word, const char *prefix, const char *usage)
+/* Reports a word that is too much. After a value, it may be meant as a unit. */
+static bool too_many(struct reader *r, const struct question *q, const char *word, const char *prefix,
+                     const char *usage)
 {
+    const bool after_value = q->count > 0 && q->item[q->count - 1].value && isalpha((unsigned char)*word);
+    const char *unit = after_value ? names_closest(expression_units, NULL, word) : NULL;
+    if (unit && strcmp(unit, word) != 0)
+        return problem_error(r->problem, "'%s' is not a unit; did you mean '%s'?", names_shown(word), unit);
     return problem_error(r->problem, "'%s' is one argument too many; usage: %s%s", names_shown(word), prefix,
                          usage);
 }
@@ -61,8 +67,8 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
     bool is_word = !first->value && parameter_word(p, first->number);
     if (!value || (i > 1 && (first->word || is_word)))
-        return p->effect ? too_many(r, word, "set ", parameter_usage(p))
-                         : too_many(r, word, "", command_usage(q->command));
+        return p->effect ? too_many(r, q, word, "set ", parameter_usage(p))
+                         : too_many(r, q, word, "", command_usage(q->command));
     if (value->or_file)
         offer_kind(r, OFFER_FILE);
     if (value->or_file && names_exact(parameter_words, p, word) < 0 && is_path(r)) {
@@ -74,7 +80,6 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;
     }
-    r->last = !parameter_argument(p, i);
     return item_parse_value(r, p, i - 1, value->name, item);
 }
 
@@ -110,7 +115,6 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     struct item *item = &q->item[i];
     reader_place(r, r->at);
     item->at = r->at;
-    r->last = i + 1 == ARGUMENTS_MAX || !a[1].kind || a[1].kind == ARGUMENT_UNIT;
     switch (a->kind) {
     case ARGUMENT_VALUE_OF:
         return item_parse_value(r, parameter_find(a->parameter), 0, a->name, item);
@@ -126,10 +130,6 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
         offer_kind(r, OFFER_FILE);
         item->word = read_file(r);
         break;
-    case ARGUMENT_WORD:
-        offer_names(r, a->choices, NULL);
-        item->word = read_word(r, true);
-        break;
     case ARGUMENT_REST:
         item->word = reader_copy(r, r->at, strlen(r->at));
         r->at += strlen(r->at);
@@ -141,13 +141,13 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
 }
 
 /* Returns true if there are no more arguments. Otherwise, sets r->problem. */
-static bool end_check(struct reader *r, const struct command *c)
+static bool end_check(struct reader *r, const struct question *q)
 {
     reader_place(r, r->at);
     if (reader_ends(r) && !word_is_next(r, "with"))
         return true;
     const char *word = read_word(r, false);
-    return too_many(r, word ? word : "", "", command_usage(c));
+    return too_many(r, q, word ? word : "", "", command_usage(q->command));
 }
 
 static bool arguments_parse(struct reader *r, struct question *q)
@@ -178,15 +178,14 @@ static bool arguments_parse(struct reader *r, struct question *q)
     if (missing && missing->kind && !missing->optional)
         return problem_error(r->problem, "%s is missing; usage: %s", missing->name, command_usage(c));
     if (!word_is_next(r, "with"))
-        return end_check(r, c);
+        return end_check(r, q);
     if (!c->columns || c->act || c->access.changes)
         return problem_error(
             r->problem, "'with' can only follow a command that computes an answer, such as 'rmax'; '%s' %s",
             c->name, c->access.changes ? "changes something" : "gives no numbers");
     reader_takes(r, "with");
-    r->last = false;
     q->with = assignments_parse(r);
-    return q->with && end_check(r, c);
+    return q->with && end_check(r, q);
 }
 
 /* ---- Questions ---- */
@@ -222,5 +221,5 @@ bool command_parse(struct reader *r, struct question *q)
     if (!q->details)
         return true;
     r->at = skip_blanks(r->at + strlen("details"));
-    return end_check(r, q->command);
+    return end_check(r, q);
 }

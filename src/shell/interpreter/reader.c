@@ -134,12 +134,3 @@ void offer_names(const struct reader *r, names_list *list, const void *context)
         o->context[o->lists++] = context;
     }
 }
-
-void offer_value(const struct reader *r, const struct argument *a, bool is_inside)
-{
-    struct offer *o = reader_offer(r);
-    if (o) {
-        o->value = *a;
-        o->is_inside = is_inside;
-    }
-}
