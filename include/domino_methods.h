@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Two other ways to compute, for comparison with <domino.h>, in double:
- * - dom_gsl_...: takes the energies from <domino.h>, and finds maxima, roots and integrals with the solvers
- * of the GNU Scientific Library. Second maxima, kinks and trains that nearly stop get no special treatment.
- * - dom_paper_...: follows the recipe at the end of the paper's section 'A general domino train'. It raises
- *   theta and r in steps of sqrt(tol) / 2, which gives errors of about tol.
+ * Another way to compute, for comparison with <domino.h>: the recipe at the end of the paper's section 'A
+ * general domino train'. It raises theta and r in steps of sqrt(tol) / 2, which gives errors of about tol.
  *
  * Each function answers as the function of <domino.h> does whose last word is the same. The status is
  * DOM_NO_METHOD for trains with effects that change their motion, and DOM_NOT_CONVERGED if the method fails.
+ * The sums of the paper do not converge for r = 1: the status is then DOM_TOO_LONG.
  */
 #ifndef DOMINO_METHODS_H
 #define DOMINO_METHODS_H
@@ -18,14 +16,6 @@
 extern "C" {
 #endif
 
-enum dom_status dom_gsl_barrier(const struct dom_train *train, const struct dom_compute *compute,
-                                struct dom_barrier *barrier);
-enum dom_status dom_gsl_duration(const struct dom_train *train, const struct dom_compute *compute,
-                                 double *duration);
-enum dom_status dom_gsl_rmax(const struct dom_train *train, const struct dom_compute *compute,
-                             struct dom_limit *limit);
-
-/* The sums of the paper do not converge for r = 1: the status is then DOM_TOO_LONG. */
 enum dom_status dom_paper_launch(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_launch *launch);
 enum dom_status dom_paper_barrier(const struct dom_train *train, const struct dom_compute *compute,

@@ -11,8 +11,7 @@ static const struct command_group groups[] = {
 };
 
 static const struct method methods[] = {
-    {"paper", 0.1, dom_paper_barrier, dom_paper_duration, dom_paper_rmax},
-    {"GSL", 0.05, dom_gsl_barrier, dom_gsl_duration, dom_gsl_rmax},
+    {"paper", 0.15, dom_paper_barrier, dom_paper_duration, dom_paper_rmax},
     {.name = NULL},
 };
 

@@ -8,14 +8,18 @@
  * Two mistakes of the recipe are corrected: here a follower detaches when its leader reaches theta_leave, and
  * the barrier is compared with J(0) tau^2 omega(0)^2; (26; c8) leaves out the factor J(0).
  */
-#include "explain/model/methods.h"
+#pragma GCC visibility push(default) /* precision/shared.awk */
+#include "domino_methods.h"
+#pragma GCC visibility pop
 #include "numerics/interrupt.h"
 #include <math.h>
 
 enum { LINKS_MAX = 1000000 };
 
 struct paper {
-    struct method m;
+    struct dom_train train;
+    struct dom_compute compute;
+    enum dom_status status;
     double r, L, step;
     double theta_c, theta_f, theta_leave;
     double P, J0, kinetic;
@@ -27,13 +31,13 @@ struct paper_sums {
 
 static struct paper_sums chain_sum(struct paper *p, double theta)
 {
-    const double r = p->r, d = p->m.train.d, q = p->m.train.q;
+    const double r = p->r, d = p->train.d, q = p->train.q;
     struct paper_sums sums = {0, 0};
     double slope = 1, weight = 1, inertia = 1;
     size_t n = 0;
-    for (; weight > p->m.compute.tol / 8 && n < LINKS_MAX && p->m.status == DOM_OK; n++) {
-        if (n % 1024 == 0 && dom_interrupted(p->m.compute.interrupt))
-            p->m.status = DOM_INTERRUPTED;
+    for (; weight > p->compute.tol / 8 && n < LINKS_MAX && p->status == DOM_OK; n++) {
+        if (n % 1024 == 0 && dom_interrupted(p->compute.interrupt))
+            p->status = DOM_INTERRUPTED;
         sums.H += weight * (cos(theta) + d * sin(theta));
         sums.J += inertia * slope * slope;
         weight *= pow(r, -q);
@@ -47,7 +51,7 @@ static struct paper_sums chain_sum(struct paper *p, double theta)
         slope *= 1 - r * p->L * sin(theta) / sqrt(1 - X * X);
         theta += asin(X);
     }
-    struct dom_work *work = p->m.compute.work;
+    struct dom_work *work = p->compute.work;
     if (work) {
         work->passes++;
         work->dominoes += n;
@@ -56,17 +60,29 @@ static struct paper_sums chain_sum(struct paper *p, double theta)
     return sums;
 }
 
+/* Begins a computation for growth r. Its status is not DOM_OK if the recipe has no answer for this train. */
+static struct paper paper_begin(const struct dom_train *train, const struct dom_compute *compute, double r)
+{
+    struct dom_angles angles;
+    struct paper p = {.train = *train, .compute = compute ? *compute : dom_compute_default()};
+    p.train.r = r;
+    p.status = dom_angles_find(&p.train, compute, &angles);
+    if (p.status == DOM_OK && dom_first_effect(train))
+        p.status = DOM_NO_METHOD;
+    return p;
+}
+
 /* Finds the constants of the cycle of the train with growth r. The sums diverge for r = 1. */
 static void cycle_begin(struct paper *p, double r)
 {
-    const struct dom_train *t = &p->m.train;
+    const struct dom_train *t = &p->train;
     const double d = t->d, L = t->s + d, q = t->q;
     p->r = r;
     p->L = L;
-    p->step = sqrt(p->m.compute.tol) / 2;
-    if (p->m.status == DOM_OK)
-        p->m.status = r * t->s > 1 ? DOM_OUT_OF_REACH : r <= 1 ? DOM_TOO_LONG : DOM_OK;
-    if (p->m.status != DOM_OK)
+    p->step = sqrt(p->compute.tol) / 2;
+    if (p->status == DOM_OK)
+        p->status = r * t->s > 1 ? DOM_OUT_OF_REACH : r <= 1 ? DOM_TOO_LONG : DOM_OK;
+    if (p->status != DOM_OK)
         return;
     p->theta_c = asin(r * t->s);                    /* (2; a2) */
     const bool falls = 1 / (r * r) < L * L - d * d; /* (41; A17) */
@@ -78,8 +94,8 @@ static void cycle_begin(struct paper *p, double r)
                                      : at_0.H - at_c.H; /* (25; c7) */
     p->J0 = at_0.J;
     p->kinetic = p->P * (p->J0 - 1) / (pow(r, q) * p->J0 - p->J0 + 1); /* J(0) omega(0)^2, (24; c6) */
-    if (p->m.status == DOM_OK && !isfinite(p->kinetic))
-        p->m.status = DOM_NOT_FINITE;
+    if (p->status == DOM_OK && !isfinite(p->kinetic))
+        p->status = DOM_NOT_FINITE;
 }
 
 /* Finds the first maximum of H, and returns the margin. */
@@ -87,7 +103,7 @@ static double barrier_climb(struct paper *p, struct dom_barrier *b)
 {
     const double H0 = chain_sum(p, 0).H, step = p->theta_c * p->step;
     double H = H0, theta_m = 0;
-    for (double theta = step; theta <= p->theta_c && p->m.status == DOM_OK; theta += step) {
+    for (double theta = step; theta <= p->theta_c && p->status == DOM_OK; theta += step) {
         const double next = chain_sum(p, theta).H;
         if (!(next > H))
             break;
@@ -105,64 +121,64 @@ static double barrier_climb(struct paper *p, struct dom_barrier *b)
 enum dom_status dom_paper_launch(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_launch *launch)
 {
-    struct paper p = {.m = method_begin(train, compute)};
+    struct paper p = paper_begin(train, compute, train->r);
     cycle_begin(&p, train->r);
     *launch = (struct dom_launch){.fuel = p.P,
                                   .J0 = p.J0,
                                   .velocity_ratio = (p.J0 - 1) / p.J0,
                                   .omegasq = p.kinetic / p.J0,
                                   .kinetic = p.kinetic};
-    return p.m.status;
+    return p.status;
 }
 
 enum dom_status dom_paper_barrier(const struct dom_train *train, const struct dom_compute *compute,
                                   struct dom_barrier *barrier)
 {
-    struct paper p = {.m = method_begin(train, compute)};
+    struct paper p = paper_begin(train, compute, train->r);
     cycle_begin(&p, train->r);
-    const bool goes_on = p.m.status == DOM_OK && barrier_climb(&p, barrier) >= 0;
-    return p.m.status != DOM_OK ? p.m.status : goes_on ? DOM_OK : DOM_STOPS;
+    const bool goes_on = p.status == DOM_OK && barrier_climb(&p, barrier) >= 0;
+    return p.status != DOM_OK ? p.status : goes_on ? DOM_OK : DOM_STOPS;
 }
 
 enum dom_status dom_paper_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
-    struct paper p = {.m = method_begin_growth(train, compute)};
-    const double reach = 1 / train->s, step = sqrt(p.m.compute.tol) / 2;
+    struct paper p = paper_begin(train, compute, 1);
+    const double reach = 1 / train->s, step = sqrt(p.compute.tol) / 2;
     double before = 0;
     *limit = (struct dom_limit){.r_max = reach, .ends = DOM_END_REACH, .open = DOM_NAN};
-    for (size_t k = 1; p.m.status == DOM_OK && 1 + (double)k * step < reach; k++) {
+    for (size_t k = 1; p.status == DOM_OK && 1 + (double)k * step < reach; k++) {
         struct dom_barrier b = {.margin = 0};
         const double r = 1 + (double)k * step;
         cycle_begin(&p, r);
-        const double margin = p.m.status == DOM_OK ? barrier_climb(&p, &b) : 0;
-        if (p.m.status == DOM_OK && margin < 0) { /* the root is between r - step and r */
+        const double margin = p.status == DOM_OK ? barrier_climb(&p, &b) : 0;
+        if (p.status == DOM_OK && margin < 0) { /* the root is between r - step and r */
             limit->r_max = r - step * margin / (margin - before);
             limit->ends = DOM_END_BARRIER;
             return before > 0 ? DOM_OK : DOM_NOT_CONVERGED;
         }
         before = margin;
     }
-    return p.m.status;
+    return p.status;
 }
 
 /* Integrates 1/(tau omega) with the trapezoidal rule, since the paper names no method. */
 enum dom_status dom_paper_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    double *duration)
 {
-    struct paper p = {.m = method_begin(train, compute)};
+    struct paper p = paper_begin(train, compute, train->r);
     cycle_begin(&p, train->r);
-    if (p.m.status != DOM_OK)
-        return p.m.status;
+    if (p.status != DOM_OK)
+        return p.status;
     const size_t steps = (size_t)ceil(1 / p.step);
     double H0 = chain_sum(&p, 0).H, sum = 0;
-    for (size_t k = 0; k <= steps && p.m.status == DOM_OK; k++) {
+    for (size_t k = 0; k <= steps && p.status == DOM_OK; k++) {
         const struct paper_sums at = chain_sum(&p, p.theta_c * (double)k / (double)steps);
         const double omegasq = (p.kinetic - (at.H - H0)) / at.J; /* (21; c3) */
         if (!(omegasq > 0))
-            return p.m.status == DOM_OK ? DOM_STOPS : p.m.status;
+            return p.status == DOM_OK ? DOM_STOPS : p.status;
         sum += (k == 0 || k == steps ? 0.5 : 1) / sqrt(omegasq);
     }
     *duration = sum * p.theta_c / (double)steps;
-    return p.m.status;
+    return p.status;
 }
