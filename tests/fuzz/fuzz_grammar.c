@@ -220,7 +220,6 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
         else
             put_expression(m, 0);
         break;
-    case ARGUMENT_WORD:
     case ARGUMENT_REST:
         put_one(m, "barrier|\"a b\"|\"|\"\x1b[3m\"|\xc2\x9b|\xff|x\ty|#|on");
         break;
@@ -232,7 +231,7 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
         put_name(m, expression_units, NULL);
         break;
     case ARGUMENT_GRID:
-        put_grid(m, a->choices ? a->choices : model_names);
+        put_grid(m, a->choices ? a->choices : parameter_names);
         break;
     case ARGUMENT_WORDS:
         if (pick(m, 2))
