@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: proof */
 /*
- * r_max of trains whose margin has a dip of a given depth, on both sides of zero. The separation at which the
- * dip touches 0 comes from a minimization of the margin by plain sums, which share no code with the model.
- * For rounded edges and friction the margins are those of the library in quad, which other tests compare with
- * Newton's law and with tables: here only the search is tested.
+ * r_max of trains whose margin has a dip of a given depth, on both sides of zero. The margins at single
+ * growths are those of the library, which test_sweep and other tests compare with sums in many bits, with
+ * Newton's law and with tables: here only the searches are tested.
  */
 #include "../unit/support.h"
 #include "domino_proof.h"
-#include "plain.h"
 #include "sweep.h"
 
 struct scene {
@@ -27,6 +25,11 @@ static const struct scene scenes[] = {
     {0.2, 0.65, 0, 0.1, 0.1306, 4.56},
 };
 
+static bool is_sharp(const struct scene *at)
+{
+    return at->mu == 0 && at->rho == 0;
+}
+
 static struct setup train_of(const struct scene *at, domq_real s, enum precision precision)
 {
     struct setup train = setup_default();
@@ -38,24 +41,6 @@ static struct setup train_of(const struct scene *at, domq_real s, enum precision
     train.precision = precision;
     train.tol = any_arithmetic(precision).tol_default;
     return train;
-}
-
-static bool is_sharp(const struct scene *at)
-{
-    return at->mu == 0 && at->rho == 0;
-}
-
-/* Returns (K - B) / K. */
-static domq_real share(const struct scene *at, domq_real s, domq_real r)
-{
-    struct domq_barrier barrier;
-    if (is_sharp(at))
-        return plain_share(s, at->d, at->q, r);
-    struct setup train = train_of(at, s, IN_QUAD);
-    train.r = r;
-    train.tol = (domq_real)1e-22;
-    const enum dom_status status = ask_barrier_find(&train, &barrier);
-    return status == DOM_OK || status == DOM_STOPS ? barrier.margin / barrier.kinetic : -1;
 }
 
 typedef domq_real curve(domq_real x, const void *context);
@@ -80,31 +65,40 @@ static domq_real lowest(curve *f, const void *context, domq_real lo, domq_real h
     return at_a < at_b ? at_a : at_b;
 }
 
-struct train_at {
-    const struct scene *at;
-    domq_real s;
-};
-
+/* Returns (K - B) / K of a train at another growth, or -1 if it cannot start. */
 static domq_real share_at_growth(domq_real r, const void *context)
 {
-    const struct train_at *t = context;
-    return share(t->at, t->s, r);
+    struct domq_barrier barrier;
+    struct setup train = *(const struct setup *)context;
+    train.r = r;
+    const enum dom_status status = ask_barrier_find(&train, &barrier);
+    return status == DOM_OK || status == DOM_STOPS ? barrier.margin / barrier.kinetic : -1;
+}
+
+/* Returns the train whose margins tell how deep a dip is. */
+static struct setup fine_train(const struct scene *at, domq_real s)
+{
+    struct setup train = train_of(at, s, IN_QUAD);
+    train.tol = is_sharp(at) ? any_arithmetic(IN_QUAD).tol_floor : (domq_real)1e-22;
+    return train;
 }
 
 /* Returns the depth of the dip: the minimum of (K - B) / K near at->r. */
 static domq_real depth(const struct scene *at, domq_real s, domq_real *r)
 {
-    return lowest(share_at_growth, &(struct train_at){at, s}, (domq_real)at->r * 0.985,
-                  (domq_real)at->r * 1.015, is_sharp(at) ? 1e-16 : 1e-11, r);
+    const struct setup train = fine_train(at, s);
+    return lowest(share_at_growth, &train, (domq_real)at->r * 0.985, (domq_real)at->r * 1.015,
+                  is_sharp(at) ? 1e-16 : 1e-11, r);
 }
 
 /* Returns the first root, which is below the minimum at r. */
 static domq_real root_before(const struct scene *at, domq_real s, domq_real r)
 {
+    const struct setup train = fine_train(at, s);
     domq_real lo = (domq_real)at->r * 0.985, hi = r;
     for (int k = 0; k < 110 && hi - lo > 0; k++) {
         const domq_real middle = (lo + hi) / 2;
-        *(share(at, s, middle) >= 0 ? &lo : &hi) = middle;
+        *(share_at_growth(middle, &train) >= 0 ? &lo : &hi) = middle;
     }
     return lo;
 }
@@ -207,26 +201,17 @@ TEST(the_depth_of_a_dip_decides)
 
 /* ---- The best separation ---- */
 
-struct pair {
-    double d, q, s, R;
-};
-
-static domq_real spare_at_growth(domq_real r, const void *context)
-{
-    const struct pair *p = context;
-    return plain_share_double(p->s, p->d, p->q, (double)r);
-}
-
 /*
- * Returns the smallest margin at growths up to R, dips included, or a negative margin at one of them. The
- * growths differ by 4 %; near the reach they are evenly spaced in sqrt(1 - r s), because the margin changes
- * rapidly there.
+ * Returns the smallest margin at growths up to train->r, dips included, or a negative margin at one of them.
+ * The growths differ by 4 %; near the reach they are evenly spaced in sqrt(1 - r s), because the margin
+ * changes rapidly there.
  */
-static double spare_at(double s, double d, double q, double R)
+static double spare(const struct setup *train)
 {
     enum { NEAR = 60, MOST = 400 };
-    double r[MOST], f[MOST], least = R * s < 1 ? plain_share_double(s, d, q, R) : -1;
-    const double from = fmin(R, 0.6 / s), x = sqrt(fmax(1 - from * s, 0)), x_R = sqrt(fmax(1 - R * s, 0));
+    const double s = (double)train->s, R = (double)train->r, from = fmin(R, 0.6 / s),
+                 x = sqrt(fmax(1 - from * s, 0)), x_R = sqrt(fmax(1 - R * s, 0));
+    double r[MOST], f[MOST], least = R * s < 1 ? (double)share_at_growth(R, train) : -1;
     int n = 1;
     domq_real at;
     r[0] = 1;
@@ -239,38 +224,38 @@ static double spare_at(double s, double d, double q, double R)
     }
     r[n++] = R;
     for (int k = 0; k < n && least > 0; k++) {
-        f[k] = plain_share_double(s, d, q, r[k]);
+        f[k] = (double)share_at_growth(r[k], train);
         least = fmin(least, f[k]);
         if (k > 1 && f[k - 1] < f[k - 2] && f[k - 1] <= f[k])
-            least = fmin(least, (double)lowest(spare_at_growth, &(struct pair){d, q, s, R}, r[k - 2], r[k],
-                                               1e-6, &at));
+            least = fmin(least, (double)lowest(share_at_growth, train, r[k - 2], r[k], 1e-6, &at));
     }
     return least;
 }
 
 static domq_real lack_at_separation(domq_real s, const void *context)
 {
-    const struct pair *p = context;
-    return -(domq_real)spare_at((double)s, p->d, p->q, p->R);
+    struct setup train = *(const struct setup *)context;
+    train.s = s;
+    return -(domq_real)spare(&train);
 }
 
-/* Returns the largest spare_at of all separations: samples, and golden sections around the three largest. */
-static double most_spare(double d, double q, double R, double *where)
+/* Returns the largest spare of all separations: samples, and golden sections around the three largest. */
+static double most_spare(const struct setup *train, double *where)
 {
     enum { SAMPLES = 1000, TOPS = 3 };
     static double at[SAMPLES];
     const double ratio = 0.99;
     double most = -1;
     for (int k = 0; k < SAMPLES; k++)
-        at[k] = spare_at(pow(ratio, k), d, q, R);
+        at[k] = -(double)lack_at_separation(pow(ratio, k), train);
     for (int pass = 0; pass < TOPS; pass++) {
         int top = 0;
         for (int k = 1; k < SAMPLES; k++)
             if (at[k] > at[top] && at[k] >= at[k - 1] && (k + 1 == SAMPLES || at[k] >= at[k + 1]))
                 top = k;
         domq_real s;
-        const double lack = (double)lowest(lack_at_separation, &(struct pair){d, q, 0, R},
-                                           pow(ratio, top + 1), fmin(pow(ratio, top - 1), 1), 1e-8, &s);
+        const double lack = (double)lowest(lack_at_separation, train, pow(ratio, top + 1),
+                                           fmin(pow(ratio, top - 1), 1), 1e-8, &s);
         if (-lack > most) {
             most = -lack;
             *where = (double)s;
@@ -282,8 +267,7 @@ static double most_spare(double d, double q, double R, double *where)
 
 /*
  * Checks that no separation allows a growth that is larger by 1e-8, and that the best train goes on. For thin
- * dominoes the growths differ by more, because sums in double are less certain: by 1e-6 at d = 1e-3. For even
- * thinner dominoes this search would be the weaker witness.
+ * dominoes the growths differ by more, because sums in double are less certain: by 1e-6 at d = 1e-3.
  */
 TEST(no_separation_is_better)
 {
@@ -291,23 +275,24 @@ TEST(no_separation_is_better)
     int found = 0, wrong = 0;
     const int pairs = (int)ceil(150 * sweep_size());
     for (int i = 0; i < pairs; i++) {
-        struct dom_train train = dom_train_default();
-        struct dom_best best = {.s = 0};
+        struct setup train = setup_default();
+        struct domq_best best = {.s = 0};
         train.d = random_log(&seed, 1e-3, 0.6);
         train.q = random_log(&seed, 0.3, 6);
-        const enum dom_status status = dom_limit_best(&train, NULL, &best);
-        const double by = 1e-8 + 1e-12 / (train.d * train.d),
-                     R = (status == DOM_OK ? best.r_max : 1) * (1 + by);
+        const enum dom_status status = ask_limit_best(&train, &best);
+        const double by = 1e-8 + 1e-12 / pow((double)train.d, 2);
         double where = 0;
-        const double spare = most_spare(train.d, train.q, R, &where);
-        bool bad = (status != DOM_OK && status != DOM_NO_GROWTH) || spare > 0;
+        train.r = (status == DOM_OK ? best.r_max : 1) * (1 + by);
+        const double more = most_spare(&train, &where);
+        bool bad = (status != DOM_OK && status != DOM_NO_GROWTH) || more > 0;
         found += status == DOM_OK;
+        train.r = best.r_max * (1 - by);
         if (status == DOM_OK)
-            bad = bad || spare_at(best.s, train.d, train.q, best.r_max * (1 - by)) < -by;
+            bad = bad || lack_at_separation(best.s, &train) > by;
         if (bad && ++wrong)
             print_error("d %.17g q %.17g: %s, s %.15g r %.15g +- %.2g; better by %.3g near s %.15g\n",
-                        train.d, train.q, dom_status_text(status), best.s, best.r_max, best.r_uncertainty,
-                        spare, where);
+                        (double)train.d, (double)train.q, dom_status_text(status), (double)best.s,
+                        (double)best.r_max, (double)best.r_uncertainty, more, where);
     }
     print_message("# %d of %d have a best separation, %d wrong\n", found, pairs, wrong);
     assert_true(wrong == 0 && found * 3 > pairs);
