@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "points.h"
+#include "sweep.h"
 
 #include "../unit/support.h"
 

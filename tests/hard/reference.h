@@ -138,4 +138,19 @@ void ref_find_duration(struct ref *ref);
 /* Returns p dF/dp: the change of the quantity F divided by the fraction by which the input p changes. */
 double ref_change(struct ref *ref, enum ref_quantity quantity, int input);
 
+/* ---- Whether a growth is a limit, that is, whether its margin is 0 ---- */
+
+/*
+ * Returns the difference between r and the growth at which the margin is 0, to first order, and finds the
+ * scale of this error. Returns NaN if there is no margin.
+ */
+double growth_error(const struct ref_input *input, bool pair, int digits2, domq_real r, double *scale);
+
+/* Returns the distance from r to the growth at which the margin is 0, for a margin that is too curved for
+ * growth_error. Tries the brackets r +- delta, r +- 4 delta, r +- 16 delta and so on, and then bisects. */
+double growth_distance(const struct ref_input *input, bool pair, int digits2, domq_real r, double delta);
+
+/* Returns the margin divided by K + B, or NaN if there is no fuel. */
+double growth_margin(const struct ref_input *input, bool pair, int digits2, domq_real r);
+
 #endif

@@ -2,8 +2,6 @@
 #include "sweep.h"
 
 #include "../unit/support.h"
-#include "growth.h"
-#include "points.h"
 #include "workers.h"
 
 double sweep_size(void)
@@ -285,25 +283,28 @@ static void check_growth(struct point *point, enum ref_quantity quantity, struct
 
 /* ---- All points ---- */
 
-struct choice {
-    bool barrier, duration, growth, pair;
-};
+static bool asked(int asks, int what)
+{
+    return (asks & what) == what;
+}
 
-static void check_at_tolerance(struct point *point, const struct choice *choice)
+static void check_at_tolerance(struct point *point, int asks)
 {
     struct answers answers;
     library_nothing(&answers);
-    check_train(point, &answers);
-    check_tilt(point, choice->barrier, &answers);
-    if (choice->barrier) {
+    if (asked(asks, TILT)) {
+        check_train(point, &answers);
+        check_tilt(point, asked(asks, TOP), &answers);
+    }
+    if (asked(asks, TOP)) {
         check_barrier(point, &answers);
         check_stop(point, &answers);
     }
-    if (choice->duration)
+    if (asked(asks, TIME))
         check_duration(point, &answers);
-    if (choice->growth)
+    if (asked(asks, GROWTH))
         check_growth(point, REF_R_MAX, &answers);
-    if (choice->pair)
+    if (asked(asks, PAIR))
         check_growth(point, REF_PAIR, &answers);
 }
 
@@ -323,10 +324,13 @@ static void check_point(struct point *point)
     const struct sweep *sweep = point->sweep;
     const double floor = library_floor(sweep->precision);
     struct answers answers;
-    struct choice choice = {
-        one_in(point, sweep->barriers), one_in(point, sweep->durations),
-        one_in(point, sweep->growths) && point_can_grow(&point->input, false, sweep->precision),
-        one_in(point, sweep->pairs) && point_can_grow(&point->input, true, sweep->precision)};
+    int asks = TILT;
+    asks |= one_in(point, sweep->barriers) ? TOP : 0;
+    asks |= one_in(point, sweep->durations) ? TIME : 0;
+    if (one_in(point, sweep->growths) && point_can_grow(&point->input, false, sweep->precision))
+        asks |= GROWTH;
+    if (one_in(point, sweep->pairs) && point_can_grow(&point->input, true, sweep->precision))
+        asks |= PAIR;
     library_nothing(&answers);
     point->train = library_train(&point->input, sweep->precision);
     library_ask(&point->train, 0, REF_THETA_C, &answers);
@@ -335,15 +339,15 @@ static void check_point(struct point *point)
     point->ref = ref_open_for(&point->input, digits_of(sweep));
     if (check_reach(point, &answers)) {
         point->sharp = true;
-        check_at_tolerance(point, &choice);
+        check_at_tolerance(point, asks);
         point->sharp = false;
         point->train.tol = (domq_real)random_log(&point->seed, floor * 1.0001, fmax(1e-3, 10 * floor));
-        check_at_tolerance(point, &choice);
+        check_at_tolerance(point, asks);
     }
     ref_close(point->ref);
 }
 
-void sweep_check(const struct ref_input *input, enum precision precision, const enum ref_quantity *check,
+void sweep_check(const struct ref_input *input, enum precision precision, int asks,
                  struct tally tally[REF_COUNT])
 {
     const struct sweep sweep = {.precision = precision};
@@ -352,18 +356,8 @@ void sweep_check(const struct ref_input *input, enum precision precision, const 
                           .tally = tally,
                           .train = library_train(input, precision),
                           .sharp = true};
-    struct answers answers;
-    library_nothing(&answers);
     point.ref = ref_open_for(input, digits_of(&sweep));
-    for (; *check != REF_COUNT; check++)
-        if (*check == REF_R_MAX || *check == REF_PAIR) {
-            check_growth(&point, *check, &answers);
-        } else if (*check == REF_STOP) {
-            check_stop(&point, &answers);
-        } else {
-            library_ask(&point.train, input->tilt, *check, &answers);
-            compare(&point, *check, &answers);
-        }
+    check_at_tolerance(&point, asks);
     ref_close(point.ref);
 }
 

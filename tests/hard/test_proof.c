@@ -5,7 +5,6 @@
  * bounds, a change of r_max in the ninth digit is refuted, and verdicts agree.
  */
 #include "../unit/support.h"
-#include "cases.h"
 #include "domino_proof.h"
 #include "sweep.h"
 

@@ -2,8 +2,6 @@
 /* The best separations, numbers of dominoes and limits with friction. The first two are compared with values
  * in many bits. */
 #include "../unit/support.h"
-#include "growth.h"
-#include "library.h"
 #include "sweep.h"
 
 static const enum precision precisions[] = {IN_FLOAT, IN_DOUBLE, IN_QUAD};
