@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The methods that keep passes short and few: series for the far tail, and a shortcut if H has a single
- * maximum. */
+ * maximum. 'make guard' has the costs. */
 #include "request.h"
 #include "support.h"
 
@@ -94,31 +94,4 @@ TEST(one_top_if_concave)
     }
     print_message("# one top for sure: %d of %d\n", single, 10 * TRAINS);
     assert_true(single > TRAINS);
-}
-
-/* Counts the passes of r_max for s from 0.02 to 0.9, and checks that they are few. */
-static void assert_few_passes(double rho, size_t on_average, size_t at_most)
-{
-    struct dom_work work = {.passes = 0};
-    size_t limits = 0, most = 0;
-    for (int k = 2; k <= 90; k += 2, limits++) {
-        struct setup train = setup_default();
-        struct domq_limit limit;
-        size_t before = work.passes;
-        train.s = (domq_real)k / 100;
-        train.rho = rho;
-        train.work = &work;
-        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
-        most = work.passes - before > most ? work.passes - before : most;
-    }
-    print_message("# passes of r_max with edges of %g: %zu on average, at most %zu\n", rho,
-                  work.passes / limits, most);
-    assert_true(work.passes <= on_average * limits && most <= at_most);
-}
-
-/* A search for the barrier at each growth would take hundreds of passes. */
-TEST(limits_take_few_passes)
-{
-    assert_few_passes(0, 14, 64);
-    assert_few_passes(0.01, 15, 64);
 }

@@ -19,7 +19,10 @@ TEST(heights_near_a_power)
     uint64_t seed = 91;
     int above = 0, meet = 0;
     for (int i = 0; i < 30000; i++) {
-        enum precision precision = i % 2 ? IN_DOUBLE : IN_FLOAT;
+        enum precision precision = i % 2                               ? IN_DOUBLE
+                                   : i % 4                             ? IN_FLOAT
+                                   : any_arithmetic(IN_QUAD).bits > 64 ? IN_QUAD
+                                                                       : IN_DOUBLE;
         double epsilon = any_arithmetic(precision).epsilon;
         int bits = 1 + (int)(4 * random_unit(&seed)), most = (precision == IN_FLOAT ? 18 : 90) / bits;
         int k = 1 + (int)(most * random_unit(&seed));
@@ -41,6 +44,9 @@ TEST(heights_near_a_power)
                      (double)count.dominoes);
         if (off > slack)
             assert_true(count.last > height);
+        const double exact = k + log1p(off * epsilon) / log((double)r);
+        assert_near("exact", (double)(count.exact - k) + 1, exact - k + 1,
+                    epsilon * (1 / log((double)r) + 3 * exact));
         above += off > slack;
         meet += off <= slack && off >= 0;
     }

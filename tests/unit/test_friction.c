@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Needs: pictures */
 /* Trains with friction between dominoes. */
 #include "support.h"
-#include <float.h>
-#include <stddef.h>
-#include <string.h>
 
 static struct setup friction_train(double s, double r, double mu)
 {
@@ -66,122 +62,6 @@ TEST(digits)
         assert_near("duration", duration, csv_number(csv, "duration"), 1e-11);
     }
     assert_int_equal(rows, 26);
-}
-
-TEST(minus_zero_is_no_friction)
-{
-    struct setup train = friction_train(0.2, 1.2, 0);
-    struct domq_barrier barrier[2];
-    domq_real duration[2];
-    for (int k = 0; k < 2; k++, train.mu = -0.0) {
-        assert_status(ask_barrier_find(&train, &barrier[k]), DOM_OK);
-        assert_status(ask_cycle_duration(&train, &duration[k]), DOM_OK);
-    }
-    assert_true(barrier[0].margin == barrier[1].margin && duration[0] == duration[1]);
-}
-
-/* ---- The work of friction ---- */
-
-enum { CHAIN_MOST = 4096 };
-
-/* A moving train at one tilt, as the public functions describe it. */
-struct chain {
-    size_t n, forces;
-    double theta[CHAIN_MOST], slope[CHAIN_MOST], weight[CHAIN_MOST], force[CHAIN_MOST], impulse[CHAIN_MOST];
-};
-
-static bool link_seen(const struct domq_link *link, void *context)
-{
-    struct chain *c = context;
-    c->theta[link->i] = link->theta;
-    c->slope[link->i] = link->slope;
-    c->weight[link->i] = link->weight;
-    return (c->n = link->i + 1) < CHAIN_MOST;
-}
-
-static bool force_seen(const struct dom_force *force, void *context)
-{
-    struct chain *c = context;
-    c->force[force->i] = force->force;
-    c->impulse[force->i] = force->impulse;
-    return (c->forces = force->i + 1) < CHAIN_MOST;
-}
-
-static void chain_at(const struct setup *train, double theta, struct chain *c)
-{
-    assert_status(ask_chain_walk(train, theta, link_seen, c), DOM_OK);
-    assert_status(ask_cycle_forces(train, theta, force_seen, c), DOM_OK);
-}
-
-/*
- * Returns the derivative of the work of friction with respect to the tilt of the head, in m g h / 2 of the
- * head. It is the sum over the contacts of mu times the contact force times dp/dtheta, where p = h_follower
- * cos(theta' - theta) - L_leader sin theta is the distance of the follower's tip from the hinge of its
- * leader.
- */
-static double friction_work_at(const struct setup *train, double theta)
-{
-    static struct chain c;
-    double sum = 0, size = 1, r = train->r, L = (double)train->s + (double)train->d;
-    chain_at(train, theta, &c);
-    for (size_t i = 0; i + 1 < c.n && i + 1 < c.forces; i++, size /= r) {
-        double turn = c.theta[i + 1] - c.theta[i], turned = c.slope[i + 1] - c.slope[i];
-        double slides = -size / r * sin(turn) * turned - L * size * cos(c.theta[i]) * c.slope[i];
-        sum += c.force[i] * fabs(slides);
-    }
-    return 2 * (double)train->mu * sum;
-}
-
-/* Integrates by Gauss's ten-point rule on `parts` equal parts. */
-static double integral(const struct setup *train, double lo, double hi, int parts)
-{
-    static const double place[] = {0.14887433898163121, 0.43339539412924719, 0.67940956829902441,
-                                   0.86506336668898451, 0.97390652851717172},
-                        share[] = {0.29552422471475287, 0.26926671930999636, 0.21908636251598204,
-                                   0.14945134915058059, 0.066671344308688138};
-    double sum = 0, half = (hi - lo) / parts / 2;
-    for (int k = 0; k < parts; k++)
-        for (int j = 0; j < 5; j++)
-            for (int side = -1; side <= 1; side += 2)
-                sum += half * share[j] *
-                       friction_work_at(train, lo + (2 * k + 1) * half + side * half * place[j]);
-    return sum;
-}
-
-/*
- * Checks that friction_work is the work of friction. The integrand has a kink where a follower detaches, so
- * it is integrated from event to event. The error of the integral is below 1e-9. Forces at a stop are
- * ill-conditioned and are not checked.
- */
-TEST(friction_takes_its_work)
-{
-    uint64_t seed = 51;
-    int checked = 0, falls = 0;
-    for (int i = 0; i < 150; i++) {
-        struct setup train = random_friction_train(&seed, 0.1, 2);
-        struct domq_event events[DOM_EVENTS_MAX];
-        struct domq_state s;
-        int n;
-        train.mu = fmax(train.mu, 0.01);
-        train.r = fmax(fmin(train.r, 0.95 / (double)train.s), 1);
-        if (ask_cycle_events(&train, events, &n) != DOM_OK)
-            continue;
-        double friction_work = 0;
-        for (int k = 0; k < n; k++) {
-            assert_status(ask_cycle_state(&train, events[k].theta, &s), DOM_OK);
-            if (k > 0)
-                friction_work += integral(&train, events[k - 1].theta, events[k].theta, 4);
-            if (!(fabs(friction_work - (double)s.friction_work) <=
-                  1e-9 * (double)(s.before + fabs((double)s.climbed))))
-                fail_train("the work of friction", &train, s.friction_work, friction_work);
-            falls += events[k].kind == DOM_EVENT_DETACH;
-            checked++;
-        }
-        /* Just before the hit, the hitting train is this train at theta_c, with its energies multiplied by
-         * r^-q. */
-        assert_near("before", s.before, pow(train.r, -train.q) * s.kinetic, 1e-9);
-    }
-    assert_true(checked > 100 && falls > 10);
 }
 
 /* ---- Tolerance ---- */

@@ -5,10 +5,10 @@
 #include "support.h"
 
 #include "answer/answer.h"
-#include "io/terminal.h"
 #include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "io/escape.h"
+#include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
