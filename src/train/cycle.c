@@ -2,6 +2,7 @@
 /* Commands about one cycle of the train, from one collision to the next. */
 #include "language/quad.h"
 #include "session/parameters.h"
+#include "train/falling.h"
 #include "train/train.h"
 #include <ctype.h>
 
@@ -143,11 +144,7 @@ static const struct column launch_columns[] = {
 
 static bool run_launch(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct domq_launch l = {.fuel = DOMQ_NAN,
-                            .J0 = DOMQ_NAN,
-                            .velocity_ratio = DOMQ_NAN,
-                            .omegasq = DOMQ_NAN,
-                            .kinetic = DOMQ_NAN};
+    struct domq_launch l = {.J0 = DOMQ_NAN, .omegasq = DOMQ_NAN, .kinetic = DOMQ_NAN};
     const char *why;
     enum dom_status status = any_launch_find(&query->scene->train, query_compute(query), &l);
     if (!missing_explain(query, status, problem, &why))
@@ -250,19 +247,10 @@ static bool follower_add(const struct domq_link *k, void *context)
     return k->i < 2;
 }
 
-/* Four digits, for a narrow column. */
-static struct cell cell_angle(domq_real theta)
-{
-    struct cell cell = cell_real(theta);
-    cell.digits = 4;
-    return cell;
-}
-
 struct cycle_table {
     const struct query *query;
     struct answer *answer;
     struct domq_angles angles;
-    struct domq_state last;
     enum dom_status status;
 };
 
@@ -278,18 +266,16 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     if (table->status != DOM_OK)
         return false;
     answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
-                 cell_computed(s->time * u.tau), cell_angle(s->theta), cell_angle(theta[1]),
-                 cell_angle(theta[2]), cell_omega(s->omegasq, u.tau), cell_computed(s->kinetic * u.energy),
-                 cell_computed(s->climbed * u.energy));
-    table->last = *s;
+                 cell_computed(s->time * u.tau), cell_narrow(s->theta, 4), cell_narrow(theta[1], 4),
+                 cell_narrow(theta[2], 4), cell_omega(s->omegasq, u.tau),
+                 cell_computed(s->kinetic * u.energy), cell_computed(s->climbed * u.energy));
     return !answer_lost(table->answer);
 }
 
 static const char *cycle_by(const void *context, int k)
 {
-    static const char *const names[] = {[DOM_BY_TIME] = "time", [DOM_BY_TILT] = "tilt", NULL};
     (void)context;
-    return names[k];
+    return k == DOM_BY_TIME ? "time" : k == DOM_BY_TILT ? "tilt" : NULL;
 }
 
 static bool run_cycle(const struct query *query, struct answer *a, struct problem *problem)
@@ -305,10 +291,6 @@ static bool run_cycle(const struct query *query, struct answer *a, struct proble
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){cell_word("")}, verdict_reason(verdict));
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
         return query_status(query, problem, table.status != DOM_OK ? table.status : verdict);
-    if (domq_dissipates(&query->scene->train))
-        answer_detail(a, "Energy lost to %s since the launch: %.4g %s.", losses_of(&query->scene->train),
-                      (double)(table.last.friction_work * walk_units(query, 1).energy),
-                      walk_units(query, 1).energy_unit);
     if (verdict == DOM_STOPS)
         answer_say(a,
                    "The train stops, because it has too little energy to keep falling; 'why' explains it.");

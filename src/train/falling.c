@@ -143,17 +143,11 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
         return problem_no_answer(
             problem, "the rigid-body engine cannot decide this row, because the row does not come to rest or "
                      "the verdict depends on the time step; try a slightly different row");
-    if (status == DOM_NO_LEAN && engine)
-        return problem_no_answer(
-            problem,
-            "a domino of this row leans, but the rigid-body engine needs upright dominoes (the engine runs "
-            "this row because %s); turn the engine off, or set all dominoes upright: 'change all lean = 0 "
-            "mm'",
-            scene_engine_why(query->scene));
     if (status == DOM_NO_LEAN)
         return problem_no_answer(problem,
-                                 "a domino of this row leans, but rounded edges need upright dominoes; enter "
-                                 "'set edges off', or set all dominoes upright: 'change all lean = 0 mm'");
+                                 "a domino of this row leans, but %s needs upright dominoes; turn it off, or "
+                                 "set all dominoes upright: 'change all lean = 0 mm'",
+                                 engine ? "the rigid-body engine" : "the effect 'edges'");
     if (status == DOM_NO_MARGIN)
         return problem_no_answer(problem, "one domino almost stops, so later times cannot be computed");
     /* The statuses from DOM_BAD_COUNT to DOM_BAD_MASS are about the dominoes, their gaps and their masses. */
@@ -271,14 +265,6 @@ static enum dom_status plain_run(struct plain_run *run)
     }
 }
 
-/* Makes a row, unless the scene has no such row. */
-static bool plain_make(const struct scene *scene, struct plain_run *run, struct problem *problem)
-{
-    run->most = 0;
-    const bool is_made = scene_row_make(scene, &run->made, problem);
-    return is_made;
-}
-
 static size_t plain_count(domq_real dominoes)
 {
     return dominoes < START_DOMINOES ? (size_t)dominoes : START_DOMINOES;
@@ -287,11 +273,11 @@ static size_t plain_count(domq_real dominoes)
 bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes,
                struct start *start, struct problem *problem)
 {
-    struct plain_run run;
+    struct plain_run run = {.most = 0};
     struct double_row in_double;
     const struct scene scene = start_scene(query, train, plain_count(dominoes));
     const struct domq_row *row = &run.made.row;
-    if (!plain_make(&scene, &run, problem))
+    if (!scene_row_make(&scene, &run.made, problem))
         return false;
     enum dom_status status = plain_run(&run);
     *start = (struct start){
@@ -318,11 +304,11 @@ bool start_run(const struct query *query, const struct domq_train *train, domq_r
 double start_row_spare(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        enum dom_status *status)
 {
-    struct plain_run run;
+    struct plain_run run = {.most = 0};
     struct problem ignored = {.kind = PROBLEM_NONE};
     const size_t count = plain_count(dominoes);
     const struct scene scene = start_scene(query, train, count);
-    if (!plain_make(&scene, &run, &ignored))
+    if (!scene_row_make(&scene, &run.made, &ignored))
         return (double)-INFINITY;
     const enum dom_status ran = plain_run(&run);
     free(run.made.domino);
@@ -416,7 +402,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     s.scene.train.r = 1;
     if (s.scene.effect[DOM_EFFECT_release].on)
         s.scene.effect[DOM_EFFECT_release].value[0] = RELEASE_TOUCH;
-    if (!plain_make(&s.scene, &s.run, problem))
+    if (!scene_row_make(&s.scene, &s.run.made, problem))
         return false;
     free(made->domino);
     made->row.domino = made->domino = malloc(START_SEARCHED * sizeof *made->domino);

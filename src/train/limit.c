@@ -276,26 +276,6 @@ static void count_say(struct answer *a, const struct tower *t)
             measured(t->height, "m", 6).text, t->falls ? "falls" : "does not fall");
 }
 
-static void count_detail(const struct query *query, struct answer *a, const struct tower *t)
-{
-    char ends[START_TEXT];
-    if (t->count.dominoes > 0)
-        answer_detail(a, "\nDomino %s is %s tall; it could topple a domino up to %s tall.",
-                      quad_text(t->count.dominoes, WIDE_DIGITS),
-                      measured(t->count.last / t->train.r, "m", 4).text,
-                      measured(t->count.last, "m", 4).text);
-    if (!t->start.falls) {
-        start_problem(query, &t->start, ends);
-        answer_detail(a, "%c%s.%s", toupper((unsigned char)*ends), ends + 1,
-                      t->stops ? "" : " A train that is already moving keeps falling.");
-    } else if (t->stops) {
-        answer_detail(a, "The first %zu dominoes fall, but a longer row stops: %s.", t->start.count,
-                      t->stops);
-    }
-    if (t->start.engine)
-        answer_detail(a, "The rigid-body engine ran the row because %s.", t->start.engine);
-}
-
 /* Returns why the row does not topple the domino, or NULL if it does. */
 static const char *count_reason(const struct query *query, const struct tower *t, char reason[START_TEXT])
 {
@@ -343,10 +323,10 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
                people && is_enough ? NULL : why);
     if (!people)
         return true;
-    if (t.stops && why)
-        answer_detail(a, "%s", why);
-    if (is_enough)
-        count_detail(query, a, &t);
+    if (why && is_enough)
+        answer_detail(a, "\n%c%s.", toupper((unsigned char)*why), why + 1);
+    if (t.start.engine && is_enough)
+        answer_detail(a, "The rigid-body engine ran the row because %s.", t.start.engine);
     growth_say(query, a, &best);
     return true;
 }

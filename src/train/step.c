@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A walk through the cycles of the train, event by event: step, back, goto and where. */
 #include "language/quad.h"
-#include "language/text.h"
 #include "train/train.h"
 #include <string.h>
 
@@ -28,139 +27,60 @@ const struct walk *walk_now(const struct query *query)
 
 /* ---- In words ---- */
 
-/* The data for the sentences about the current position of a walk. */
-struct place {
-    const struct query *query;
-    const struct walk *walk;
-    struct domq_state state;
-    struct answer *answer;
-    struct walk_units units;
-};
-
-static struct measured angle_at(const struct place *p, domq_real theta)
+/* Prints what happens at the event that the walk has reached, and between two events how the train moves. */
+static void event_say(const struct query *query, struct answer *a, const struct walk *w,
+                      const struct domq_state *s)
 {
-    return angle_text(p->query, theta, 6);
-}
-
-/* Formats an angular velocity omega as text such as "10.3 rad/s". The argument is tau^2 omega^2. */
-static struct measured omega_at(const struct place *p, domq_real omegasq)
-{
-    struct measured text = angle_text(p->query, quad(sqrt)(omegasq) / p->units.tau, 6);
-    text_add(text.text, sizeof text.text, "/s");
-    return text;
-}
-
-static struct measured energy_at(const struct place *p, domq_real energy)
-{
-    struct measured text;
-    snprintf(text.text, sizeof text.text, "%.6g %s", (double)(energy * p->units.energy),
-             p->units.energy_unit);
-    return text;
-}
-
-static void launch_detail(const struct place *p)
-{
-    const struct walk *w = p->walk;
-    struct domq_launch l;
-    struct domq_barrier b;
-    const enum dom_status found = any_barrier_find(&w->train, &w->compute, &b);
-    if (any_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS))
-        return;
-    answer_detail(p->answer,
-                  "Domino 1 turned at %s when it hit the head, which now turns at %s. The collision has "
-                  "taken %.4g %% of the kinetic energy; %s is left (24; c6).",
-                  omega_at(p, l.omegasq / (l.velocity_ratio * l.velocity_ratio)).text,
-                  omega_at(p, l.omegasq).text, (double)(100 * p->state.lost / p->state.before),
-                  energy_at(p, l.kinetic).text);
-    if (!domq_dissipates(&w->train) && w->train.rho == 0)
-        answer_detail(p->answer,
-                      "J(0) omega(0) = (J(0) - 1) omega_1(theta_c), with J(0) = %.6g, so the collision takes "
-                      "the share 1/J(0) of the energy (22; c4).",
-                      (double)l.J0);
-    if (b.theta_m == 0)
-        answer_detail(p->answer, "There is no barrier: the potential energy of the train decreases "
-                                 "from the start (26; c8).");
-    else
-        answer_detail(
-            p->answer,
-            "The train has %s of the energy that it needs to pass the top of the barrier, %s at a tilt of "
-            "%s; it %s by %s (26; c8).",
-            measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
-            angle_at(p, b.theta_m).text, b.margin >= 0 ? "clears the barrier" : "fails to clear it",
-            energy_at(p, quad(fabs)(b.margin)).text);
-}
-
-/* Prints what happens at an event, with the paper's symbols and equation numbers in the details. */
-static void event_say(const struct place *p)
-{
-    const struct walk *w = p->walk;
+    static const char *const detail[] = {
+        [DOM_EVENT_LAUNCH] =
+            "'explain launch' has the equations of the collision (24; c6), and 'barrier' the "
+            "energy that the train needs (26; c8).",
+        [DOM_EVENT_DETACH] =
+            "Its leader has reached theta_leave, where the lever arm of the contact force is "
+            "0. The detached domino and all behind it stay at theta_f and no longer push; "
+            "'thetac' shows these tilts.",
+        [DOM_EVENT_TOP] = "This is theta_m, the tilt that is hardest to pass (26; c8).",
+        [DOM_EVENT_STOP] = "All kinetic energy is used up; 'barrier' shows how much more the train needs "
+                           "(26; c8).",
+        [DOM_EVENT_HIT] = "The head has reached theta_c (2; a2). The next cycle has the same angles; its "
+                          "lengths are r times as large, and it lasts sqrt(r) times as long (23; c5)."};
     const struct domq_event *e = &w->events[w->event];
-    const struct domq_state *s = &p->state;
-    const struct walk_units next = walk_units(p->query, w->cycle + 1);
-    struct domq_barrier b;
-    char at[80];
-    snprintf(at, sizeof at, "Cycle %d, event %d of %d:", w->cycle, w->event + 1, w->count);
-    switch (e->kind) {
-    case DOM_EVENT_LAUNCH:
-        answer_say(p->answer, "%s domino 1 hits the head, which is %s tall, and all move as one train.", at,
-                   measured(p->units.height, "m", 6).text);
-        launch_detail(p);
-        break;
-    case DOM_EVENT_DETACH:
-        answer_say(p->answer, "%s domino %zu detaches from domino %zu and comes to rest.", at, e->domino,
-                   e->domino - 1);
-        answer_detail(
-            p->answer,
-            "Its leader has reached theta_leave, where the lever arm of the contact force is 0. The "
-            "detached domino and all behind it stay at theta_f and no longer push; 'thetac' shows "
-            "these tilts. They have supplied %s of the energy released since the launch.",
-            energy_at(p, 0 - s->fallen).text);
-        break;
-    case DOM_EVENT_TOP:
-        answer_say(p->answer, "%s the top of the barrier; from here on the train gains energy.", at);
-        answer_detail(p->answer,
-                      "At theta_m = %s, the tilt that is hardest to pass, the potential energy has risen by "
-                      "%s, and a kinetic energy of %s is left (26; c8).",
-                      angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
-                      energy_at(p, s->kinetic).text);
-        break;
-    case DOM_EVENT_STOP:
-        answer_say(p->answer, "%s the train stops below the top of its barrier; 'why' explains it.", at);
-        if (any_barrier_find(&w->train, &w->compute, &b) == DOM_STOPS)
-            answer_detail(p->answer,
-                          "The train stops at theta = %s, where all its kinetic energy is used up. To pass "
-                          "the top of the barrier, at theta_m = %s, it would need %s more (26; c8).",
-                          angle_at(p, s->theta).text, angle_at(p, b.theta_m).text,
-                          energy_at(p, -b.margin).text);
-        break;
-    case DOM_EVENT_HIT:
-        answer_say(p->answer, "%s the head hits the next domino, which is %s tall; 'step' begins its cycle.",
-                   at, measured(next.height, "m", 6).text);
-        answer_detail(p->answer,
-                      "The head has reached theta_c = %s (2; a2) and turns at %s. The cycle has released %s "
-                      "(25; c7) and has lasted %s. The next cycle has the same angles; its lengths are r "
-                      "times as large, and it lasts sqrt(r) times as long, %s (23; c5).",
-                      angle_at(p, s->theta).text, omega_at(p, s->omegasq).text,
-                      energy_at(p, -s->climbed).text, measured(s->time * p->units.tau, "s", 6).text,
-                      measured(s->time * next.tau, "s", 6).text);
-        break;
+    char what[240] = "the top of the barrier; from here on the train gains energy";
+    if (w->theta != e->theta) {
+        answer_say(a, "Cycle %d, between the %s and the %s: the train %s.", w->cycle, dom_event_text(e->kind),
+                   dom_event_text(e[1].kind), s->acceleration < 0 ? "slows down" : "gathers speed");
+        return;
     }
+    if (e->kind == DOM_EVENT_LAUNCH)
+        snprintf(what, sizeof what, "domino 1 hits the head, which is %s tall, and all move as one train",
+                 measured(walk_units(query, w->cycle).height, "m", 6).text);
+    else if (e->kind == DOM_EVENT_DETACH)
+        snprintf(what, sizeof what, "domino %zu detaches from domino %zu and comes to rest", e->domino,
+                 e->domino - 1);
+    else if (e->kind == DOM_EVENT_STOP)
+        snprintf(what, sizeof what, "the train stops below the top of its barrier; 'why' explains it");
+    else if (e->kind == DOM_EVENT_HIT)
+        snprintf(what, sizeof what,
+                 "the head hits the next domino, which is %s tall; 'step' begins its cycle",
+                 measured(walk_units(query, w->cycle + 1).height, "m", 6).text);
+    answer_say(a, "Cycle %d, event %d of %d: %s.", w->cycle, w->event + 1, w->count, what);
+    answer_detail(a, "%s", detail[e->kind]);
 }
 
 /* Prints the energies of the cycle as a sum: before - lost + gained - rubbed = kinetic. The loss is written
  * so that the sum of the printed numbers is exact. */
-static void ledger_say(const struct place *p)
+static void ledger_say(struct answer *a, const struct walk *w, const struct domq_state *s,
+                       const struct walk_units *u)
 {
-    const struct domq_state *s = &p->state;
     const domq_real open = s->before - s->lost - s->climbed - s->friction_work - s->kinetic;
-    if (quad(fabs)(open) > 100 * p->walk->compute.tol * (s->before + quad(fabs)(s->climbed))) {
-        answer_say(p->answer,
+    if (quad(fabs)(open) > 100 * w->compute.tol * (s->before + quad(fabs)(s->climbed))) {
+        answer_say(a,
                    "The energies are out of balance by %.4g %s, because the paper's closed form of "
                    "the fuel does not follow from the energy balance.",
-                   (double)(open * p->units.energy), p->units.energy_unit);
+                   (double)(open * u->energy), u->energy_unit);
         return;
     }
-    const double unit = (double)p->units.energy, before = (double)s->before * unit;
+    const double unit = (double)u->energy, before = (double)s->before * unit;
     const int decimals = (int)fmax(0, 4 - floor(log10(before))); /* five digits of the first number */
     const double step = pow(10, decimals), gained = round(-(double)s->climbed * unit * step) / step,
                  rubbed = round((double)s->friction_work * unit * step) / step,
@@ -172,29 +92,13 @@ static void ledger_say(const struct place *p)
         snprintf(change, sizeof change, " %c %.*f", gained < 0 ? '-' : '+', decimals, fabs(gained));
     if (rubbed != 0)
         snprintf(loss, sizeof loss, " - %.*f", decimals, rubbed);
-    answer_say(p->answer, "Kinetic energy, before - lost%s%s: %.*f - %.*f%s%s = %.*f %s.",
+    answer_say(a, "Kinetic energy, before - lost%s%s: %.*f - %.*f%s%s = %.*f %s.",
                gained < 0   ? " - climbed"
                : gained > 0 ? " + gained"
                             : "",
                *loss ? " - rubbed" : "", decimals, before, decimals,
                round(before * step) / step + gained - rubbed - kinetic, change, loss, decimals, kinetic,
-               p->units.energy_unit);
-}
-
-static void place_say(const struct place *p)
-{
-    const struct walk *w = p->walk;
-    const struct domq_event *e = &w->events[w->event];
-    if (w->theta == e->theta) {
-        event_say(p);
-    } else {
-        answer_say(p->answer, "Cycle %d, between the %s and the %s: the train %s.", w->cycle,
-                   dom_event_text(e->kind), dom_event_text(e[1].kind),
-                   p->state.acceleration < 0 ? "slows down" : "gathers speed");
-        answer_detail(p->answer, "At theta = %s the head turns at %s (21; c3).",
-                      angle_at(p, p->state.theta).text, omega_at(p, p->state.omegasq).text);
-    }
-    ledger_say(p);
+               u->energy_unit);
 }
 
 /* ---- step, back, goto and where ---- */
@@ -236,7 +140,7 @@ static bool walk_ready(const struct query *query, struct answer *answer, struct 
     w->train = query->scene->train;
     w->compute = query->scene->compute;
     w->tol = w->compute.tol;
-    /* The sentences print six digits, which have to be right whatever the session's tolerance. */
+    /* The digits of the sentences have to be right whatever the session's tolerance. */
     w->compute.tol =
         quad_smaller(w->tol, quad_larger(any_arithmetic(w->compute.precision).tol_floor, (domq_real)1e-9));
     w->verdict = any_cycle_events(&w->train, &w->compute, w->events, &w->count);
@@ -250,17 +154,17 @@ static bool walk_ready(const struct query *query, struct answer *answer, struct 
 static bool walk_answer(const struct query *query, struct answer *a, struct problem *problem,
                         const struct walk *w)
 {
-    struct place p = {.query = query, .walk = w, .answer = a, .units = walk_units(query, w->cycle)};
-    const struct walk_units *u = &p.units;
-    const struct domq_state *s = &p.state;
+    const struct walk_units units = walk_units(query, w->cycle), *u = &units;
+    struct domq_state state, *s = &state;
     if (!domq_dissipates(&w->train))
         answer_leave_out(a, "rubbed");
     if (w->verdict == DOM_NO_FUEL)
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},
                           verdict_reason(w->verdict));
-    if (!query_status(query, problem, any_cycle_state(&w->train, &w->compute, w->theta, &p.state)))
+    if (!query_status(query, problem, any_cycle_state(&w->train, &w->compute, w->theta, s)))
         return false;
-    place_say(&p);
+    event_say(query, a, w, s);
+    ledger_say(a, w, s, u);
     walk_columns_in(query, a);
     answer_cells(a, cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
                  cell_real(s->theta), cell_computed(s->time * u->tau), cell_omega(s->omegasq, u->tau),

@@ -148,8 +148,8 @@ END
     wrong 'effect row slope.csv; effect slope 9 deg; fall' 'fall: domino 1 cannot stand upright on a slope of 9 deg; for its thickness'
     # On a slope, a domino may lean further back than on a level floor.
     same 'leans uphill' 'stops' "$(json 'effect slope 2 deg; effect row over.csv; verdict' | values verdict)"
-    wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'set edges off', or set all dominoes upright: 'change all lean = 0 mm'"
-    wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, but the rigid-body engine needs upright dominoes [(]the engine runs this row because method is engine[)]; turn the engine off'
+    wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans, but the effect 'edges' needs upright dominoes; turn it off, or set all dominoes upright: 'change all lean = 0 mm'"
+    wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, but the rigid-body engine needs upright dominoes; turn it off'
     said=$("$DOMINO" -e 'effect row lean.csv; tolerance details')
     grep -qxF 'The lean of domino 2 has the tightest limits: -1.7 mm to 1.03 cm; it is -1 mm now.' <<<"$said"
     sed 's/,-1$/,-3/' lean.csv >stops.csv
