@@ -4,7 +4,6 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
-#include "train/falling.h"
 #include "train/train.h"
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "train/falling.h"
+#include "train/train.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #include "domino_methods.h"
 #include "explain/derivation.h"
 #include "language/quad.h"
-#include "train/falling.h"
+#include "train/train.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -15,7 +15,7 @@
 #define FIT_H
 
 #include "interpreter/question.h"
-#include "train/falling.h"
+#include "train/train.h"
 
 enum { FIT_UNKNOWNS = 4 };
 

@@ -5,7 +5,7 @@
 #include "language/quad.h"
 #include "planning/planning.h"
 #include "rows/rows.h"
-#include "train/falling.h"
+#include "train/train.h"
 #include <stdlib.h>
 
 const struct column design_columns[] = {

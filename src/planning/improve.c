@@ -6,7 +6,7 @@
 #include "parallel/workers.h"
 #include "planning/planning.h"
 #include "rows/rows.h"
-#include "train/falling.h"
+#include "train/train.h"
 #include <stdlib.h>
 
 const struct column improve_columns[] = {

@@ -3,7 +3,7 @@
 #include "domino_proof.h"
 #include "interpreter/feature.h"
 #include "language/quad.h"
-#include "train/falling.h"
+#include "train/train.h"
 
 enum what { PROVE_RMAX, PROVE_PAIR, PROVE_BARRIER, PROVE_VERDICT, PROVE_COUNT };
 

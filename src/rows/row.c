@@ -3,7 +3,6 @@
 #include "interpreter/feature.h"
 #include "language/quad.h"
 #include "rows/rows.h"
-#include "train/falling.h"
 #include "train/seek.h"
 #include "train/train.h"
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include "domino_study.h"
 #include "interpreter/question.h"
 #include "tables/csv.h"
-#include "train/falling.h"
+#include "train/train.h"
 
 extern const struct column fall_columns[], verdict_columns[], mend_columns[], tolerance_columns[],
     slip_columns[], fewest_columns[];

@@ -27,63 +27,15 @@ static const char *cost_names(const void *context, int k)
 
 /* ---- Measuring ---- */
 
-/* Who computes: a method in double or, if it is NULL, the library in a precision. */
-struct contender {
-    const struct method *method;
-    enum precision precision;
-};
-
-/* Finds a quantity by a method for comparison. */
-static enum dom_status method_find(const struct method *method, enum cost_of which,
-                                   const struct domq_train *wide, const struct any_compute *given,
-                                   domq_real *value)
-{
-    const struct dom_train train = train_in_double(wide);
-    const struct dom_compute compute = compute_in_double(given);
-    struct dom_barrier barrier = {.margin = 0};
-    struct dom_limit limit = {.r_max = 0};
-    double duration = 0;
-    enum dom_status status = which == COST_BARRIER    ? method->barrier(&train, &compute, &barrier)
-                             : which == COST_DURATION ? method->duration(&train, &compute, &duration)
-                             : which == COST_RMAX     ? method->rmax(&train, &compute, &limit)
-                                                      : DOM_NO_METHOD;
-    *value = (domq_real)(barrier.margin + duration + limit.r_max); /* two of them are 0 */
-    return status == DOM_STOPS && which == COST_BARRIER ? DOM_OK : status;
-}
-
-static enum dom_status value_find(const struct contender *by, enum cost_of which,
-                                  const struct domq_train *train, const struct any_compute *given,
-                                  domq_real *value)
-{
-    struct any_compute compute = *given;
-    struct domq_barrier barrier = {.margin = 0};
-    struct domq_limit limit = {.r_max = 0};
-    enum dom_status status;
-    if (by->method)
-        return method_find(by->method, which, train, given, value);
-    compute.precision = by->precision;
-    switch (which) {
-    case COST_BARRIER:
-        status = any_barrier_find(train, &compute, &barrier);
-        *value = barrier.margin;
-        return status == DOM_STOPS ? DOM_OK : status;
-    case COST_DURATION:
-        return any_cycle_duration(train, &compute, value);
-    case COST_RMAX:
-    case COST_PAIR:
-        break;
-    }
-    status = (which == COST_RMAX ? any_limit_rmax : any_limit_pair)(train, &compute, &limit);
-    *value = limit.r_max;
-    return status == DOM_OK && limit.ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
-}
+/* Who computes: the library in an enum precision, or the method of a feature, in double. */
+enum { BY_METHOD = IN_QUAD + 1, CONTENDERS };
 
 static const double tolerances[] = {1e-1,  1e-2,  1e-3,  1e-6,  1e-9,  1e-12, 1e-15,
                                     1e-18, 1e-21, 1e-24, 1e-27, 1e-30, 1e-33};
-enum { TOLERANCES = sizeof tolerances / sizeof *tolerances, CONTENDERS_MOST = 8 };
+enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
 struct cost_row {
-    struct contender by;
+    int by;
     double tol;
     enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
     domq_real error;        /* the relative error of the result, or that of the reference if it is larger */
@@ -92,14 +44,60 @@ struct cost_row {
 };
 
 struct cost {
-    const struct query *query;
+    const struct domq_train *train;
+    const struct any_compute *compute;
+    const struct method *method; /* NULL if no feature of this build has one */
     enum cost_of which;
     domq_real reference; /* the most accurate value */
-    struct cost_row row[(int)CONTENDERS_MOST * (int)TOLERANCES];
+    struct cost_row row[(int)CONTENDERS * (int)TOLERANCES];
     int rows;
     double cheapest; /* time of the quickest measurement, in seconds */
     double done;     /* the fraction of the measurements that has been made */
 };
+
+static enum precision precision_of(int by)
+{
+    return by == BY_METHOD ? IN_DOUBLE : (enum precision)by;
+}
+
+/* Finds the quantity by the method for comparison. */
+static enum dom_status method_find(const struct cost *cost, const struct any_compute *given, domq_real *value)
+{
+    const struct dom_train train = train_in_double(cost->train);
+    const struct dom_compute compute = compute_in_double(given);
+    struct dom_barrier barrier = {.margin = 0};
+    struct dom_limit limit = {.r_max = 0};
+    double duration = 0;
+    enum dom_status status = cost->which == COST_BARRIER ? cost->method->barrier(&train, &compute, &barrier)
+                             : cost->which == COST_DURATION
+                                 ? cost->method->duration(&train, &compute, &duration)
+                             : cost->which == COST_RMAX ? cost->method->rmax(&train, &compute, &limit)
+                                                        : DOM_NO_METHOD;
+    *value = (domq_real)(barrier.margin + duration + limit.r_max); /* two of them are 0 */
+    return status == DOM_STOPS && cost->which == COST_BARRIER ? DOM_OK : status;
+}
+
+static enum dom_status value_find(const struct cost *cost, int by, const struct any_compute *given,
+                                  domq_real *value)
+{
+    struct any_compute compute = *given;
+    struct domq_barrier barrier;
+    struct domq_limit limit;
+    if (by == BY_METHOD)
+        return method_find(cost, given, value);
+    compute.precision = (enum precision)by;
+    if (cost->which == COST_DURATION)
+        return any_cycle_duration(cost->train, &compute, value);
+    if (cost->which == COST_BARRIER) {
+        const enum dom_status status = any_barrier_find(cost->train, &compute, &barrier);
+        *value = barrier.margin;
+        return status == DOM_STOPS ? DOM_OK : status;
+    }
+    const enum dom_status status =
+        (cost->which == COST_RMAX ? any_limit_rmax : any_limit_pair)(cost->train, &compute, &limit);
+    *value = limit.r_max;
+    return status == DOM_OK && limit.ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
+}
 
 /* Measures a value once, and then its time in batches: the fastest of up to seven. A slow value is timed only
  * once. */
@@ -108,12 +106,11 @@ static void row_measure(const struct cost *cost, struct cost_row *row)
     const double shortest = 2e-4; /* in s; the clock is too coarse for a shorter batch */
     const double slow = 0.1;      /* in s; a batch that takes longer is the last */
     const int batches = 7;
-    const struct domq_train *train = &cost->query->scene->train;
-    struct any_compute compute = cost->query->scene->compute;
+    struct any_compute compute = *cost->compute;
     domq_real value = 0;
     compute.tol = (domq_real)row->tol;
     compute.work = &row->work;
-    row->status = value_find(&row->by, cost->which, train, &compute, &value);
+    row->status = value_find(cost, row->by, &compute, &value);
     const domq_real size = cost->reference == 0 ? 1 : quad(fabs)(cost->reference),
                     rounding = (domq_real)any_arithmetic(IN_QUAD).epsilon * size;
     row->error = quad_larger(quad(fabs)(value - cost->reference), rounding) / size;
@@ -123,7 +120,7 @@ static void row_measure(const struct cost *cost, struct cost_row *row)
     for (int batch = 0; batch < batches && row->status == DOM_OK;) {
         const double begun = terminal_clock();
         for (long i = 0; i < repeats && row->status == DOM_OK; i++)
-            row->status = value_find(&row->by, cost->which, train, &compute, &value);
+            row->status = value_find(cost, row->by, &compute, &value);
         const double seconds = terminal_clock() - begun;
         if (seconds < shortest) {
             repeats *= 2;
@@ -135,15 +132,18 @@ static void row_measure(const struct cost *cost, struct cost_row *row)
 }
 
 /* Measures one contender, with smaller and smaller tolerances. Returns false if the user interrupts it. */
-static bool contender_measure(struct cost *cost, struct contender by, double share)
+static bool contender_measure(struct cost *cost, int by)
 {
+    /* roughly the fractions of the time, for the progress display */
+    static const double share[] = {
+        [IN_FLOAT] = 0.02, [IN_DOUBLE] = 0.03, [IN_QUAD] = 0.8, [BY_METHOD] = 0.15};
     const double longest = 2; /* in s; a measurement that would probably take longer is not made */
-    const double finest = (double)any_arithmetic(by.precision).tol_floor;
+    const double finest = (double)any_arithmetic(precision_of(by)).tol_floor;
     for (int t = 0; t < TOLERANCES && tolerances[t] >= finest; t++) {
         struct cost_row *row = &cost->row[cost->rows];
         *row = (struct cost_row){.by = by, .tol = tolerances[t]};
         /* The paper's method takes up to ten times as many steps for each further digit. */
-        if (t > 0 && by.method && row[-1].seconds * tolerances[t - 1] / tolerances[t] > longest)
+        if (t > 0 && by == BY_METHOD && row[-1].seconds * tolerances[t - 1] / tolerances[t] > longest)
             break;
         row_measure(cost, row);
         if (row->status == DOM_INTERRUPTED || row->status == DOM_NO_METHOD || row->status == DOM_NO_PRECISION)
@@ -151,9 +151,9 @@ static bool contender_measure(struct cost *cost, struct contender by, double sha
         if (row->status == DOM_OK)
             cost->cheapest = fmin(cost->cheapest, row->seconds);
         cost->rows++;
-        progress_show(cost->done + share * (t + 1) / TOLERANCES);
+        progress_show(cost->done + share[by] * (t + 1) / TOLERANCES);
     }
-    cost->done += share;
+    cost->done += share[by];
     return true;
 }
 
@@ -173,8 +173,8 @@ static const struct column cost_columns[] = {
 
 static void cost_line(struct answer *a, const struct cost *cost, const struct cost_row *row)
 {
-    struct cell cells[] = {cell_word(row->by.method ? row->by.method->name : "ours"),
-                           cell_word(any_arithmetic(row->by.precision).name),
+    struct cell cells[] = {cell_word(row->by == BY_METHOD ? cost->method->name : "ours"),
+                           cell_word(any_arithmetic(precision_of(row->by)).name),
                            cell_brief(row->tol),
                            cell_brief((double)row->error),
                            cell_count((domq_real)row->work.longest),
@@ -187,47 +187,37 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 }
 
 /* Returns the shortest time in s in which a contender reached this relative error, or NaN if it never did. */
-static double seconds_for(const struct cost *cost, struct contender by, double error)
+static double seconds_for(const struct cost *cost, int by, double error)
 {
     double least = (double)NAN;
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++)
-        if (row->by.method == by.method && row->by.precision == by.precision && row->status == DOM_OK &&
-            row->error <= (domq_real)error)
+        if (row->by == by && row->status == DOM_OK && row->error <= (domq_real)error)
             least = fmin(least, row->seconds); /* fmin ignores the initial NaN */
     return least;
 }
 
 /* Compares the times of a contender with ours in double. Without one of the times, prints nothing. */
-static void times_say(struct answer *a, const struct cost *cost, const char *name, struct contender by,
-                      int digits)
+static void times_say(struct answer *a, const struct cost *cost, const char *name, int by, int digits)
 {
     const double error = pow(10, -digits),
-                 times = seconds_for(cost, by, error) /
-                         seconds_for(cost, (struct contender){NULL, IN_DOUBLE}, error);
+                 times = seconds_for(cost, by, error) / seconds_for(cost, IN_DOUBLE, error);
     if (isfinite(times))
         answer_say(a, "%-7s %s times as long as ours, for %d digits", name,
                    measured((domq_real)times, "", 3).text, digits);
 }
 
-/* Calls a function for each method, in order. */
-#define EACH_METHOD(m)                                                                                       \
-    for (int f = 0; feature_at(f); f++)                                                                      \
-        for (const struct method *m = feature_at(f)->methods; m && m->name; m++)
-
 /* Compares the times for 3, 6 and 12 correct digits. The true error, not the tolerance, decides how many
  * digits are correct. */
 static void cost_say(struct answer *a, const struct cost *cost)
 {
-    const struct contender ours = {NULL, IN_DOUBLE};
-    const double twelve = seconds_for(cost, ours, 1e-12);
+    const double twelve = seconds_for(cost, IN_DOUBLE, 1e-12);
     answer_say(a, "%s, the time for one answer:", measured_answers[cost->which].meaning);
     answer_say(a, "ours    %.3g us for 3 digits, %.3g us for 6, %.3g us for 12",
-               1e6 * seconds_for(cost, ours, 1e-3), 1e6 * seconds_for(cost, ours, 1e-6), 1e6 * twelve);
-    times_say(a, cost, "quad", (struct contender){NULL, IN_QUAD}, 12);
-    EACH_METHOD(m)
-    {
-        times_say(a, cost, m->name, (struct contender){m, IN_DOUBLE}, 6);
-    }
+               1e6 * seconds_for(cost, IN_DOUBLE, 1e-3), 1e6 * seconds_for(cost, IN_DOUBLE, 1e-6),
+               1e6 * twelve);
+    times_say(a, cost, "quad", IN_QUAD, 12);
+    if (cost->method)
+        times_say(a, cost, cost->method->name, BY_METHOD, 6);
     if (isnan(twelve))
         answer_say(a, "Double precision cannot give 12 digits here, because the answer depends too strongly "
                       "on the parameters.");
@@ -235,19 +225,19 @@ static void cost_say(struct answer *a, const struct cost *cost)
 
 static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)
 {
-    static const double share[] = {[IN_FLOAT] = 0.02, [IN_DOUBLE] = 0.03, [IN_QUAD] = 0.8};
-    struct cost cost = {.query = query, .which = (enum cost_of)query->given->number[0], .cheapest = HUGE_VAL};
-    struct any_compute compute = query->scene->compute;
-    const struct contender finest = {NULL, any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE};
-    compute.tol = any_arithmetic(finest.precision).tol_floor;
-    enum dom_status status = value_find(&finest, cost.which, &query->scene->train, &compute, &cost.reference);
-    bool goes_on = status == DOM_OK;
-    EACH_METHOD(m)
-    {
-        goes_on = goes_on && contender_measure(&cost, (struct contender){m, IN_DOUBLE}, m->share);
-    }
-    for (enum precision p = IN_FLOAT; p <= IN_QUAD && goes_on; p++)
-        goes_on = contender_measure(&cost, (struct contender){NULL, p}, share[p]);
+    struct cost cost = {.train = &query->scene->train,
+                        .compute = query_compute(query),
+                        .which = (enum cost_of)query->given->number[0],
+                        .cheapest = HUGE_VAL};
+    struct any_compute compute = *cost.compute;
+    for (int f = 0; feature_at(f); f++)
+        cost.method = feature_at(f)->method ? feature_at(f)->method : cost.method;
+    const enum precision finest = any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE;
+    compute.tol = any_arithmetic(finest).tol_floor;
+    enum dom_status status = value_find(&cost, (int)finest, &compute, &cost.reference);
+    bool goes_on = status == DOM_OK && (!cost.method || contender_measure(&cost, BY_METHOD));
+    for (int by = IN_FLOAT; by <= IN_QUAD && goes_on; by++)
+        goes_on = contender_measure(&cost, by);
     progress_show(1);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
         return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));

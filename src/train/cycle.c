@@ -2,7 +2,6 @@
 /* Commands about one cycle of the train, from one collision to the next. */
 #include "language/quad.h"
 #include "session/parameters.h"
-#include "train/falling.h"
 #include "train/train.h"
 #include <ctype.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "train/falling.h"
 #include "language/quad.h"
 #include "train/seek.h"
+#include "train/train.h"
 #include <float.h>
 #include <stdlib.h>
 

@@ -2,7 +2,6 @@
 /* How much dominoes can grow from one to the next: rmax, pair and best. How many topple a given height:
  * count. */
 #include "language/quad.h"
-#include "train/falling.h"
 #include "train/train.h"
 #include <ctype.h>
 #include <math.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands about a train, and what their files share. */
+/* The commands about a train, what their files share, and runs of the scene's row by the model or the
+ * rigid-body engine. */
 #ifndef SHELL_TRAIN_H
 #define SHELL_TRAIN_H
 
@@ -29,10 +30,9 @@ const char *verdict_reason(enum dom_status verdict);
 void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,
                        const struct domq_barrier *barrier);
 
-/* A method that a feature adds to those that 'cost' compares. It computes in double. */
+/* A method of a feature, with which 'cost' compares. It computes in double. */
 struct method {
     const char *name;
-    double share; /* roughly the fraction of the time that the method takes, for the progress display */
     enum dom_status (*barrier)(const struct dom_train *, const struct dom_compute *, struct dom_barrier *);
     enum dom_status (*duration)(const struct dom_train *, const struct dom_compute *, double *);
     enum dom_status (*rmax)(const struct dom_train *, const struct dom_compute *, struct dom_limit *);
@@ -65,5 +65,125 @@ void walk_columns_in(const struct query *query, struct answer *answer);
 
 /* Formats an angle in the session's unit for a sentence, for example as "28.65 deg" or "0.5 rad". */
 struct measured angle_text(const struct query *query, domq_real theta, int digits);
+
+/* ---- A run of the row ---- */
+
+/* The row of the scene and the result of its run. Do not copy this struct: the engine points into it. */
+struct row_run {
+    struct scene_row scene;
+    struct domq_verdict verdict;
+    struct domq_fall *fall; /* row_run stores an element for each domino that is hit, in order */
+    size_t hits;
+    bool timeless; /* a domino almost stops, so later times cannot be computed */
+};
+
+/* Makes the row of the scene without running it. After a failure nothing needs to be freed. */
+bool row_run_begin(const struct query *query, struct problem *problem, struct row_run *run);
+void row_run_free(struct row_run *run);
+
+/* Makes the row of the scene, runs it, and stores every hit. The hits have times only if `timed` is true. The
+ * friction that the floor needs is not computed. After a failure nothing needs to be freed. */
+bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
+
+/* In a row without a push, the first domino is tilted until it tips over. Returns true if domino k, counted
+ * from 0, is this domino. */
+bool row_run_tipped(const struct row_run *run, size_t k);
+
+/* Fills in the dominoes that the row of `scene` would have if the growth were
+ * r. Keeps the changes that 'change' made to single dominoes. */
+void row_grow(domq_real r, struct domq_domino *domino, size_t count, const struct scene *scene);
+
+/* ---- Words and numbers ---- */
+
+/* Returns a cell that a table shows with this many digits and without an error bound. */
+struct cell cell_narrow(domq_real value, int digits);
+
+/* Rounds a positive number to this many significant digits, up or down. Returns any other number
+ * unchanged. */
+domq_real round_digits(domq_real value, int digits, bool up);
+
+struct words {
+    char text[CELL_TEXT + 40];
+};
+
+/* Returns a phrase about the energy that something has, divided by the energy that it needs: "needs 42 % of
+ * the energy that it has", "has more than 100 times the energy that it needs" or, for a share below 1, "has
+ * 96 % of the energy that it needs". */
+struct words energy_words(domq_real share);
+
+/* Returns "solid dominoes" for q = 4 and the noun "dominoes", or "dominoes with q = 3.5". */
+struct words dominoes_words(domq_real q, const char *noun);
+
+/* Returns a limit as text with at most `digits` digits, rounded down, so that what it allows is possible.
+ * A growth above 1 that would be rounded to 1 gets more digits. */
+struct words limit_words(domq_real limit, int digits);
+
+/* Returns where a first domino is released: "at 20 deg", "against the second" or, if it starts upright, "".
+ * The tilt is that of struct domq_row. */
+struct words release_words(domq_real release);
+
+/* Returns a phrase such as "All 8 fall", "Both fall" or "It falls". */
+struct words all_fall_words(size_t count);
+
+/* Returns kinetic / barrier, or NaN if the barrier is not a positive finite number. */
+domq_real fall_share(const struct domq_fall *fall);
+
+/* Returns true for DOM_OK. For other statuses, reports why a computation about the row failed. */
+bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
+
+/* Like problem_status, for a search for the largest growth: if the limit is open, names the growth at which
+ * the margin may be 0, and the later root. */
+bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_status status,
+                   const struct domq_limit *limit);
+
+/* ---- Whether a row that is at rest starts to fall ---- */
+
+/* The result of running a row. If 'set push' is on, the fall starts with this push. If it is off, the
+ * first domino just tips over. */
+struct start {
+    size_t count; /* number of dominoes in the row that was run */
+    bool falls;   /* true if all dominoes of the row fall */
+    enum dom_row_end end;
+    size_t stops_at;    /* number of the domino at which the fall ends, counted from 1 */
+    domq_real push;     /* the weakest push in rad/s that makes the row fall, or NaN */
+    const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
+};
+
+/* Runs a row of `dominoes` dominoes of the train, or the first part of a very long row. If the row does not
+ * fall in the model, also finds start->push. Does not search for a push with the rigid-body engine. */
+bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes,
+               struct start *start, struct problem *problem);
+
+/* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
+struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count);
+
+/* Runs a row as start_run does. Returns its smallest margin / barrier, which is positive if all dominoes
+ * fall. If the row stops, the result is not positive, and smaller by 1 for each domino that is left. Returns
+ * -INFINITY if the fall ends in another way. If memory runs out, or if the user interrupts the run, sets
+ * *status. */
+double start_row_spare(const struct query *query, const struct domq_train *train, domq_real dominoes,
+                       enum dom_status *status);
+
+/* Returns margin / barrier of a moving train, which is positive if it keeps falling. Returns -INFINITY if a
+ * domino misses the next one or if falling releases no energy. */
+double start_train_spare(const struct query *query, const struct domq_train *train);
+
+struct start_growths {
+    domq_real r_max;       /* the largest growth at which a row starts, or NaN if no growth is small enough */
+    domq_real uncertainty; /* r_max is wrong by at most this number */
+    bool is_too_slow;      /* true if r_max is NaN because the engine would take too long */
+};
+
+/* Finds the largest growth, up to `highest`, at which a row of the train's dominoes starts. */
+bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
+                        struct start_growths *growths, struct problem *problem);
+
+/* Returns "if its first domino just tips over", or "with a push of 3 rad/s". */
+struct words start_words(const struct query *query);
+
+/* Writes to `text` the reason why a row does not fall, for example "with a push of 3 rad/s, the fall ends at
+ * domino 2: it has too little energy to tip over". Returns `text`. */
+enum { START_TEXT = 400 };
+const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT]);
 
 #endif

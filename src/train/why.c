@@ -2,7 +2,6 @@
 /* The command 'why', which explains why the train keeps falling or stops, and what all commands about a cycle
  * share: its units and its verdict. */
 #include "language/quad.h"
-#include "train/falling.h"
 #include "train/train.h"
 #include <string.h>
 

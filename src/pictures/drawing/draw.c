@@ -5,7 +5,6 @@
 #include "pictures/drawing/falling_row.h"
 #include "pictures/options.h"
 #include "pictures/plots/plots.h"
-#include "train/falling.h"
 #include "train/train.h"
 #include <float.h>
 #include <stdlib.h>

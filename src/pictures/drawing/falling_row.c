@@ -4,7 +4,6 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/row.h"
-#include "train/falling.h"
 #include "train/train.h"
 #include <ctype.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #define SHELL_FALLING_ROW_H
 
 #include "pictures/picture/stage.h"
-#include "train/falling.h"
+#include "train/train.h"
 
 /* A row that has been run, and the stage on which it is drawn. Lengths are in m. Times are in s, as in struct
  * domq_fall. */

@@ -7,7 +7,6 @@
 #include "language/quad.h"
 #include "pictures/drawing/falling_row.h"
 #include "pictures/options.h"
-#include "train/falling.h"
 #include "train/train.h"
 #include <math.h>
 #include <stdlib.h>

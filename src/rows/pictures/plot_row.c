@@ -3,7 +3,6 @@
 #include "interpreter/feature.h"
 #include "language/text.h"
 #include "pictures/plots/plots.h"
-#include "train/falling.h"
 #include "train/train.h"
 #include <stdlib.h>
 #include <string.h>

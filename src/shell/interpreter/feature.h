@@ -15,7 +15,7 @@ struct feature {
     const struct command_group *groups;          /* its commands; the last title is NULL */
     const struct plot *const *plots;             /* tables of charts for 'plot'; the last one is NULL */
     const struct engine_driver *engine;          /* a rigid-body engine */
-    const struct method *methods;                /* for 'cost'; the last name is NULL */
+    const struct method *method;                 /* what 'cost' compares with */
     const struct parameter *(*parameter)(int k); /* its effects, from k = 0; NULL after the last one */
     /* Names that have values in expressions, unless 'let' defines the same name. The function returns the
      * longest of them with which a text begins, its end in the text and its value, or NULL. The command with
