@@ -283,9 +283,8 @@ END
     one_line "this needs a time such as 2.5 s, not a length" "$record; draw at 2 m"
     one_line "'at' needs a time, 'domino N' or 'end'; usage: draw, draw at 2.5 s, " "$record; draw at"
     one_line "'never' has no value; usage: draw" "$record; draw at never"
-    one_line "the value of 'domino' is missing; usage: draw, draw at 2.5 s, draw at domino 8" "$record; draw at domino"
     one_line 'speed is 0; it must be in the range 0.001 .. 1000' "$record; animate speed 0 > a.gif"
-    one_line 'rate is 1000 frames per second; it must be in the range 1 .. 50 frames per second' "$record; animate rate 1000 > a.gif"
+    one_line 'rate is 1000; it must be in the range 1 .. 50' "$record; animate rate 1000 > a.gif"
     one_line "at most 3000 are drawn; enter 'speed" "$record; animate speed 0.01 > a.gif"
     same 'nothing is left' '(nothing)' "$(ls)"
 }

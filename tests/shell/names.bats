@@ -36,7 +36,7 @@ END
 7|sweep mu 0 0.3 4 : rmax|^sweep: unknown parameter 'mu'; did you mean 'friction'\?$
 7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
 7|print gravity|'gravity' has no value; did you mean 'g'\?$
-35|echo x > /dev/null; animate speed 2 rad|animate: the value is a plain number
+35|echo x > /dev/null; animate speed 2 rad|animate: speed is a plain number
 10|set fuel ecaxt|^set: .*'ecaxt'; did you mean 'exact'\?
 7|print sqr(2)|^print:.*'sqr' has no value; did you mean 'sqrt'\?
 7|print rmax.r_max_papr|^print:.*unknown key of rmax 'r_max_papr'; did you mean 'r_max_paper'\?

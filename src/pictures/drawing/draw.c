@@ -3,7 +3,6 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "pictures/drawing/falling_row.h"
-#include "pictures/options.h"
 #include "pictures/plots/plots.h"
 #include "train/train.h"
 #include <float.h>
@@ -30,33 +29,75 @@ static const struct column draw_columns[] = {
 
 /* ---- The words of the command ---- */
 
-enum { DRAW_AT, DRAW_DOMINO, DRAW_END, DRAW_TOWER, DRAW_TRAIN, DRAW_FORCES, DRAW_TILT, DRAW_TIME };
-
-static const struct argument any_value = {.name = "the value", .kind = ARGUMENT_ANY},
-                             tilt_value = {.name = "T", .kind = ARGUMENT_TILT};
-
-static const struct option_list draw_options = {
-    .options =
-        (const struct option[]){
-            [DRAW_AT] = {"at", .beside = BIT(DRAW_DOMINO) | BIT(DRAW_END) | BIT(DRAW_TIME)},
-            [DRAW_DOMINO] = {"domino", &any_value, .beside = BIT(DRAW_AT), .after = BIT(DRAW_AT)},
-            [DRAW_END] = {"end", .beside = BIT(DRAW_AT), .after = BIT(DRAW_AT)},
-            [DRAW_TOWER] = {.name = "tower"},
-            [DRAW_TRAIN] = {"train", .beside = BIT(DRAW_FORCES) | BIT(DRAW_TILT)},
-            [DRAW_FORCES] = {"forces", .beside = BIT(DRAW_TRAIN) | BIT(DRAW_TILT)},
-            [DRAW_TILT] = {"", &tilt_value, .beside = BIT(DRAW_TRAIN) | BIT(DRAW_FORCES)},
-            [DRAW_TIME] = {"", &any_value, BIT(DRAW_AT), BIT(DRAW_AT), .time = 1},
-            {.name = NULL},
-        },
-    .usage =
-        "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces, draw tower",
+/* The words that were typed, as bits of question->parsed. The number beside them, if there is one, is the
+ * command's argument. */
+enum {
+    DRAW_AT = 1,
+    DRAW_DOMINO = 2,
+    DRAW_END = 4,
+    DRAW_TOWER = 8,
+    DRAW_TRAIN = 16,
+    DRAW_FORCES = 32,
+    DRAW_TILT = 64
 };
+
+/* Parses what follows 'at'. */
+static bool moment_parse(struct reader *r, struct item *item, unsigned *words)
+{
+    static const struct argument time = {.name = "the time", .kind = ARGUMENT_ANY},
+                                 domino = {.name = "N", .kind = ARGUMENT_NUMBER};
+    item->at = r->at;
+    if (reader_takes(r, "domino"))
+        *words |= DRAW_DOMINO;
+    else if (reader_takes(r, "end"))
+        *words |= DRAW_END;
+    reader_place(r, r->at);
+    return (*words & DRAW_END) ||
+           (reader_ends(r) ? problem_error(r->problem, "'at' needs a time, 'domino N' or 'end'")
+                           : item_parse(r, *words & DRAW_DOMINO ? &domino : &time, item));
+}
+
+static bool words_parse(struct reader *r, struct item *item, unsigned *words)
+{
+    static const struct argument tilt = {.name = "T", .kind = ARGUMENT_TILT};
+    if (reader_takes(r, "at")) {
+        *words = DRAW_AT;
+        return moment_parse(r, item, words);
+    }
+    if (reader_takes(r, "tower")) {
+        *words = DRAW_TOWER;
+        return true;
+    }
+    while (!reader_ends(r)) {
+        reader_place(r, r->at);
+        if (!(*words & DRAW_TRAIN) && reader_takes(r, "train"))
+            *words |= DRAW_TRAIN;
+        else if (!(*words & DRAW_FORCES) && reader_takes(r, "forces"))
+            *words |= DRAW_FORCES;
+        else if (*words & DRAW_TILT)
+            break;
+        else if (!item_parse(r, &tilt, item))
+            return false;
+        else
+            *words |= DRAW_TILT;
+    }
+    return true;
+}
 
 static bool draw_parse(struct reader *r, struct question *q)
 {
-    const struct options_parsed *p = options_parse(r, q, &draw_options);
-    return p && (p->seen != BIT(DRAW_AT) ||
-                 problem_error(r->problem, "'at' needs a time, 'domino N' or 'end'; %s", draw_options.usage));
+    static const char usage[] = "; usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, "
+                                "draw 0.3 forces, draw tower";
+    unsigned *words = q->parsed = reader_memory(r, sizeof *words);
+    bool good = words && words_parse(r, &q->item[0], words);
+    if (good && !reader_ends(r)) {
+        reader_place(r, r->at);
+        const char *word = read_word(r, false);
+        good = problem_error(r->problem, "'%s' does not fit here", names_shown(word ? word : ""));
+    }
+    if (!good)
+        text_add(r->problem->text, sizeof r->problem->text, "%s", usage);
+    return good;
 }
 
 /* ---- Data ---- */
@@ -91,31 +132,33 @@ static void stage_rows(const struct stage *stage, enum dom_status forces, struct
 /* ---- The row ---- */
 
 /* Fails if the row has no such moment, or if the domino is never hit. */
-static bool moment_time(struct problem *problem, const struct options *options, const struct falling_row *row,
-                        domq_real *time)
+static bool moment_time(struct problem *problem, unsigned words, const struct arguments *given,
+                        const struct falling_row *row, domq_real *time)
 {
-    const bool is_end = options->has[DRAW_END], is_hit = options->has[DRAW_DOMINO];
-    const domq_real domino = options->value[DRAW_DOMINO];
+    const struct quantity typed = given->quantity[0];
     const size_t count = row->stage.count, end = row->run.verdict.domino;
     const char *start = falling_row_start(row);
-    problem->place = options->column[is_hit ? DRAW_DOMINO : is_end ? DRAW_END : DRAW_TIME];
-    *time = is_end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
-    if (is_hit) {
-        const bool is_there = domino >= 1 && domino <= (domq_real)count && domino == quad(floor)(domino);
-        *time = is_there ? (domq_real)falling_row_hit(row, (size_t)domino - 1) : DOMQ_NAN;
-        return !isnan(*time) || (is_there && (size_t)domino <= end) ||
+    problem->place = given->column[0];
+    *time = words & DRAW_END ? (domq_real)HUGE_VAL : typed.value;
+    if (words & DRAW_DOMINO) {
+        const bool is_there =
+            typed.value >= 1 && typed.value <= (domq_real)count && typed.value == quad(floor)(typed.value);
+        *time = is_there ? (domq_real)falling_row_hit(row, (size_t)typed.value - 1) : DOMQ_NAN;
+        return !isnan(*time) || (is_there && (size_t)typed.value <= end) ||
                problem_no_answer(
                    problem,
                    "domino %s is never hit: this row has %zu, and the fall ends at domino %zu; 'draw "
                    "at end' shows how far the row falls",
-                   quad_text(domino, 10), count, end);
+                   quad_text(typed.value, 10), count, end);
     }
+    if (!quantity_is_dimensionless(typed) && !quantity_alike(typed, (struct quantity){.time = 1}))
+        return problem_error(problem, "this needs a time such as 2.5 s, not %s", expression_kind(typed));
     if (*time < 0)
         return problem_no_answer(
             problem, "times count from the %s and cannot be negative; 'draw at 0' shows the row at the %s",
             start, start);
     /* An end time that the user copied from an answer may have been rounded up. */
-    return is_end || !((double)*time > row->end * 1.005) ||
+    return isinf(*time) || !((double)*time > row->end * 1.005) ||
            problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows the row at this time",
                              measured((domq_real)row->end, "s", 4).text);
 }
@@ -145,17 +188,17 @@ static bool moment_show(const struct dom_moment *moment, void *context)
     return true;
 }
 
-static bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
-                     const struct options *options)
+static bool draw_row(const struct query *query, struct answer *a, struct problem *problem, unsigned words)
 {
     struct falling_row row;
     domq_real time = 0;
     a->note = NULL; /* no TRAIN_NOTE, because the picture shows the row */
-    if (!falling_row_make(query, problem, options->has[DRAW_TOWER] && answer_for_people(a), &row))
+    if (!falling_row_make(query, problem, (words & DRAW_TOWER) && answer_for_people(a), &row))
         return false;
-    bool good = options->has[DRAW_AT] ? moment_time(problem, options, &row, &time) : moment_show(NULL, &row);
+    const bool is_timed = (words & DRAW_AT) != 0;
+    bool good = is_timed ? moment_time(problem, words, query->given, &row, &time) : moment_show(NULL, &row);
     enum dom_status status = DOM_OK;
-    if (good && options->has[DRAW_AT])
+    if (good && is_timed)
         status = falling_row_watch(&row, (const double[]){(double)time}, 1, moment_show, &row);
     problem->place = 0;
     if (status != DOM_OK) {
@@ -209,31 +252,30 @@ static void train_caption(const struct query *query, struct stage *stage, domq_r
     }
 }
 
-static bool draw_train(const struct query *query, struct answer *a, struct problem *problem,
-                       const struct options *options)
+static bool draw_train(const struct query *query, struct answer *a, struct problem *problem, unsigned words)
 {
     struct stage stage;
     /* If the user typed no tilt, the train is drawn at the current position of the walk, with the walk's
      * tolerance. Without a walk it is drawn at the launch. */
-    const struct walk *walk = options->has[DRAW_TILT] ? NULL : walk_now(query);
+    const struct walk *walk = (words & DRAW_TILT) ? NULL : walk_now(query);
     const struct any_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
-    domq_real theta = walk ? walk->theta : options->value[DRAW_TILT];
-    if (options->has[DRAW_TRAIN])
+    domq_real theta = walk ? walk->theta : query->given->number[0];
+    if (words & DRAW_TRAIN)
         a->note = NULL; /* a user who asked for the train needs no note that the picture shows the train */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;
     enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta);
     /* Output for programs always includes the forces, unless the margin is too small to compute them. */
-    if (status == DOM_OK && (options->has[DRAW_FORCES] || !people))
+    if (status == DOM_OK && ((words & DRAW_FORCES) || !people))
         forces = stage_forces(&stage, train, compute, theta);
-    if (status == DOM_OK && options->has[DRAW_FORCES])
+    if (status == DOM_OK && (words & DRAW_FORCES))
         status = forces;
     if (status != DOM_OK) {
         good = problem_status(problem, query->scene, status);
     } else if (people) {
-        stage.forces = options->has[DRAW_FORCES];
+        stage.forces = (words & DRAW_FORCES);
         train_caption(query, &stage, theta, a);
         good = stage_show(&stage, a, query->scene->compute.interrupt, problem);
     } else {
@@ -246,10 +288,10 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
 
 static bool run_draw(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct options *options = options_of(query);
+    const unsigned *typed = query->given->bound, words = typed ? *typed : 0;
     bool row = query->scene->effect[DOM_EFFECT_row].on,
-         train = options->has[DRAW_TRAIN] || options->has[DRAW_FORCES] || options->has[DRAW_TILT];
-    if (options->has[DRAW_AT] && !row) {
+         train = words & (DRAW_TRAIN | DRAW_FORCES | DRAW_TILT);
+    if ((words & DRAW_AT) && !row) {
         problem->place = query->given->column[0];
         return problem_error(
             problem,
@@ -257,24 +299,20 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
     }
     if (!picture_ready(a, problem))
         return false;
-    if (options->has[DRAW_TOWER]) {
+    if (words & DRAW_TOWER) {
         struct tower tower;
-        const bool good = tower_make(query, &tower, problem) && draw_row(&tower.query, a, problem, options);
+        const bool good = tower_make(query, &tower, problem) && draw_row(&tower.query, a, problem, words);
         free(tower.change);
         return good;
     }
-    return row && !train ? draw_row(query, a, problem, options) : draw_train(query, a, problem, options);
+    return row && !train ? draw_row(query, a, problem, words) : draw_train(query, a, problem, words);
 }
 
 const struct command draw_commands[] = {
     {.name = "draw",
      .synonyms = "picture image drawing figure svg png pdf show",
      .train = true,
-     .argument = {{.name = "WHAT",
-                   .kind = ARGUMENT_WORDS,
-                   .optional = true,
-                   .parse = draw_parse,
-                   .bind = options_bind_argument}},
+     .argument = {{.name = "WHAT", .kind = ARGUMENT_WORDS, .optional = true, .parse = draw_parse}},
      .summary = "a picture of the row or the train, to scale",
      .help = "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the "
              "row. 'draw at 2.5 s', 'draw at domino 8' (when domino 8 is hit) and 'draw at end' show the row "

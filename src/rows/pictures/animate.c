@@ -2,11 +2,11 @@
 /* The command 'animate', which makes a film of the falling row, at the terminal or in a .gif file. */
 #include "answer/answer.h"
 #include "interpreter/feature.h"
+#include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "pictures/drawing/falling_row.h"
-#include "pictures/options.h"
 #include "train/train.h"
 #include <math.h>
 #include <stdlib.h>
@@ -20,15 +20,15 @@ enum { FRAMES_MOST = 3000 };
 /* Unless the user gives the speed, the motion in a film lasts at most this long, in s. */
 #define LONGEST 9
 
-/* The words of 'animate'. */
-enum { FILM_SPEED, FILM_RATE, FILM_TOWER };
+/* The words of 'animate', as bits of question->parsed. */
+enum { FILM_SPEED = 1, FILM_RATE = 2, FILM_TOWER = 4 };
 
 struct film {
     const struct query *query;
     struct problem *problem;
     struct answer *out;
     bool is_data; /* the frames are written as data, rather than drawn */
-    const struct options *options;
+    unsigned words;
     struct falling_row row;
     double *time;         /* time of each frame, in s */
     domq_real speed;      /* seconds of the fall that are shown in one second of the film */
@@ -93,7 +93,7 @@ static bool frame_play(struct film *f)
             screen_key(f->is_stopped ? 1 : f->next - terminal_clock(), f->query->scene->compute.interrupt);
         if (key == KEY_END)
             return false;
-        if (key == ' ' || key == KEY_BACK || key == KEY_RIGHT) {
+        if (key == ' ' || key == KEY_RIGHT) {
             f->is_stopped = key == KEY_RIGHT || f->is_stopped != (key == ' ');
             f->next = terminal_clock();
             screen_show(f);
@@ -163,9 +163,9 @@ static bool times_find(struct film *f)
 {
     /* In a file, a long fall is shown faster, which keeps the file small. */
     const bool is_long = (f->is_data || f->out->path) && f->row.end > LONGEST;
-    const domq_real speed = f->options->has[FILM_SPEED] ? f->options->value[FILM_SPEED]
-                            : is_long ? round_digits((domq_real)(f->row.end / LONGEST), 2, true)
-                                      : 1;
+    const domq_real speed = (f->words & FILM_SPEED) ? f->query->given->number[0]
+                            : is_long               ? round_digits((domq_real)(f->row.end / LONGEST), 2, true)
+                                                    : 1;
     const double step = f->delay / 100.0 * (double)speed;
     f->speed = speed;
     if (!isfinite(f->row.end))
@@ -228,9 +228,8 @@ static bool film_write(struct film *f)
 
 static bool film_make(struct film *f)
 {
-    const struct options *options = f->options;
-    f->delay = (int)quad(round)(100 / (options->has[FILM_RATE] ? options->value[FILM_RATE] : 25));
-    if (!falling_row_make(f->query, f->problem, options->has[FILM_TOWER], &f->row))
+    f->delay = (int)quad(round)(100 / (f->words & FILM_RATE ? f->query->given->number[1] : 25));
+    if (!falling_row_make(f->query, f->problem, (f->words & FILM_TOWER) != 0, &f->row))
         return false;
     falling_row_reach(&f->row, true);
     f->follows = f->row.stage.top > FOLLOWED * falling_row_extreme(&f->row, f->row.dominoes, false);
@@ -244,25 +243,47 @@ static bool film_make(struct film *f)
 
 /* ---- The command ---- */
 
-static const struct argument number_value = {.name = "the value", .kind = ARGUMENT_NUMBER},
-                             any_value = {.name = "N", .kind = ARGUMENT_ANY};
-
-static const struct option_list film_options = {
-    .options =
-        (const struct option[]){
-            [FILM_SPEED] = {"speed", &number_value, BIT(FILM_RATE) | BIT(FILM_TOWER), .least = 0.001,
-                            .most = 1000},
-            [FILM_RATE] = {"rate", &any_value, BIT(FILM_SPEED) | BIT(FILM_TOWER), .least = 1, .most = 50,
-                           .unit = " frames per second", .time = -1},
-            [FILM_TOWER] = {"tower", .beside = BIT(FILM_SPEED) | BIT(FILM_RATE)},
-            {.name = NULL},
-        },
-    .usage = "usage: animate, animate speed 0.5 rate 20, animate tower",
-};
-
 static bool film_parse(struct reader *r, struct question *q)
 {
-    return options_parse(r, q, &film_options) != NULL;
+    static const struct argument values[] = {{.name = "speed", .kind = ARGUMENT_NUMBER},
+                                             {.name = "rate", .kind = ARGUMENT_NUMBER}};
+    unsigned *words = q->parsed = reader_memory(r, sizeof *words);
+    while (words && !reader_ends(r)) {
+        reader_place(r, r->at);
+        const unsigned word = !(*words & FILM_SPEED) && reader_takes(r, "speed")   ? FILM_SPEED
+                              : !(*words & FILM_RATE) && reader_takes(r, "rate")   ? FILM_RATE
+                              : !(*words & FILM_TOWER) && reader_takes(r, "tower") ? FILM_TOWER
+                                                                                   : 0;
+        *words |= word;
+        if (word == 0) {
+            const char *other = read_word(r, false);
+            return problem_error(r->problem,
+                                 "'%s' does not fit here; usage: animate, animate speed 0.5 rate 20, animate "
+                                 "tower",
+                                 names_shown(other ? other : ""));
+        }
+        if (word != FILM_TOWER && !item_parse(r, &values[word - 1], &q->item[word - 1]))
+            return false;
+    }
+    return words;
+}
+
+static bool is_within(domq_real value, const char *what, double least, double most, struct problem *problem)
+{
+    return (value >= (domq_real)least && value <= (domq_real)most) ||
+           problem_error(problem, "%s is %.6g; it must be in the range %g .. %g", what, (double)value, least,
+                         most);
+}
+
+/* The speed is bound like the value of any argument, the rate here. */
+static bool film_bind(const struct question *q, const struct query *query, struct arguments *given,
+                      struct problem *problem)
+{
+    const unsigned words = *(const unsigned *)q->parsed;
+    domq_real *const value = given->number;
+    return item_bind(&q->item[1], q->text, query, NULL, &value[1], problem) &&
+           (!(words & FILM_SPEED) || is_within(value[0], "speed", 0.001, 1000, problem)) &&
+           (!(words & FILM_RATE) || is_within(value[1], "rate", 1, 50, problem));
 }
 
 static bool run_animate(const struct query *query, struct answer *a, struct problem *problem)
@@ -271,16 +292,15 @@ static bool run_animate(const struct query *query, struct answer *a, struct prob
                         .problem = problem,
                         .out = a,
                         .is_data = !answer_for_people(a),
-                        .options = options_of(query)};
+                        .words = query->given->bound ? *(const unsigned *)query->given->bound : 0};
     struct tower tower = {.change = NULL};
     a->note = NULL;      /* no TRAIN_NOTE, because the film shows the row */
     a->style.errors = 0; /* a picture shows no errors */
     if (!film.is_data && !picture_ready(a, problem))
         return false;
-    if (film.options->has[FILM_TOWER])
+    if (film.words & FILM_TOWER)
         film.query = &tower.query;
-    const bool good =
-        (!film.options->has[FILM_TOWER] || tower_make(query, &tower, problem)) && film_make(&film);
+    const bool good = (!(film.words & FILM_TOWER) || tower_make(query, &tower, problem)) && film_make(&film);
     free(tower.change);
     return good;
 }
@@ -295,11 +315,8 @@ static const struct column animate_columns[] = {
 const struct command film_commands[] = {
     {.name = "animate",
      .synonyms = "picture image film movie video gif",
-     .argument = {{.name = "HOW",
-                   .kind = ARGUMENT_WORDS,
-                   .optional = true,
-                   .parse = film_parse,
-                   .bind = options_bind_argument}},
+     .argument =
+         {{.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = film_bind}},
      .summary = "a film of the falling row, at the terminal or in a file",
      .help = "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The "
              "space bar stops and continues it, the right arrow shows the next frame, and 'q' ends it. "
