@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'plan', which writes a guide for building the row. */
 #include "chance/chance.h"
+#include "io/io.h"
 #include "language/quad.h"
 #include "pictures/drawing/falling_row.h"
 #include "planning/planning.h"
@@ -57,7 +58,8 @@ struct plan {
     bool has_leans;
     struct dom_study study;
     struct dom_random_error error[DOM_ERROR_COUNT];
-    struct paper paper;
+    char *paper; /* the tables of the guide, in the markup of paper_draw, which are written to `out` */
+    FILE *out;
 };
 
 /* ---- The numbers ---- */
@@ -67,7 +69,7 @@ enum { STUDY_ROWS = 2000, STUDY_ROWS_OF_ENGINE = 50 };
 
 static void plan_free(struct plan *p)
 {
-    paper_free(&p->paper);
+    free(p->paper);
     free(p->windows.kind[0]);
     free(p->back);
     falling_row_free(&p->row);
@@ -127,21 +129,6 @@ static bool person_add(struct stage *stage)
     return true;
 }
 
-/* A push is given as a speed, which a builder can judge. */
-static void push_words(const struct scene_row *scene, char *text, size_t size)
-{
-    const struct domq_row *row = &scene->row;
-    if (isnan(row->push))
-        snprintf(text, size, "Tip domino 1 until it falls by itself.");
-    else if (row->release > 0)
-        snprintf(text, size, "%s domino 1 %s and %s.", isinf(row->release) ? "Lean" : "Hold",
-                 isinf(row->release) ? "against domino 2" : release_words(row->release).text,
-                 row->push > 0 ? "push it" : "let it go");
-    else
-        snprintf(text, size, "Push domino 1 so that its top moves at %s.",
-                 measured(row->push * row->domino[0].height, "m/s", 3).text);
-}
-
 static void caption_write(struct plan *p)
 {
     char errors[ERRORS_TEXT], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
@@ -152,7 +139,7 @@ static void caption_write(struct plan *p)
     falling_row_verdict(&p->row, verdict);
     falling_row_weakest(&p->row, weakest);
     errors_text(p->error, true, errors);
-    push_words(&p->row.run.scene, start, sizeof start);
+    falling_row_begin(&p->row, start);
     int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor; the person is 1.75 m tall. %s %s%s%s",
                       summary, measured((domq_real)stage->right, "m", 3).text, start, verdict,
                       *weakest ? " " : "", weakest);
@@ -195,7 +182,7 @@ static void window_put(const struct plan *p, enum dom_window_of kind, size_t k, 
 {
     const struct dom_window *w = &p->windows.kind[kind][k];
     const bool is_critical = p->windows.critical[kind] == k + 1;
-    FILE *out = p->paper.out;
+    FILE *out = p->out;
     mm(out, now, 0, is_critical);
     mm(out, w->low, 1, is_critical);
     mm(out, w->high, -1, is_critical);
@@ -204,7 +191,7 @@ static void window_put(const struct plan *p, enum dom_window_of kind, size_t k, 
 static void plan_tape_table(const struct plan *p)
 {
     const struct scene_row *scene = &p->row.run.scene;
-    FILE *out = p->paper.out;
+    FILE *out = p->out;
     fprintf(out,
             "# For the hall: where the dominoes stand\nIn mm, on a tape whose zero is at the back of domino "
             "1. If only one domino is moved, and its back stays between 'least' and 'most', all dominoes "
@@ -228,7 +215,7 @@ static void plan_size_table(const struct plan *p, const struct scene *of)
     const struct scene_row *scene = &p->row.run.scene;
     const bool has_masses = scene_has_masses(of);
     domq_real heaviest = 0;
-    FILE *out = p->paper.out;
+    FILE *out = p->out;
     for (size_t k = 0; k < scene->row.count; k++)
         heaviest = scene->domino[k].mass > heaviest ? scene->domino[k].mass : heaviest;
     const struct measure unit = measure_of("kg", heaviest);
@@ -294,7 +281,7 @@ static bool plan_board_table(const struct plan *p)
 {
     const struct domq_row *row = &p->row.run.scene.row;
     const size_t count = row->count;
-    FILE *out = p->paper.out;
+    FILE *out = p->out;
     struct piece *piece = malloc(3 * count * sizeof *piece);
     size_t pieces = 0;
     if (!piece)
@@ -356,7 +343,7 @@ static bool plan_text(const struct plan *p, const char *title, struct answer *a)
         fprintf(out, "%s\n", title);
     if (!stage_text(&p->row.stage, display_of(out), TEXT_WIDTH, TEXT_HEIGHT, out))
         return false;
-    paper_write(&p->paper, out);
+    paper_write(p->paper, out);
     fputs("\n'plan > hall.pdf' draws this guide for printing.\n", out);
     if (a->path)
         return true;
@@ -371,11 +358,14 @@ static bool plan_text(const struct plan *p, const char *title, struct answer *a)
 
 static bool guide_write(struct plan *p, const struct scene *scene)
 {
-    if (!paper_open(&p->paper))
+    size_t size;
+    p->out = io_memory(&p->paper, &size);
+    if (!p->out)
         return false;
     plan_tape_table(p);
     plan_size_table(p, scene);
-    return plan_board_table(p) && paper_close(&p->paper) && person_add(&p->row.stage);
+    const bool is_complete = plan_board_table(p);
+    return fclose(p->out) == 0 && is_complete && person_add(&p->row.stage);
 }
 
 bool run_plan(const struct query *query, struct answer *a, struct problem *problem)
@@ -399,7 +389,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
     else if (!guide_write(&p, query->scene))
         good = problem_status(problem, query->scene, DOM_NO_MEMORY);
     else if (is_drawn)
-        good = paper_draw(&p.paper, title ? *title : NULL, &p.row.stage, a, query->scene->compute.interrupt,
+        good = paper_draw(p.paper, title ? *title : NULL, &p.row.stage, a, query->scene->compute.interrupt,
                           problem);
     else
         good =

@@ -139,36 +139,7 @@ static double shown(struct words text)
     return strtod(text.text, NULL);
 }
 
-static double degrees(domq_real angle)
-{
-    return (double)(angle * 180 / QUAD_PI);
-}
-
 /* ---- The pages ---- */
-
-/* Says how the class starts the row. */
-static void start_write(const struct class_row *class, FILE *page)
-{
-    const struct scene_row *scene = &class->row.run.scene;
-    const double tilt = degrees(scene_row_tilt(scene)),
-                 speed = 100 * (double)(scene->row.push * scene->domino->height);
-    const char *from = "when you let it go";
-    if (row_run_tipped(&class->row.run, 0)) {
-        fputs("Tilt domino 1 slowly, until it tips over by itself. ", page);
-        from = "when it hits domino 2";
-    } else if (isinf(scene->row.release)) {
-        fprintf(page, "Lean domino 1 against domino 2 (with a gap of %.40s, at %.3g degrees). ",
-                length_of(class, class->trial[0].gap).text, tilt);
-    } else if (scene->row.release > 0) {
-        fprintf(page, "Hold domino 1 at a tilt of %.3g degrees. ", tilt);
-    }
-    if (speed > 0) {
-        fprintf(page, "Push the upper edge of domino 1 gently: it begins to move at about %.2g cm/s. ",
-                speed);
-        from = "with the push";
-    }
-    fprintf(page, "Start the clock %s, and stop it when the last domino lies on the table.\n", from);
-}
 
 /* What the class sets up and measures, and the times to expect. The table is the file that 'fit' reads. */
 static void trials_write(const struct class_row *class, FILE *page, FILE *answers)
@@ -178,6 +149,7 @@ static void trials_write(const struct class_row *class, FILE *page, FILE *answer
     const struct domq_domino *d = run->scene.domino;
     const struct effect_state *slope = &class->query->scene->effect[DOM_EFFECT_slope];
     const struct words tall = length_of(class, (double)d->height);
+    char start[SENTENCE];
     fprintf(page,
             "# Set up\n%zu dominoes, each %s tall and %s thick, with gaps of %s. From the front of one "
             "domino to the front of the next it is %s.\n",
@@ -185,22 +157,21 @@ static void trials_write(const struct class_row *class, FILE *page, FILE *answer
             length_of(class, first->gap).text, length_of(class, first->gap + (double)d->thickness).text);
     if (slope->on)
         fprintf(page, "The floor slopes %s the direction of the fall, by %.4g degrees.\n",
-                slope->value[0] > 0 ? "down in" : "up in", fabs(degrees(slope->value[0])));
-    start_write(class, page);
+                slope->value[0] > 0 ? "down in" : "up in", fabs((double)(slope->value[0] * 180 / QUAD_PI)));
+    falling_row_begin(&class->row, start);
     fprintf(page,
-            "# Measure\nGuess first. The row will take _______ s.\nThen let each row fall three times. Set "
+            "%s Start the clock at the %s, and stop it when the last domino lies on the table.\n# "
+            "Measure\nGuess first. The row will take _______ s.\nThen let each row fall three times. Set "
             "it up anew each time.\n|gap (%s)|dominoes|trial 1 (s)|trial 2 (s)|trial 3 (s)|mean (s)\n",
-            class->unit);
+            start, falling_row_start(&class->row), class->unit);
     fprintf(answers, "# The times to expect\n");
     for (const struct trial *t = first; t < first + class->trials; t++) {
         fprintf(page, "|%.4g|%zu||||\n", t->gap / class->size, t->dominoes);
         fprintf(answers, "%zu dominoes of %s with gaps of %s: %s\n", t->dominoes, tall.text,
                 length_of(class, t->gap).text, time_of(t->seconds).text);
     }
-    fprintf(answers, "The clock runs from %s until the last domino lies on the floor.\n",
-            row_run_tipped(run, 0)    ? "the hit of domino 1 on domino 2"
-            : run->scene.row.push > 0 ? "the push"
-                                      : "the release");
+    fprintf(answers, "The clock runs from the %s until the last domino lies on the floor.\n",
+            falling_row_start(&class->row));
 }
 
 /* Writes the questions beside their answers. */
@@ -263,22 +234,24 @@ static void questions_write(const struct class_row *class, FILE *page, FILE *ans
 
 /* ---- The command ---- */
 
-/* Writes both pages into a document, the answers on the second one. */
-static bool pages_write(const struct class_row *class, const char *title, struct paper *paper)
+/* Returns both pages as a paper, with the answers on the second one, or NULL if memory runs out. */
+static char *pages_make(const struct class_row *class, const char *title)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *answers = io_memory(&text, &size);
-    bool good = answers && paper_open(paper);
-    if (good) {
-        trials_write(class, paper->out, answers);
-        questions_write(class, paper->out, answers);
+    char *text = NULL, *paper = NULL;
+    size_t length, size;
+    FILE *answers = io_memory(&text, &length), *page = io_memory(&paper, &size);
+    if (answers && page) {
+        trials_write(class, page, answers);
+        questions_write(class, page, answers);
     }
-    good = (!answers || fclose(answers) == 0) && good;
+    bool good = answers && fclose(answers) == 0 && page;
     if (good)
-        fprintf(paper->out, "\f\n# %s The answers\n%s", title, text);
+        fprintf(page, "\f\n# %s The answers\n%s", title, text);
+    good = page && fclose(page) == 0 && good;
     free(text);
-    return good && paper_close(paper);
+    if (!good)
+        free(paper);
+    return good ? paper : NULL;
 }
 
 /* Writes the picture of the row and both pages to the destination of the answer. */
@@ -287,21 +260,19 @@ static bool sheet_write(struct class_row *class, struct answer *a, struct proble
     static const char title[] = "How fast do dominoes fall?";
     const volatile sig_atomic_t *interrupt = class->query->scene->compute.interrupt;
     struct stage *stage = &class->row.stage;
-    struct paper paper = {.out = NULL};
-    bool good = true;
+    char *paper = pages_make(class, title);
+    bool good = paper || problem_status(problem, class->query->scene, DOM_NO_MEMORY);
     for (size_t k = 0; k < stage->count; k++)
         stage->domino[k].part = STANDS; /* which domino is the weakest is a question */
     snprintf(stage->caption, CAPTION, "Name ____________________  Date ___________\nThe row, to scale:");
-    if (!pages_write(class, title, &paper)) {
-        good = problem_status(problem, class->query->scene, DOM_NO_MEMORY);
-    } else if (picture_is_filed(a)) {
-        good = paper_draw(&paper, title, stage, a, interrupt, problem);
-    } else {
+    if (good && picture_is_filed(a)) {
+        good = paper_draw(paper, title, stage, a, interrupt, problem);
+    } else if (good) {
         fprintf(a->out, "%s\n", title);
         good = stage_show(stage, a, interrupt, problem);
-        paper_write(&paper, a->out);
+        paper_write(paper, a->out);
     }
-    paper_free(&paper);
+    free(paper);
     return good;
 }
 

@@ -91,25 +91,21 @@ END
 
 @test "plot energy, omega: the data agree with energy and omega, and include the events" {
     csv 'plot energy' >energy
-    same keys theta,dH,kinetic,J,event "$(head -n 1 energy)"
-    same events 'launch top hit' "$(awk -F, '$5 != "" && NR > 1 { print $5 }' energy | paste -sd ' ' -)"
+    same data "$(cat energy)" "$(csv 'plot omega')"
+    same keys theta,dH,kinetic,J,omegasq,omega,event "$(head -n 1 energy)"
+    same events 'launch top hit' "$(awk -F, '$7 != "" && NR > 1 { print $7 }' energy | paste -sd ' ' -)"
     # The sum of climbed and kinetic energy is constant.
     awk -F, 'NR == 2 { sum = $2 + $3 } NR > 1 { d = $2 + $3 - sum; if (!(d <= 1e-12 && d >= -1e-12)) bad = 1 }
         NR > 2 && !($1 > before) { bad = 1 } { before = $1 } END { exit bad || NR < 140 }' energy
-    csv 'plot omega' >omega
-    same keys theta,omegasq,omega,event "$(head -n 1 omega)"
     for line in 2 20 77 140; do
-        IFS=, read -r theta dH _ J _ < <(sed -n ${line}p energy)
-        answer=$(json "energy $theta")
-        close "dH at $theta" "$(values dH <<<"$answer")" "$dH"
-        close "J at $theta" "$(values J <<<"$answer")" "$J"
-        IFS=, read -r theta omegasq omega _ < <(sed -n ${line}p omega)
-        answer=$(json "omega $theta")
-        close "omegasq at $theta" "$(values omegasq <<<"$answer")" "$omegasq"
-        close "omega at $theta" "$(values omega <<<"$answer")" "$omega"
+        IFS=, read -r theta dH _ J omegasq omega _ < <(sed -n ${line}p energy)
+        answer=$(json "energy $theta; omega $theta")
+        for key in dH J omegasq omega; do
+            close "$key at $theta" "$(values "$key" <<<"$answer" | tail -n 1)" "${!key}"
+        done
     done
     # There are no values after a stop.
-    csv 'set r 1.7; plot omega' | awk -F, 'stopped && $3 != "" { bad = 1 } $4 == "stop" { stopped = 1; bad = bad || $3 != 0; next }
+    csv 'set r 1.7; plot omega' | awk -F, 'stopped && $6 != "" { bad = 1 } $7 == "stop" { stopped = 1; bad = bad || $6 != 0; next }
         stopped { after++ } END { exit bad || !after }'
 }
 

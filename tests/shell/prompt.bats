@@ -35,7 +35,7 @@ same_at_the_prompt() { # FORMAT
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
 @test "^C stops gnuplot while it draws an animation, and leaves no file" { prompt interrupt_animation; }
 @test "animate at a terminal: space stops, the right arrow shows the next frame, q ends; a file says what it has" { prompt play; }
-@test "^Z while an animation plays gives the terminal back, and fg goes on" { prompt suspend_animation; }
+@test "^Z while an animation plays does nothing" { prompt suspend_animation; }
 @test "SIGTERM ends the session during a long computation" { prompt terminate TERM; }
 @test "the session ends when its terminal goes away" { prompt hang_up; }
 @test "^Z during a computation suspends the session at once, and fg goes on" { prompt suspend; }

@@ -183,6 +183,21 @@ const char *falling_row_start(const struct falling_row *row)
     return row_run_tipped(&row->run, 0) ? "first hit" : row->run.scene.row.release > 0 ? "release" : "push";
 }
 
+void falling_row_begin(const struct falling_row *row, char text[SENTENCE])
+{
+    const struct scene_row *scene = &row->run.scene;
+    const domq_real release = scene->row.release, push = scene->row.push;
+    if (isnan(push))
+        snprintf(text, SENTENCE, "Tip domino 1 until it falls by itself.");
+    else if (release > 0)
+        snprintf(text, SENTENCE, "%s domino 1 %s and %s.", isinf(release) ? "Lean" : "Hold",
+                 isinf(release) ? "against domino 2" : release_words(release).text,
+                 push > 0 ? "push it" : "let it go");
+    else
+        snprintf(text, SENTENCE, "Push domino 1 so that its top moves at %s.",
+                 measured(push * scene->domino[0].height, "m/s", 3).text);
+}
+
 static struct words domino_words(const struct falling_row *row, size_t number)
 {
     struct words words;

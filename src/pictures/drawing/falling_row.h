@@ -71,6 +71,9 @@ void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
  * the weakest. */
 void falling_row_weakest(const struct falling_row *row, char text[SENTENCE]);
 
+/* Writes what the builder does to start the row. A push is given as a speed, which one can judge. */
+void falling_row_begin(const struct falling_row *row, char text[SENTENCE]);
+
 /* Returns the event at which the clock starts: "first hit", "push" or "release". */
 const char *falling_row_start(const struct falling_row *row);
 

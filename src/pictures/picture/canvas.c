@@ -27,12 +27,6 @@ struct display display_of(FILE *stream)
     return display;
 }
 
-double ruler_step(double least)
-{
-    double ten = pow(10, floor(log10(least)));
-    return least <= ten ? ten : least <= 2 * ten ? 2 * ten : least <= 5 * ten ? 5 * ten : 10 * ten;
-}
-
 bool canvas_make(struct canvas *c, struct display display, int width, int height)
 {
     const size_t cells = (size_t)width * (size_t)height;

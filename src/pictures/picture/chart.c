@@ -59,13 +59,6 @@ void chart_event(struct chart *c, double x, const char *name)
     snprintf(e->name, sizeof e->name, "%s", name);
 }
 
-void chart_level(struct chart *c, double y, const char *title)
-{
-    struct chart_curve *level = chart_curve(c, CHART_LINE, INK_GREY, 2, "%s", title);
-    chart_point(c, level, -HUGE_VAL, y);
-    chart_point(c, level, HUGE_VAL, y);
-}
-
 /* ---- Axes ---- */
 
 static void axis_include(const struct chart_axis *axis, double value, double *low, double *high)
@@ -169,6 +162,13 @@ double axis_number(const struct chart_axis *a, double place)
 }
 
 /* ---- Ticks ---- */
+
+/* Returns the smallest number of the form 10^n, 2 10^n or 5 10^n that is not less than `least`. */
+static double ruler_step(double least)
+{
+    const double ten = pow(10, floor(log10(least)));
+    return least <= ten ? ten : least <= 2 * ten ? 2 * ten : least <= 5 * ten ? 5 * ten : 10 * ten;
+}
 
 static void tick_add(struct ticks *t, double tick, double unit)
 {

@@ -71,9 +71,6 @@ struct chart_curve *chart_curve(struct chart *chart, enum chart_kind kind, enum 
 /* Adds a point to a curve. */
 void chart_point(struct chart *chart, struct chart_curve *curve, double x, double y);
 
-/* Adds a grey horizontal line across the whole chart. */
-void chart_level(struct chart *chart, double y, const char *title);
-
 /* Adds a vertical line at x, with a name at its upper end. */
 void chart_event(struct chart *chart, double x, const char *name);
 

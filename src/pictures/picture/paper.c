@@ -7,29 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- The document ---- */
-
-bool paper_open(struct paper *p)
-{
-    *p = (struct paper){.text = NULL};
-    p->out = io_memory(&p->text, &p->size);
-    return p->out != NULL;
-}
-
-bool paper_close(struct paper *p)
-{
-    const bool is_good = fclose(p->out) == 0;
-    p->out = NULL;
-    return is_good;
-}
-
-void paper_free(struct paper *p)
-{
-    if (p->out)
-        fclose(p->out);
-    free(p->text);
-}
-
 /* ---- As text ---- */
 
 enum { TEXT_COLUMNS = 79, CELLS = 10, CELL_SIZE = 64 };
@@ -71,9 +48,9 @@ static const char *table_write(const char *line, bool has_marks, FILE *out)
 }
 
 /* Writes a document as lines of text. With marks, the lines are those of a page. */
-static void layout_write(const struct paper *p, bool has_marks, FILE *out)
+static void layout_write(const char *paper, bool has_marks, FILE *out)
 {
-    for (const char *line = p->text; line && *line;) {
+    for (const char *line = paper; *line;) {
         if (*line == '|') {
             line = table_write(line, has_marks, out);
             continue;
@@ -91,9 +68,9 @@ static void layout_write(const struct paper *p, bool has_marks, FILE *out)
     }
 }
 
-void paper_write(const struct paper *p, FILE *out)
+void paper_write(const char *paper, FILE *out)
 {
-    layout_write(p, false, out);
+    layout_write(paper, false, out);
 }
 
 /* ---- By gnuplot ---- */
@@ -218,8 +195,8 @@ static struct pen pen_first(const char *title, const struct stage *stage, const 
     return p;
 }
 
-bool paper_draw(const struct paper *paper, const char *title, const struct stage *stage,
-                const struct answer *a, const volatile sig_atomic_t *interrupt, struct problem *problem)
+bool paper_draw(const char *paper, const char *title, const struct stage *stage, const struct answer *a,
+                const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
     enum { A4_WIDE = 21 /* cm */ };
     const bool is_cut = strcmp(extension_of(a->path)->terminal, "pdfcairo") == 0;

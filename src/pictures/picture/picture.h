@@ -23,10 +23,6 @@ enum ink {
 /* The number of dash patterns. Pattern 0 is an unbroken line. */
 enum { DASHES = 5 };
 
-/* Returns a round step for a ruler: the smallest number of the form 10^n, 2 10^n or 5 10^n that is not less
- * than `least`. */
-double ruler_step(double least);
-
 /* The unit of an axis or a ruler. */
 struct axis_unit {
     const char *name;
@@ -122,12 +118,11 @@ void gnuplot_text(FILE *script, const char *text);
 
 /* ---- The screen (screen.c) ---- */
 
-/* A second screen of the terminal, without a cursor, on which keys are read one by one. ^Z stops the program
- * at once, with the terminal as it was before. When the program continues, the screen is shown again. */
+/* A second screen of the terminal, without a cursor, on which keys are read one by one. ^Z does nothing
+ * there. */
 
-/* Keys beyond characters. KEY_BACK: the program has continued after ^Z, and the screen is empty. KEY_END: the
- * user has typed 'q', ^D or ^C, or the terminal is gone. */
-enum { KEY_NONE = 0, KEY_UP = 256, KEY_DOWN, KEY_RIGHT, KEY_LEFT, KEY_BACK, KEY_END };
+/* Keys beyond characters. KEY_END: the user has typed 'q', ^D or ^C, or the terminal is gone. */
+enum { KEY_NONE = 0, KEY_UP = 256, KEY_DOWN, KEY_RIGHT, KEY_LEFT, KEY_END };
 
 /* Shows the screen. Returns a stream to write on it, or NULL if `out` is not shown on a terminal, or if this
  * program is not in the terminal's foreground. */

@@ -63,11 +63,10 @@ static bool cycle_find(const struct query *query, struct cycle *c, struct proble
 }
 
 /* Writes a row at a tilt of the head. `event` is the event at this tilt, or NULL. */
-static enum dom_status sample_write(const struct query *query, const struct cycle *c, bool of_energy,
+static enum dom_status sample_write(const struct query *query, const struct cycle *c,
                                     const struct domq_event *event, domq_real theta, struct answer *a)
 {
     const struct scene *scene = query->scene;
-    const struct cell word = cell_word(event ? dom_event_text(event->kind) : NULL);
     struct domq_energy energy;
     domq_real omegasq = DOMQ_NAN;
     enum dom_status status = any_energy_find(&scene->train, &scene->compute, theta, &energy);
@@ -77,18 +76,16 @@ static enum dom_status sample_write(const struct query *query, const struct cycl
         status = any_cycle_omegasq(&scene->train, &scene->compute, theta, &omegasq);
     if (status != DOM_OK && status != DOM_STOPS)
         return status;
-    if (of_energy)
-        answer_cells(a, cell_real(theta), cell_real(energy.dH), cell_real(energy.J * omegasq),
-                     cell_real(energy.J), word);
-    else
-        answer_cells(a, cell_real(theta), cell_real(omegasq),
-                     cell_real(quad(sqrt)(omegasq) / domq_scale_tau(&scene->scale, &scene->train)), word);
+    answer_cells(a, cell_real(theta), cell_real(energy.dH), cell_real(energy.J * omegasq),
+                 cell_real(energy.J), cell_real(omegasq),
+                 cell_real(quad(sqrt)(omegasq) / domq_scale_tau(&scene->scale, &scene->train)),
+                 cell_word(event ? dom_event_text(event->kind) : NULL));
     return DOM_OK;
 }
 
 /* Writes the rows of a plot, at evenly spaced tilts of the head and at the events between them. Adds the
  * parameters and the events to the chart, if there is one. */
-static bool cycle_plot(const struct query *query, bool of_energy, struct answer *a, struct chart *chart,
+static bool cycle_plot(const struct query *query, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {
     const struct domq_train *t = &query->scene->train;
@@ -102,7 +99,7 @@ static bool cycle_plot(const struct query *query, bool of_energy, struct answer 
         const struct domq_event *at =
             event < c.events && c.event[event].theta <= theta ? &c.event[event++] : NULL;
         k += !at || at->theta == theta;
-        const enum dom_status status = sample_write(query, &c, of_energy, at, at ? at->theta : theta, a);
+        const enum dom_status status = sample_write(query, &c, at, at ? at->theta : theta, a);
         if (status != DOM_OK)
             return problem_status(problem, query->scene, status);
         progress_show((k + 1.0) / (STEPS + 2));
@@ -121,9 +118,12 @@ static bool cycle_plot(const struct query *query, bool of_energy, struct answer 
 static bool plot_energy(const struct query *query, struct answer *a, struct chart *chart,
                         struct problem *problem)
 {
-    if (chart)
-        chart_level(chart, 0, "");
-    return cycle_plot(query, true, a, chart, problem);
+    if (chart) { /* a line at 0 */
+        struct chart_curve *zero = chart_curve(chart, CHART_LINE, INK_GREY, 2, "%s", "");
+        chart_point(chart, zero, -HUGE_VAL, 0);
+        chart_point(chart, zero, HUGE_VAL, 0);
+    }
+    return cycle_plot(query, a, chart, problem);
 }
 
 static bool plot_omega(const struct query *query, struct answer *a, struct chart *chart,
@@ -135,7 +135,7 @@ static bool plot_omega(const struct query *query, struct answer *a, struct chart
                  "the head, %.4g mm tall; the next head is sqrt(r) times slower",
                  (double)(1000 * query->scene->scale.h));
     }
-    return cycle_plot(query, false, a, chart, problem);
+    return cycle_plot(query, a, chart, problem);
 }
 
 /* ---- Limits ---- */
@@ -224,16 +224,11 @@ static const struct column growth_columns[] = {
      0},
     {NULL, NULL, NULL, 0},
 };
-static const struct column energy_columns[] = {
+static const struct column cycle_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
     {"dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (19; c1)", 0},
     {"kinetic", "mgh/2", "J tau^2 omega^2 (21; c3)", 0},
     {"J", "", "inertia of the train (20; c2)", 0},
-    {"event", "", "the event at this tilt (launch, top, fall, stop or hit), if any", 6},
-    {NULL, NULL, NULL, 0},
-};
-static const struct column omega_columns[] = {
-    {"theta", "rad", "tilt of the head", 0},
     {"omegasq", "", "tau^2 omega(theta)^2 (21; c3)", 0},
     {"omega", "rad/s", "angular velocity of the head", 0},
     {"event", "", "the event at this tilt (launch, top, fall, stop or hit), if any", 6},
@@ -248,12 +243,12 @@ const struct plot train_plots[] = {
                {"solid_pair", "solid pair", CHART_LINE, INK_SKY, 3},
                {"hollow_pair", "hollow pair", CHART_LINE, INK_ORANGE, 4},
                {"reach", "", CHART_LINE, INK_GREY, 2}}},
-    {"energy", plot_energy, "the energies of one cycle of the train", energy_columns,
+    {"energy", plot_energy, "the energies of one cycle of the train", cycle_columns,
      .title = "Energy over a cycle", .x = {"theta", "tilt of the head"},
      .y = {NULL, "energy, in units of m g h/2 of the head"},
      .curve = {{"dH", "rise in potential energy since the launch", CHART_LINE, INK_BLUE, 0},
                {"kinetic", "kinetic energy", CHART_LINE, INK_RED, 1}}},
-    {"omega", plot_omega, "the angular velocity of the head over one cycle", omega_columns,
+    {"omega", plot_omega, "the angular velocity of the head over one cycle", cycle_columns,
      .title = "Angular velocity over a cycle", .x = {"theta", "tilt of the head"},
      .y = {"omega", "angular velocity"}, .curve = {{"omega", "", CHART_LINE, INK_BLUE, 0}}},
     {.name = NULL},

@@ -83,13 +83,13 @@ static void watch_draw(struct watch *w, FILE *out)
 static bool watch_run(struct watch *w, FILE *out)
 {
     static const int steps[] = {1, -1, COARSE, -COARSE}; /* up, down, right, left */
-    int width = 0, height = 0, key = KEY_BACK,
+    int width = 0, height = 0, key = KEY_NONE,
         step = (int)lround(STEPS * (w->x - w->from) / (w->to - w->from));
     double shown = (double)NAN;
     while (key != '\n' && key != '\r' && key != KEY_END) {
         int across, down;
         terminal_size(out, &across, &down);
-        if (across != width || down != height || w->x != shown || key == KEY_BACK)
+        if (across != width || down != height || w->x != shown)
             watch_draw(w, out);
         width = across;
         height = down;
