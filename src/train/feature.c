@@ -26,15 +26,15 @@ static const struct column effects_columns[] = {
 static bool run_effects(const struct query *query, struct answer *a, struct problem *problem)
 {
     (void)problem;
-    for (int k = 0; k < EFFECT_ENGINE_END; k++)
-        if (effect_exists(k))
-            column_fit(&answer_columns(a, a->columns)[1], effect_setting(query->scene, k));
-    for (int k = 0; k < EFFECT_COUNT && !answer_lost(a); k++)
+    const struct parameter *p = session_parameters;
+    for (; p->name; p++)
+        if (p->effect && p->which < EFFECT_ENGINE_END)
+            column_fit(&answer_columns(a, a->columns)[1], effect_setting(query->scene, p->which));
+    for (p = session_parameters; p->name && !answer_lost(a); p++)
         /* there are many kinds of random errors, so only those that are on are listed */
-        if (effect_exists(k) && (k < EFFECT_ENGINE_END || query->scene->effect[k].on))
-            answer_cells(a, cell_word(effect_at(k)->name), cell_word(effect_setting(query->scene, k)),
-                         cell_word(method_of(k)), cell_word(effect_at(k)->adds),
-                         cell_word(effect_at(k)->source));
+        if (p->effect && (p->which < EFFECT_ENGINE_END || query->scene->effect[p->which].on))
+            answer_cells(a, cell_word(p->name), cell_word(effect_setting(query->scene, p->which)),
+                         cell_word(method_of(p->which)), cell_word(p->meaning), cell_word(p->effect->source));
     answer_say(a, "An effect that is off costs nothing. This scene is computed by %s.",
                scene_has_engine(query->scene)          ? "the rigid-body engine"
                : domq_dissipates(&query->scene->train) ? "the equation of motion"

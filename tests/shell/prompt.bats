@@ -28,7 +28,7 @@ same_at_the_prompt() { # FORMAT
 @test "an error is shown by a caret and one line, and the session goes on" { prompt error_goes_on; }
 @test "TAB completes commands, parameters and words, and nothing else; TAB TAB lists them" { prompt complete; }
 @test "TAB completes files where a file belongs, but not in a safe session" { prompt complete_files; }
-@test "TAB quotes a file name with blanks, '#', ';', '>' or quotes" { prompt complete_files_quoted; }
+@test "TAB quotes a file name with blanks, '#', ';' or '>'" { prompt complete_files_quoted; }
 @test "^C clears a half-typed line, ends a history search, and on an empty line says how to leave" { prompt interrupt_line; }
 @test "^C stops a long computation, and drops the rest of the line" { prompt interrupt_rest; }
 @test "^C stops a search that writes no rows" { prompt interrupt_silent; }

@@ -152,7 +152,7 @@ void gnuplot_text_part(FILE *script, const char *text, size_t length)
         if (*text == '\n' || *text == '\'') {
             fputs(*text++ == '\n' ? "'.\"\\n\".'" : "'.\"\\047\".'", script);
         } else {
-            text += escape_next(text, piece);
+            text += escape_next(text, false, piece);
             fputs(piece, script);
         }
     }

@@ -3,6 +3,7 @@
 #include "io/escape.h"
 #include "io/io.h"
 #include "io/terminal.h"
+#include "language/names.h"
 #include "language/quad.h"
 #include <float.h>
 #include <stdlib.h>
@@ -41,18 +42,6 @@ struct column *answer_columns(struct answer *a, const struct column *columns)
     return a->copy;
 }
 
-/* Returns true if a list of keys, separated by blanks, has this key. */
-static bool key_listed(const char *keys, const char *key)
-{
-    const size_t length = strlen(key);
-    for (size_t n; *keys; keys += n + strspn(keys + n, " ")) {
-        n = strcspn(keys, " ");
-        if (n == length && strncmp(keys, key, n) == 0)
-            return true;
-    }
-    return false;
-}
-
 /* Leaves out the columns that a list has or, if `listed` is false, those that it does not have. */
 static void columns_leave_out(struct answer *a, const char *keys, bool listed)
 {
@@ -61,7 +50,7 @@ static void columns_leave_out(struct answer *a, const char *keys, bool listed)
     for (int cell = 0; c[from].key; cell++) {
         if (a->left_out >> cell & 1)
             continue;
-        if (key_listed(keys, c[from].key) == listed)
+        if ((names_index(keys, ' ', c[from].key) >= 0) == listed)
             a->left_out |= 1u << cell;
         else {
             c[to] = c[from];
@@ -92,11 +81,6 @@ void answer_announce(struct answer *a, const char *key, domq_real number)
     for (int i = 0; a->columns[i].key && isfinite(number); i++)
         if (strcmp(a->columns[i].key, key) == 0)
             a->layout.largest[i] = fmax(a->layout.largest[i], fabs((double)number));
-}
-
-bool answer_has_error(const struct answer *a, int i)
-{
-    return (a->layout.errors >> i & 1) != 0;
 }
 
 /* ---- The layout, before the first row ---- */

@@ -115,15 +115,6 @@ struct answer {
     } errors;
 };
 
-/* An error, as reported to programs that read answers. */
-struct failure {
-    const char *command; /* the name of the command, or NULL if no command was recognised */
-    const char *text, *source;
-    long line;
-    /* The column of the error in the line, counted from 1. 0 if the error concerns the line as a whole. */
-    int column;
-};
-
 /* An output format. A member is NULL if its function would do nothing. */
 struct format {
     bool for_people; /* the format is for people, with sentences and units; otherwise it is for programs */
@@ -134,8 +125,10 @@ struct format {
     void (*sentence)(struct answer *answer, const char *format, va_list arguments);
     /* Reports that a command without an answer has finished. */
     void (*done)(FILE *out, const char *command);
-    /* Writes an error into the output, in addition to the message on standard error. */
-    void (*failed)(FILE *out, const struct failure *failure);
+    /* Writes an error in a script into the output, in addition to the message on standard error. `command` is
+     * NULL if no command was recognised; `column` is 0 if the error concerns the line as a whole. */
+    void (*failed)(FILE *out, const char *command, const char *text, const char *source, long line,
+                   int column);
     /* Returns true if the line consists of column names. */
     bool (*is_header)(const char *line);
 };
@@ -223,7 +216,10 @@ void answer_plan(struct answer *answer, const struct cell *sample);
 bool answer_lost(const struct answer *answer);
 
 /* Returns true if column i shows errors. */
-bool answer_has_error(const struct answer *answer, int i);
+static inline bool answer_has_error(const struct answer *answer, int i)
+{
+    return (answer->layout.errors >> i & 1) != 0;
+}
 
 /* ---- Sentences, and the end ---- */
 

@@ -13,10 +13,15 @@
 static void csv_cell(const struct answer *a, struct cell cell)
 {
     char text[CELL_TEXT];
-    if (cell.kind == CELL_WORD && strpbrk(cell.word, ",\""))
-        csv_write(a->out, cell.word, ",\"");
-    else if (cell.kind != CELL_NONE)
-        fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
+    const char *plain = cell.kind == CELL_NONE ? "" : cell_plain(&a->style, cell, text);
+    if (cell.kind != CELL_WORD || !strpbrk(plain, ",\"")) {
+        fputs_unlocked(plain, a->out);
+        return;
+    }
+    putc_unlocked('"', a->out);
+    for (const char *c = plain; *c; c++)
+        fputs_unlocked(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, a->out);
+    putc_unlocked('"', a->out);
 }
 
 /* Writes the column names, unless the previous rows in the output have the same columns, or 'header' is
@@ -115,15 +120,15 @@ static void json_done(FILE *out, const char *command)
     fprintf(out, "{\"command\":\"%s\"}\n", command);
 }
 
-static void json_failed(FILE *out, const struct failure *f)
+static void json_failed(FILE *out, const char *command, const char *text, const char *source, long line,
+                        int column)
 {
-    fprintf(out, f->command ? "{\"command\":\"%s\"" : "{\"command\":null", f->command);
-    fputs(",\"error\":", out);
-    escape_json(out, f->text);
+    fprintf(out, command ? "{\"command\":\"%s\",\"error\":" : "{\"command\":null,\"error\":", command);
+    escape_json(out, text);
     fputs(",\"source\":", out);
-    escape_json(out, f->source);
-    fprintf(out, f->column ? ",\"line\":%ld,\"column\":%d}\n" : ",\"line\":%ld,\"column\":null}\n", f->line,
-            f->column);
+    escape_json(out, source);
+    fprintf(out, column ? ",\"line\":%ld,\"column\":%d}\n" : ",\"line\":%ld,\"column\":null}\n", line,
+            column);
 }
 
 const struct format format_json = {

@@ -52,8 +52,7 @@ static bool is_hidden(uint32_t code)
     return found;
 }
 
-/* Does what escape_next does. If `json` is true, the sequences are those of JSON. */
-static size_t piece_next(const char *text, bool json, char piece[ESCAPE_PIECE])
+size_t escape_next(const char *text, bool json, char piece[ESCAPE_PIECE])
 {
     uint32_t code;
     size_t length = utf8_next(text, &code);
@@ -72,11 +71,6 @@ static size_t piece_next(const char *text, bool json, char piece[ESCAPE_PIECE])
         snprintf(piece, ESCAPE_PIECE, format, (unsigned)code);
     }
     return length ? length : 1;
-}
-
-size_t escape_next(const char *text, char piece[ESCAPE_PIECE])
-{
-    return piece_next(text, false, piece);
 }
 
 bool escape_needed(const char *text)
@@ -103,7 +97,7 @@ const char *escape_text(const char *text, char *shown, size_t size)
         last = n + sizeof more <= size ? n : last;
         if (*text == '\0')
             break;
-        text += escape_next(text, piece);
+        text += escape_next(text, false, piece);
         size_t length = strlen(piece);
         if (n + length >= size) {
             memcpy(shown + last, more, sizeof more);
@@ -130,21 +124,8 @@ void escape_json(FILE *out, const char *text)
     char piece[ESCAPE_PIECE];
     putc('"', out);
     while (*text) {
-        text += piece_next(text, true, piece);
+        text += escape_next(text, true, piece);
         fputs_unlocked(piece, out);
     }
     putc('"', out);
-}
-
-void csv_write(FILE *out, const char *text, const char *quoted)
-{
-    char piece[ESCAPE_PIECE];
-    const char *quote = strpbrk(text, quoted) ? "\"" : "";
-    fputs_unlocked(quote, out);
-    for (size_t length; *text; text += length) {
-        length = escape_next(text, piece);
-        bool plain = *text == '\n' || *text == '\t';
-        fputs_unlocked(*text == '"' ? "\"\"" : plain ? (char[]){*text, '\0'} : piece, out);
-    }
-    fputs_unlocked(quote, out);
 }

@@ -12,10 +12,11 @@
 /* The size of a buffer for one character, which may be escaped: "a", "\x1b", "\u202e" or "\u{e0001}". */
 enum { ESCAPE_PIECE = 16 };
 
-/* Writes the first character of a string into `piece`, or an escape sequence if the character needs one. The
- * string must not be empty. Returns the length of this character in the string, in bytes. Escaping an escaped
- * string again does not change it, because backslashes are not escaped. */
-size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
+/* Writes the first character of a string into `piece`, or an escape sequence if the character needs one. If
+ * `json` is true, the sequences are those of JSON. The string must not be empty. Returns the length of this
+ * character in the string, in bytes. Escaping an escaped string again does not change it, because backslashes
+ * are not escaped. */
+size_t escape_next(const char *text, bool json, char piece[ESCAPE_PIECE]);
 
 bool escape_is_utf8(const char *text);
 
@@ -32,10 +33,5 @@ char *escape_copy(const char *text);
 /* Writes a string as a JSON string in double quotes. A JSON parser then gets the original string back. There
  * is one exception: each byte that is not UTF-8 becomes the character U+FFFD. */
 void escape_json(FILE *out, const char *text);
-
-/* Writes a cell of a csv file. If the cell contains one of the characters in `quoted`, it is put in quotes.
- * Control characters, invisible characters and bytes that are not UTF-8 become escape sequences. Only
- * newlines and tabs are written unchanged. */
-void csv_write(FILE *out, const char *text, const char *quoted);
 
 #endif

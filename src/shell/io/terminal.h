@@ -29,16 +29,14 @@ bool terminal_utf8(void);
 /* Returns the number of terminal columns of a UTF-8 text. Wide characters count as one column. */
 int utf8_columns(const char *text);
 
-/* ---- Lines: text is broken at blanks. Some words stay together on a line, such as "r = 1.5" or "7.5 cm".
- * Such a group of words, or a single word, is called a piece. ---- */
+/* ---- Lines: text is broken at blanks ---- */
 
 /* Returns how many bytes of a string go into the first line, which has room for `columns` columns. The line
- * ends between two pieces or at a '\n'. If the first piece is longer than a line, the line ends within this
- * piece. */
+ * ends between two words or at a '\n'. If the first word is longer than a line, the line ends within it. */
 size_t line_break(const char *text, int columns);
 
 /* Writes text in lines between two columns of the terminal. Each line begins at the column `left` and ends
- * before the column `right`. If `right` is 0, lines are not broken. A piece that is longer than a line, such
+ * before the column `right`. If `right` is 0, lines are not broken. A word that is longer than a line, such
  * as a path, is not broken either, so that the user can copy it. No '\n' is written at the end. */
 void write_wrapped(FILE *out, const char *text, int left, int right);
 

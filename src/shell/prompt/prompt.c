@@ -125,24 +125,6 @@ static char *candidate_next(const char *text, int state)
     return candidates.next < candidates.count ? candidates.word[candidates.next++] : NULL;
 }
 
-/* Quotes a file name, or the beginning that several names share. Within quotes, two quotes stand for one.
- * Readline frees the text. */
-static char *complete_quote(char *name, int match, char *quote)
-{
-    char *quoted = malloc(2 * strlen(name) + 3), *to = quoted;
-    (void)quote;
-    if (!quoted)
-        return strdup(name);
-    *to++ = '"';
-    for (; *name; *to++ = *name++)
-        if (*name == '"')
-            *to++ = '"';
-    if (match == SINGLE_MATCH)
-        *to++ = '"';
-    *to = '\0';
-    return quoted;
-}
-
 static char **complete_word(const char *text, int start, int end)
 {
     char *line = strndup(rl_line_buffer, (size_t)end);
@@ -208,7 +190,6 @@ static void readline_begin(void)
     rl_completer_word_break_characters = " \t;";
     rl_completer_quote_characters = "\"";
     rl_filename_quote_characters = " \t;#>\"";
-    rl_filename_quoting_function = complete_quote;
     rl_variable_bind("enable-bracketed-paste", "on");
     rl_completion_query_items = 0; /* a list of all commands fits on a screen */
     rl_initialize(); /* line_read asks for the size of the terminal, which this function finds out */

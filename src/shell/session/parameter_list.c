@@ -4,18 +4,6 @@
 #include "language/text.h"
 #include "session/parameters.h"
 #include "session/row.h"
-#include <float.h>
-
-/* The floating-point type of quad precision, for the description of the parameter 'precision'. */
-#if defined DOMQ_REAL_FLOAT128
-#define QUAD_TYPE "__float128, 113 bits"
-#elif LDBL_MANT_DIG == 113
-#define QUAD_TYPE "long double, 113 bits"
-#elif LDBL_MANT_DIG > DBL_MANT_DIG
-#define QUAD_TYPE "long double, 64 bits"
-#else
-#define QUAD_TYPE "not available"
-#endif
 
 static const char s_help[] =
     "The gap before a domino is the clear distance from the previous domino. s is this gap divided by the "
@@ -160,7 +148,7 @@ static const struct parameter every_parameter[] = {
      .synonyms = "energy paper",
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
      .check = fuel_check},
-    {ENTRY("precision", scene.compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = IN_DOUBLE),
+    {ENTRY("precision", scene.compute.precision, "", "arithmetic of the answers", .usual = IN_DOUBLE),
      .synonyms = "accuracy digits float double quad",
      .words = WORD_LIST({"float", IN_FLOAT}, {"double", IN_DOUBLE}, {"quad", IN_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .before = precision_before},

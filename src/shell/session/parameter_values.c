@@ -12,11 +12,6 @@ const char *parameter_names(const void *context, int k)
     return session_parameters[k].name;
 }
 
-bool effect_exists(int effect)
-{
-    return effect_at(effect) && parameter_find(effect_at(effect)->name);
-}
-
 const char *parameter_words(const void *parameter, int k)
 {
     const struct word *words = ((const struct parameter *)parameter)->words;
@@ -254,14 +249,11 @@ static const char *value_word(const struct parameter *p, int i, domq_real value)
 static void save_value(const struct parameter *p, int i, domq_real value, FILE *out)
 {
     const char *word = value_word(p, i, value);
-    const struct quantity unit = expression_unit(p->value[i].unit);
-    const bool is_length = strcmp(p->value[i].unit, "m") == 0,
-               has_unit = !word && !is_length && !quantity_is_dimensionless(unit) && !unit.angle;
-    fprintf(out, " %s%s%s",
+    const bool is_length = strcmp(p->value[i].unit, "m") == 0;
+    fprintf(out, " %s",
             word        ? word
             : is_length ? length_write(value, "", (char[LENGTH_TEXT]){""})
-                        : quad_exact(value, WIDE_DIGITS, (char[WIDE_TEXT]){""}),
-            has_unit ? " " : "", has_unit ? unit_write(unit, "*", (char[UNIT_TEXT]){""}) : "");
+                        : quad_exact(value, WIDE_DIGITS, (char[WIDE_TEXT]){""}));
 }
 
 /* Writes the commands that set a parameter to its current values. */

@@ -87,8 +87,6 @@ const char *parameter_missing(const char *name);
 
 /* A names_list (see names.h) of all parameters. */
 const char *parameter_names(const void *context, int k);
-/* Returns true if this build has effect number `effect`, as in effect_at. */
-bool effect_exists(int effect);
 
 /* Returns the parameter of the model that accepts this word as its value, such as q for "hollow", or NULL. If
  * `message` is not NULL, writes a message that says so. */

@@ -64,10 +64,6 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "the largest r for this s is %s%s",
                                  quad_text(t->r * t->s, 10), (double)(domq_train_reach(t) * t->s),
                                  t->rho == 0 ? "1/s = " : "", quad_limit(domq_train_reach(t), 6));
-    if (status == DOM_NO_METHOD && domq_first_effect(t) && t->fuel == DOM_FUEL_PAPER)
-        return problem_no_answer(
-            problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'set %s off'",
-            domq_first_effect(t)->name, domq_first_effect(t)->name);
     if (status == DOM_NOT_CONVERGED && scene->compute.precision != IN_QUAD)
         return problem_no_answer(problem,
                                  "%s of %.3g; enter 'set precision %s', or a larger tolerance with 'set tol'",
@@ -390,11 +386,6 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
     if (!good)
         free(row->domino);
     return good;
-}
-
-enum dom_status scene_row_in_double(const struct scene_row *row, struct double_row *made)
-{
-    return double_row_make(&row->row, &row->compute, made) ? DOM_OK : DOM_NO_MEMORY;
 }
 
 domq_real scene_first_height(const struct scene *scene)

@@ -84,7 +84,10 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
 
 /* Converts a row that scene_row_make has made to double, in which the library searches and runs many rows.
  * The caller frees made->domino. While made->row is used, `row` must exist, except its dominoes. */
-enum dom_status scene_row_in_double(const struct scene_row *row, struct double_row *made);
+static inline enum dom_status scene_row_in_double(const struct scene_row *row, struct double_row *made)
+{
+    return double_row_make(&row->row, &row->compute, made) ? DOM_OK : DOM_NO_MEMORY;
+}
 
 /* Checks that the walls fit into the dominoes of a row. */
 bool scene_walls_fit(const struct scene *scene, const struct scene_row *row, struct problem *problem);

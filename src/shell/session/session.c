@@ -84,9 +84,8 @@ static void session_write(struct session *session, const struct problem *problem
     /* A script's error message also stands among the answers, if the output format can represent errors. */
     const struct format *format = formats[session->state.settings.style.output];
     if (is_error && format->failed && session->source.name) {
-        const struct failure failure = {problem->command, problem->text, session->source.name,
-                                        session->source.line, problem->column};
-        format->failed(session->standard.out, &failure);
+        format->failed(session->standard.out, problem->command, problem->text, session->source.name,
+                       session->source.line, problem->column);
         output_flush(&session->standard);
     }
     write_wrapped(stderr, text, 0, terminal_width(stderr));
