@@ -21,11 +21,6 @@ double library_unit(enum precision precision)
     return any_arithmetic(precision).epsilon / 2;
 }
 
-double library_floor(enum precision precision)
-{
-    return (double)any_arithmetic(precision).tol_floor;
-}
-
 void library_nothing(struct answers *answers)
 {
     *answers = (struct answers){.ends = DOM_END_NONE, .why = DOM_OK};

@@ -17,9 +17,8 @@ struct answers {
 
 struct setup library_train(const struct ref_input *input, enum precision precision);
 
-/* Return the unit roundoff of the precision, and its smallest tolerance. */
+/* Returns the unit roundoff of the precision. */
 double library_unit(enum precision precision);
-double library_floor(enum precision precision);
 
 void library_nothing(struct answers *answers);
 /* Calls the function that computes this quantity and stores all quantities of its result. */

@@ -322,7 +322,7 @@ static bool check_reach(struct point *point, const struct answers *answers)
 static void check_point(struct point *point)
 {
     const struct sweep *sweep = point->sweep;
-    const double floor = library_floor(sweep->precision);
+    const double floor = (double)any_arithmetic(sweep->precision).tol_floor;
     struct answers answers;
     int asks = TILT;
     asks |= one_in(point, sweep->barriers) ? TOP : 0;

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Needs: proof */
 /*
  * r_max of trains whose margin has a dip of a given depth, on both sides of zero. The margins at single
  * growths are those of the library, which test_sweep and other tests compare with sums in many bits, with
  * Newton's law and with tables: here only the searches are tested.
  */
 #include "../unit/support.h"
-#include "domino_proof.h"
 #include "sweep.h"
 
 struct scene {
@@ -104,11 +102,10 @@ static domq_real root_before(const struct scene *at, domq_real s, domq_real r)
 }
 
 struct dips {
-    int trains, open, wrong, proved;
+    int trains, open, wrong;
 };
 
-static void check(const struct scene *at, domq_real s, enum precision precision, bool proof,
-                  struct dips *tally)
+static void check(const struct scene *at, domq_real s, enum precision precision, struct dips *tally)
 {
     const struct setup train = train_of(at, s, precision);
     struct domq_limit limit;
@@ -134,21 +131,6 @@ static void check(const struct scene *at, domq_real s, enum precision precision,
             print_error("root %.20Lg ", (long double)root);
     } else {
         wrong = !(limit.r_max > r * (domq_real)1.015);
-    }
-    if (proof) {
-        struct dom_train same = dom_train_default();
-        same.s = (double)s;
-        same.d = at->d;
-        same.q = at->q;
-        struct dom_proof proved;
-        assert_status(dom_prove_rmax(&same, NULL, &proved), DOM_OK);
-        tally->proved += proved.ends == DOM_PROVED_BARRIER;
-        if (status == DOM_OK && proved.ends != DOM_PROVED_NONE &&
-            (proved.low > (double)limit.r_max * (1 + 1e-14) ||
-             proved.high < (double)limit.r_max * (1 - 1e-14)))
-            wrong = true;
-        if (wrong)
-            print_error("proved %.17g to %.17g ", proved.low, proved.high);
     }
     if (wrong) {
         tally->wrong++;
@@ -191,11 +173,11 @@ TEST(the_depth_of_a_dip_decides)
             for (int side = -1; side <= 1; side += 2) {
                 const domq_real there = s + (domq_real)(side * pow(10, -k)) / slope;
                 if (k <= 15)
-                    check(at, (double)there, IN_DOUBLE, sharp && k <= (brief ? 6 : 10), &tally);
-                check(at, there, IN_QUAD, false, &tally);
+                    check(at, (double)there, IN_DOUBLE, &tally);
+                check(at, there, IN_QUAD, &tally);
             }
     }
-    print_message("# %d dips, %d of them open, %d proved\n", tally.trains, tally.open, tally.proved);
+    print_message("# %d dips, %d of them open\n", tally.trains, tally.open);
     assert_int_equal(tally.wrong, 0);
 }
 

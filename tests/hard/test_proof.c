@@ -14,17 +14,6 @@ struct counts {
     int brackets, reaches, none, partly, wrong, refuted;
 };
 
-static struct dom_train doubles(const struct setup *a)
-{
-    struct dom_train t = dom_train_default();
-    t.s = (double)a->s;
-    t.r = (double)a->r;
-    t.d = (double)a->d;
-    t.q = (double)a->q;
-    t.fuel = a->fuel;
-    return t;
-}
-
 static void say(const char *what, const struct dom_train *t, bool pair, const struct dom_proof *p,
                 double r_max)
 {
@@ -41,7 +30,7 @@ static bool refutes(const struct dom_proof *p, double r_max)
 /* Compares a computed limit with proved bounds whose relative distance is 1e-10. */
 static void compare(const struct setup *setup, bool pair, struct counts *c)
 {
-    const struct dom_train train = doubles(setup);
+    const struct dom_train train = train_in_double((const struct domq_train[]){setup_train(setup)});
     struct dom_compute compute = dom_compute_default();
     struct dom_limit limit;
     struct dom_proof proof;
@@ -131,7 +120,7 @@ TEST(verdicts_agree)
     for (int i = 0; i < trains; i++) {
         struct setup setup = any_train(&seed);
         setup.r = pow((double)setup.s, -0.8 * random_unit(&seed));
-        const struct dom_train train = doubles(&setup);
+        const struct dom_train train = train_in_double((const struct domq_train[]){setup_train(&setup)});
         struct dom_barrier b;
         struct dom_proof_cycle proof;
         enum dom_status status = dom_barrier_find(&train, NULL, &b);

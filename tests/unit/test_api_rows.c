@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Needs: rows chance */
+/* Needs: rows */
 /* The public API of rows, scales and effects. */
 #include "domino_float.h"
 #include "support.h"
@@ -80,60 +80,6 @@ TEST(rows)
         for (int k = 0; k < of_own.count; k++)
             same("a visitor's number", of_wide.number[k], of_own.number[k]);
     }
-}
-
-/* ---- Studies ---- */
-
-/* A row of a train, in double. */
-struct rows {
-    struct dom_domino domino[ROW];
-    struct dom_row row;
-    struct dom_compute compute;
-};
-
-static void rows_make(struct rows *r, double growth, double push)
-{
-    struct dom_train train = dom_train_default();
-    const struct dom_scale scale = dom_scale_default();
-    train.r = growth;
-    dom_row_of_train(&train, &scale, 1, r->domino, ROW);
-    r->row = (struct dom_row){.domino = r->domino, .count = ROW, .g = scale.g, .push = push};
-    r->compute = dom_compute_default();
-}
-
-/* Runs tasks from the last to the first and counts them. */
-static enum dom_status last_first(size_t count, dom_task *task, void *context, void *pool)
-{
-    size_t *tasks = pool;
-    for (size_t k = count; k-- > 0; ++*tasks)
-        task(k, context);
-    return DOM_OK;
-}
-
-TEST(studies)
-{
-    struct rows r;
-    size_t tasks = 0;
-    const struct dom_placement p = {
-        .error = {[DOM_ERROR_gap].size = 0.01, [DOM_ERROR_thickness] = {0.1, true}}, .seed = 3, .rows = 40};
-    struct dom_placement parallel = p;
-    parallel.parallel = last_first;
-    parallel.pool = &tasks;
-    struct dom_study study, same;
-    struct dom_budget budget;
-    size_t stops[ROW], stops_same[ROW];
-    rows_make(&r, 1.3, 6);
-    assert_status(dom_placement_study(&r.row, &r.compute, &p, &study, stops), DOM_OK);
-    assert_status(dom_placement_budget(&r.row, &r.compute, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
-    assert_true(study.rows == 40 && study.low < study.high && study.fall > 0 && study.fall < 40);
-    assert_true(budget.low <= budget.sigma && budget.sigma <= budget.high);
-    assert_status(dom_placement_study(&r.row, &r.compute, &parallel, &same, stops_same), DOM_OK);
-    assert_memory_equal(&same, &study, sizeof same);
-    assert_memory_equal(stops_same, stops, sizeof stops);
-    assert_true(tasks > 0);
-    study.low = 2;
-    assert_status(dom_study_interval(&study), DOM_OK);
-    assert_true(study.low == same.low);
 }
 
 /* ---- Scales, arithmetic ---- */

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows */
 /*
  * Long rows of equal dominoes, in which each head repeats the motion of the previous one. A row whose gaps
  * differ in their last digits, so that no head repeats another, must give the same results.
@@ -14,6 +15,7 @@ struct falls {
     struct domq_verdict verdict;
     struct dom_work work;
     size_t seen;
+    struct dom_floor floor[COUNT];
 };
 
 static bool keep(const struct domq_fall *fall, void *context)
@@ -56,6 +58,9 @@ static void run(const struct kind *k, double off, struct falls *f)
     if (k->other)
         f->domino[k->other].mass *= 1.1;
     assert_status(any_row_run(&row, &compute, true, keep, f, &f->verdict), DOM_OK);
+    struct row_setup setup = row_setup_default(f->domino, row.count, row.push);
+    setup.mu = k->mu;
+    assert_status(ask_row_floor(&setup, f->floor), DOM_OK);
 }
 
 /* Checks that two values agree. Both may be infinite, 0 or NaN. */
@@ -90,6 +95,10 @@ TEST(heads_repeat)
             same(k->name, a->duration, b->duration);
             same(k->name, a->theta, b->theta);
             same(k->name, a->time, b->time);
+            const struct dom_floor *of = &equal.floor[j], *from = &other.floor[j];
+            same("friction of the floor", of->motion, from->motion);
+            same("friction of the floor in the hit", of->hit, from->hit);
+            assert_true(of->domino == from->domino && of->hit_domino == from->hit_domino);
         }
         if (equal.work.passes > other.work.passes * 3 / 4)
             fail_msg("%s: no head repeats: %zu passes of %zu", k->name, equal.work.passes, other.work.passes);

@@ -114,28 +114,6 @@ TEST(tipped)
     assert_true(floor[0].motion > 0 && isnan(floor[1].motion) && isnan(floor[1].hit) && floor[1].domino == 0);
 }
 
-/* In a long row of equal dominoes, the later heads repeat what the earlier ones need. A row whose gaps differ
- * by rounding errors computes every head. */
-TEST(equal_heads)
-{
-    enum { LONG = 130 };
-    static struct domq_domino domino[LONG];
-    static struct dom_floor equal[LONG], other[LONG];
-    struct row_setup row = row_setup_default(domino, LONG, 5);
-    for (size_t k = 0; k < LONG; k++)
-        domino[k] = (struct domq_domino){.height = 0.048, .thickness = 0.007, .gap = 0.02, .mass = 0.01};
-    assert_status(ask_row_floor(&row, equal), DOM_OK);
-    for (size_t k = 0; k < LONG; k++)
-        domino[k].gap *= 1 + 1e-14 * (double)(k % 2);
-    assert_status(ask_row_floor(&row, other), DOM_OK);
-    for (size_t k = 0; k < LONG; k++) {
-        if (equal[k].motion != other[k].motion) /* both may be infinite */
-            assert_near("motion", equal[k].motion, other[k].motion, 1e-10);
-        assert_near("hit", equal[k].hit, other[k].hit, 1e-10);
-        assert_true(equal[k].domino == other[k].domino && equal[k].hit_domino == other[k].hit_domino);
-    }
-}
-
 /* A long row of a train needs the same friction as the endless train, during the motion and in the hit. */
 TEST(floor_of_the_train)
 {

@@ -2,8 +2,6 @@
 /* Needs: chance planning */
 /* Improved rows: a result is never worse than the given row, and it is within the limits, even after an
  * interrupt. A study with an error that all dominoes share is also compared with studies of fixed values. */
-#include "planning/model/shape.c"
-#include "rows/model/boxes.h"
 #include "support.h"
 #include <string.h>
 
@@ -221,24 +219,4 @@ TEST(limits_of_a_row_that_falls)
     memcpy(given, found, sizeof found); /* it is within the limits now */
     assert_int_equal(improve(), DOM_OK);
     assert_memory_equal(found, given, sizeof found);
-}
-
-/* Checks which rows are too long for the limits, and the mass of a domino whose size changes
- * while its walls keep their thickness. */
-TEST(lengths_and_masses)
-{
-    scene_begin();
-    const struct shape shape = {&row, &limits};
-    assert_true(shape_keeps(&shape, given, found));
-    limits.hall *= 1 - 1e-4;
-    assert_false(shape_keeps(&shape, given, found));
-
-    struct dom_domino d = given[1];
-    struct dom_box before, after;
-    const double height = 1.2 * d.height, thickness = 0.9 * d.thickness;
-    row.walls = 5e-4;
-    assert_status(dom_box_find(d.height, d.thickness, d.height / 2, row.walls, &before), DOM_OK);
-    assert_status(dom_box_find(height, thickness, height / 2, row.walls, &after), DOM_OK);
-    shape_resize(&shape, &d, height, thickness);
-    assert_near("mass", d.mass / given[1].mass, 1.2 * 1.2 * 0.9 * after.filled / before.filled, 1e-14);
 }
