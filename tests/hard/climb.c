@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The barrier and the stop, as roots of H' and of H - K in many bits. The sketch gives estimates of these
  * roots. */
-#include "sketch.h"
+#include "reference.h"
 
 #include <stdio.h>
 #include <stdlib.h>

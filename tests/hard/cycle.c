@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The duration, by double-exponential quadrature of 1 / omega. The cycle is divided into smooth pieces. */
-#include "sketch.h"
+#include "reference.h"
 
 #include <stdlib.h>
 

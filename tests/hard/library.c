@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "library.h"
+#include "sweep.h"
 
 #include <string.h>
 

@@ -153,4 +153,31 @@ double growth_distance(const struct ref_input *input, bool pair, int digits2, do
 /* Returns the margin divided by K + B, or NaN if there is no fuel. */
 double growth_margin(const struct ref_input *input, bool pair, int digits2, domq_real r);
 
+/*
+ * ---- The model in long double, computed quickly by plain formulas (sketch.c) ----
+ *
+ * It only finds where to search, for instance how many maxima H has and near which tilts, and never supplies
+ * a result.
+ */
+
+enum { SKETCH_NODES = 256 };
+
+struct sketch {
+    long double s, r, d, L, theta_c, theta_f, theta_leave, rq, cut;
+    bool detaches;
+    size_t dominoes;
+};
+
+struct sketch sketch_of(const struct ref *ref);
+/* Returns dH / d tilt. */
+long double sketch_slope(const struct sketch *sketch, long double tilt);
+/* Returns H(tilt) - H(0). */
+long double sketch_energy_change(const struct sketch *sketch, long double tilt);
+/* Finds tilts from 0 to theta_c in increasing order, which are dense where H may change fast. Returns the
+ * number of these tilts. */
+int sketch_nodes(const struct sketch *sketch, long double node[SKETCH_NODES]);
+/* Returns the tilt of the head at which a follower detaches, because the tilt of its leader passes
+ * theta_leave. */
+long double sketch_leaving(const struct sketch *sketch);
+
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "sketch.h"
+#include "reference.h"
 
 #include <stdlib.h>
 

@@ -1,11 +1,77 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Compares the library with the reference at random points of the whole parameter space, which are dense near
- * its edges. */
+/* Compares the library with the reference: in cases in which naive code is wrong, and at random points of the
+ * whole parameter space, which are dense near its edges. */
 #ifndef HARD_SWEEP_H
 #define HARD_SWEEP_H
 
-#include "tally.h"
+#include "reference.h"
 #include <stdint.h>
+
+/* ---- The results of the library, named as in the reference (library.c) ---- */
+
+struct answers {
+    enum dom_status status[REF_COUNT]; /* status of the function that computes the value */
+    domq_real value[REF_COUNT];        /* NaN if there is no value */
+    domq_real best_s_uncertainty;      /* how far REF_BEST_S may be off, as the library says */
+    bool detaches;
+    enum dom_end ends; /* what limits the last growth that was found */
+    enum dom_status why;
+    size_t link, links; /* number of the link, and how many links were visited */
+};
+
+struct setup library_train(const struct ref_input *input, enum precision precision);
+
+/* Returns the unit roundoff of the precision. */
+double library_unit(enum precision precision);
+
+void library_nothing(struct answers *answers);
+/* Calls the function that computes this quantity and stores all quantities of its result. */
+void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
+                 struct answers *answers);
+/* Finds the LINK_... quantities of a domino. */
+void library_link(const struct setup *setup, domq_real tilt, size_t link, struct answers *answers);
+
+/* ---- The outcome of many comparisons: the largest error of each quantity, and the input at which it occurs
+ * (tally.c) ---- */
+
+/* Errors of fewer than TALLY_UNITS units are not compared with each other, since their scale would take five
+ * more references. */
+enum { TALLY_UNITS = 2 };
+
+struct sample {
+    struct ref_input input;
+    size_t link;
+    double tol, got, want;
+    double excess; /* the error divided by the allowed error, or the error in units */
+};
+
+struct tally {
+    long checked;
+    struct sample units;   /* the largest error in units (reference.h) */
+    struct sample tol;     /* the largest error divided by what the tolerance allows */
+    long wrong;            /* number of values or statuses that contradict the reference */
+    struct sample mistake; /* the first value or status that contradicts the reference */
+    char what[80];
+};
+
+/* A result of the library, and the right value, which comes from `ref` or, if `ref` is NULL, is `want`. */
+struct comparison {
+    struct ref *ref;
+    double want, error, scale;
+    const struct ref_input *input;
+    enum ref_quantity quantity;
+    domq_real got;
+    double tol, unit;
+    bool sharp; /* true if tol is the smallest tolerance of the precision, so that units are compared */
+};
+
+void tally_compare(struct tally *tally, const struct comparison *c);
+void tally_mistake(struct tally *tally, const struct comparison *c, const char *what);
+void tally_merge(struct tally *into, const struct tally *from);
+/* Prints a sample as a command with which it can be repeated. */
+void tally_print(const char *label, enum ref_quantity quantity, const struct sample *sample);
+
+/* ---- Random trains and hard cases ---- */
 
 /*
  * Returns the share of the points to check: the value of the environment variable SWEEP_SIZE, or 1 if the

@@ -1,11 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API of trains: what the shell's functions for any precision (any.h) return is bit by bit what
- * the library returns. The functions for float and double are made from one text, so float is enough here.
- * NULL means the defaults. test_refusals.c checks errors.
+ * The public API of trains, rows, scales and effects: what the shell's functions for any precision (any.h)
+ * return is bit by bit what the library returns. The functions for float and double are made from one text,
+ * so float is enough here. NULL means the defaults. test_refusals.c checks errors.
  */
 #include "domino_float.h"
 #include "support.h"
+#include <float.h>
+
+/* The largest allowed relative difference of numbers in both headers. */
+static const double rounding = DBL_EPSILON;
+
+#define BOTH(member) assert_in_both(#member, d.member, q.member, rounding)
 
 /* Trains that keep falling, that stop, that have no fuel, that are at the reach, and that have friction: s,
  * r, d, q, mu. */
@@ -101,4 +107,146 @@ TEST(null_is_the_default)
     assert_status(dom_cycle_duration(&train, &compute, &given), DOM_OK);
     assert_status(dom_cycle_duration(&train, NULL, &none), DOM_OK);
     assert_true(given == none);
+}
+
+/* ---- Rows: what the shell's functions for any precision return is what the library returns ---- */
+
+enum { ROW = 6 };
+
+enum { KEPT = 400 };
+
+/* What a visitor has seen. */
+struct seen {
+    domq_real number[KEPT];
+    int count;
+};
+
+#define KEEP(member) seen->number[seen->count++] = from->member;
+
+static bool domf_fall_seen(const struct domf_fall *from, void *context)
+{
+    struct seen *seen = context;
+    DOM_MEMBERS_fall(KEEP, NONE, NONE, KEEP) return true;
+}
+
+static bool domq_fall_seen(const struct domq_fall *from, void *context)
+{
+    struct seen *seen = context;
+    DOM_MEMBERS_fall(KEEP, NONE, NONE, KEEP) return true;
+}
+
+/* Runs rows by the library's function for float, and by the shell's in this precision. */
+TEST(rows)
+{
+    static const float some[][3] = {
+        {1.1F, NAN, 0}, {1.3F, 5, 0}, {1.9F, NAN, 0}, {1.05F, 8, 0.2F}, {1, 0.5F, 0}};
+    const struct domf_compute compute = {.tol = 1e-5F};
+    const struct any_compute any = {.tol = compute.tol, .precision = IN_FLOAT};
+    const struct domf_scale scale = domf_scale_default();
+    for (size_t i = 0; i < 2 * sizeof some / sizeof *some; i++) {
+        const float *p = some[i / 2];
+        struct domf_domino domino[ROW];
+        struct domq_domino wide_domino[ROW];
+        struct domf_train train = domf_train_default();
+        train.r = p[0];
+        domf_row_of_train(&train, &scale, 1, domino, ROW);
+        for (int k = 0; k < ROW; k++) {
+            domino[k].lean = i % 2 && k % 2 ? (float)k * 0.015625F : 0;
+            const struct domf_domino *d = &domino[k];
+            wide_domino[k] =
+                (struct domq_domino){d->height, d->thickness, d->gap, d->mass, d->radius, d->lean, d->width};
+        }
+        const struct domf_row row = {.domino = domino, .count = ROW, .g = 9.81F, .push = p[1], .mu = p[2]};
+        const struct domq_row wide_row = {
+            .domino = wide_domino, .count = ROW, .g = row.g, .push = row.push, .mu = row.mu};
+        struct seen of_own = {.count = 0}, of_wide = {.count = 0};
+        struct domf_verdict own = {0};
+        struct domq_verdict wide = {0};
+        assert_status(domf_row_run(&row, &compute, true, domf_fall_seen, &of_own, &own), DOM_OK);
+        assert_status(any_row_run(&wide_row, &any, true, domq_fall_seen, &of_wide, &wide), DOM_OK);
+        DOM_MEMBERS_verdict(NUMBER, NONE, NONE, OTHER)
+            assert_true(of_own.count > 8 && of_own.count == of_wide.count);
+        for (int k = 0; k < of_own.count; k++)
+            same("a visitor's number", of_wide.number[k], of_own.number[k]);
+    }
+}
+
+/* ---- Scales, arithmetic ---- */
+
+TEST(scales_and_precisions)
+{
+    struct dom_train t = dom_train_default();
+    struct dom_scale d = dom_scale_default();
+    struct domq_scale q = domq_scale_default();
+    BOTH(h), BOTH(g);
+    struct domq_train tq = domq_train_default();
+    assert_in_both("tau", dom_scale_tau(&d, &t), domq_scale_tau(&q, &tq), rounding);
+    t.walls = 0.02, tq.walls = 0.02;
+    assert_in_both("tau of a box", dom_scale_tau(&d, &t), domq_scale_tau(&q, &tq), rounding);
+    t.walls = tq.walls = 0;
+    assert_near("speed", dom_scale_speed(&d, &t, 9), (double)domq_scale_speed(&q, &tq, 9), 4 * DBL_EPSILON);
+    const struct domq_arithmetic in_double = any_arithmetic(IN_DOUBLE), in_float = any_arithmetic(IN_FLOAT);
+    assert_string_equal(in_double.name, "double");
+    assert_string_equal(in_float.name, "float");
+    assert_true((double)in_double.tol_default == dom_arithmetic()->tol_default && in_double.bits == 53);
+    assert_true((float)in_float.tol_floor == domf_arithmetic()->tol_floor && in_float.bits == 24);
+    assert_true(in_double.tol_default == 1 / (domq_real)1e12 && in_float.tol_floor == 1 / (domq_real)1e6);
+}
+
+/* ---- Effects ---- */
+
+/* Checks that each effect has its number and its name. */
+TEST(effects)
+{
+#define NAMED(effect)                                                                                        \
+    assert_ptr_equal(dom_effect(DOM_EFFECT_##effect), &dom_effect_##effect);                                 \
+    assert_ptr_equal(domq_effect(DOM_EFFECT_##effect), &domq_effect_##effect);                               \
+    assert_string_equal(dom_effect_##effect.name, #effect);
+#define NAMED_DYNAMICS(effect, member, status) NAMED(effect)
+    DOM_DYNAMICS(NAMED_DYNAMICS)
+    DOM_EFFECTS(NAMED)
+}
+
+/* Checks dom_first_effect and dom_dissipates for a train without effects, and with one effect at a time. */
+TEST(laws)
+{
+    struct dom_train t = dom_train_default();
+    assert_ptr_equal(dom_first_effect(&t), NULL);
+    assert_false(dom_dissipates(&t));
+#define LAW(effect, member, status)                                                                          \
+    t.member = dom_effect_##effect.argument[0].highest;                                                      \
+    assert_ptr_equal(dom_first_effect(&t), dom_effect_##effect.cancels ? NULL : &dom_effect_##effect);       \
+    assert_true(dom_dissipates(&t) == (dom_effect_##effect.dissipates != NULL));                             \
+    t.member = 0;
+    DOM_DYNAMICS(LAW)
+}
+
+TEST(simple)
+{
+    struct dom_train t = dom_train_default();
+    struct dom_limit limit;
+    t.s = 0.3;
+    t.d = 0.2;
+    t.q = 3;
+    assert_status(dom_limit_rmax(&t, NULL, &limit), DOM_OK);
+    assert_true(dom_rmax(0.3, 0.2, 3) == limit.r_max);
+    assert_in_both("rmax", limit.r_max, domq_rmax(0.3, t.d, 3), rounding);
+    assert_true(isnan(dom_rmax(2, 0.2, 3)) && isnan(dom_rmax(0.3, -1, 3)) && isnan(dom_rmax(0.3, 1.5, NAN)));
+    assert_true(isnan(dom_rmax(0.3, 1.5, 3))); /* no growth */
+}
+
+/* Checks that a default row needs only its dominoes, and that the library is as new as its header. */
+TEST(row_default)
+{
+    const struct dom_domino domino[] = {{.height = 0.05, .thickness = 0.008, .mass = 0.01},
+                                        {.height = 0.05, .thickness = 0.008, .gap = 0.02, .mass = 0.01}};
+    struct dom_verdict verdict;
+    struct dom_row row = dom_row_default();
+    row.domino = domino;
+    assert_status(dom_row_run(&row, NULL, false, NULL, NULL, &verdict), DOM_BAD_COUNT);
+    row.count = 2;
+    assert_status(dom_row_run(&row, NULL, false, NULL, NULL, &verdict), DOM_OK);
+    assert_int_equal(verdict.end, DOM_ROW_FALLS);
+    assert_true(row.g == dom_scale_default().g && isnan(row.push) && row.mu == 0 && row.rho == 0);
+    assert_string_equal(dom_version(), DOM_VERSION);
 }

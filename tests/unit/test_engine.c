@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: rows chance engine */
 /*
- * The rigid-body engine: compared with the library where both can answer, and with published and known values
- * where only the engine can; how its runs end; and how the library calls the engine of a caller.
+ * The rigid-body engine: growths, which are those of the library where both can answer, and published and
+ * known values where only the engine can; how its runs end; and how the library calls the engine of a caller.
  */
 #include "engine/engine.h"
 #include "support.h"
@@ -90,46 +90,7 @@ TEST(standard_output_keeps_the_lines_of_other_threads)
     fclose(lines);
 }
 
-TEST(chipmunk_is_installed)
-{
-    assert_non_null(engine_version()); /* 'make deps test' installs it */
-}
-
-/* ---- Against the library ---- */
-
-/* Compares a hit of the engine with that of the library. */
-static bool same_hit(const struct dom_fall *fall, void *context)
-{
-    const struct boxes *b = context;
-    const struct engine_hit *hit = &b->hit[fall->domino - 1];
-    if (fall->domino > 1) {
-        assert_near("time", hit->time, fall->time, 0.01);
-        assert_near("omega", hit->omega, fall->omega, 0.02);
-    }
-    return true;
-}
-
-static void same_hits(double s, double r, double mu, double slope)
-{
-    struct boxes b;
-    struct dom_verdict verdict;
-    boxes_make(&b, s, r, 10, 3);
-    b.engine.row.mu = mu;
-    b.engine.row.alpha = slope;
-    assert_true(boxes_fall(&b));
-    assert_status(dom_row_run(&b.engine.row, NULL, true, same_hit, &b, &verdict), DOM_OK);
-    assert_int_equal(verdict.end, DOM_ROW_FALLS);
-    assert_int_equal(b.fall.hits, verdict.domino);
-    assert_near("seconds", b.fall.seconds, verdict.seconds, 0.01);
-}
-
-TEST(engine_and_library_agree)
-{
-    same_hits(0.3, 1.2, 0, 0);
-    same_hits(0.4, 1, 0, 0);
-    same_hits(0.4, 1.4, 0.2, 0);
-    same_hits(0.3, 1.4, 0, 0.02);
-}
+/* ---- Against known values ---- */
 
 /* The row falls at a slightly smaller growth, and stops at a slightly larger one. */
 TEST(growths_are_known)
@@ -172,22 +133,6 @@ TEST(growths_are_known)
 }
 
 /* ---- How the engine runs ---- */
-
-TEST(a_run_gives_the_same_bytes)
-{
-    struct boxes first, again;
-    boxes_make(&first, 0.3, 1.5, 8, 4);
-    first.engine.row.feet = 0.3;
-    first.engine.bounce = 0.3;
-    again = first;
-    again.engine.row.domino = again.box;
-    boxes_fall(&first);
-    void *between_them = malloc(12345); /* shifts the addresses of the bodies */
-    boxes_fall(&again);
-    free(between_them);
-    assert_int_equal(first.fall.hits, again.fall.hits);
-    assert_memory_equal(first.hit, again.hit, first.fall.hits * sizeof *first.hit);
-}
 
 TEST(a_floor_without_friction_lets_feet_slide)
 {
