@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The features of this build. The build makes the macro FEATURES from the folders that have a feature.mk. */
 #include "feature_list.h"
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 
 #define FEATURE_DECLARE(name) extern const struct feature name##_feature;
 FEATURES(FEATURE_DECLARE)

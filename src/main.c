@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* domino: an interactive calculator for domino trains that grow. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "interpreter/interpret.h"
 #include "io/io.h"
 #include "io/terminal.h"

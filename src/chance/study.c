@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'placement' and 'budget', and the table of all commands about rows with random errors. */
 #include "chance/chance.h"
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>

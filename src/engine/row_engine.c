@@ -3,7 +3,7 @@
  * that the library and the commands ask for. To add an effect, add its name to session/scene.h, its
  * description and its value here, and its code to the engine. */
 #include "engine/engine.h"
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "precision/any.h"
 #include "session/row.h"
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'explain', which shows where a number comes from. */
 #include "explain/derivation.h"
-#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/feature.h"
 #include "domino_methods.h"
+#include "interpreter/command.h"
 #include "train/train.h"
 
 extern const struct command explain_commands[];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/fit.h"
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "sweeps/sweeps.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Heights that people want to topple. Their names have values in expressions: 'count big_ben', or 'eiffel/h'.
  */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "language/text.h"
 #include <ctype.h>
 

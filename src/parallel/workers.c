@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "parallel/workers.h"
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include <pthread.h>

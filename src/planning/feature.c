@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands design, plan and improve. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "planning/planning.h"
 
 static const struct command design_commands[] = {

@@ -45,7 +45,7 @@ bool plan_parse(struct reader *r, struct question *q)
     if (reader_ends(r))
         return problem_error(r->problem,
                              "the title is missing; write, for example, 'plan title \"The hall\"'");
-    *title = read_text(r);
+    *title = read_word(r, WORD_TYPED);
     return *title != NULL;
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'prove', which computes rigorous bounds on an answer. */
 #include "domino_proof.h"
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "language/quad.h"
 #include "train/train.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'row' and 'rowmax', and the table of all commands about a row. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "language/quad.h"
 #include "rows/rows.h"
 #include "train/seek.h"

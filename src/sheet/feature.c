@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'sheet', which writes a page for a class that times a row of equal dominoes, and a page with
  * the answers. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "io/io.h"
 #include "language/names.h"
 #include "language/quad.h"

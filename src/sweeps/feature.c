@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "sweeps/sweeps.h"
 #include "train/train.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'cost', which measures computing time. It uses a single thread: more threads would compete for
  * caches and memory, and lower the clock rate. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "train/train.h"

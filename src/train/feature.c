@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands of this feature, and the command 'effects'. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "train/train.h"
 
 static const char *method_of(int effect)

@@ -6,7 +6,6 @@
  * leads out of it. See 'make fuzz'.
  */
 #include "interpreter/command.h"
-#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "session.h"
 #include <dirent.h>

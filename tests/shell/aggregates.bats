@@ -79,7 +79,7 @@ END
 7|print sum(3)|'sum' takes a column of a table, as in 'sum.chain.0..weight.'
 7|print max(3)|'max' takes a column of a table, as in 'max.chain.0..weight.', or two values
 7|print count(chain(0).weight > 0.1)|'sum.CONDITION.' counts the rows for which a condition is true
-11|print sum(landmarks.what)|landmarks.what consists of words, which only 'count' takes
+11|print sum(landmarks.what)|landmarks.what is the word .*; only 'count' takes words
 36|print sum(landmarks.height/(1 m) + chain(0).weight)|'chain' is another table; all columns must be of one table
 28|print sum(landmarks.height + 1)|a length and a plain number cannot be added
 17|print sum(chain(chain(0).weight).weight)|'chain' has no value: its answer is a table

@@ -124,8 +124,8 @@ END
         wrong "save $name" "'$name' is the name of a (data file|picture), but 'save' writes a script"
     done
     same 'no file' kept,mine.csv,row "$(inside)"
-    same 'the row' "'./row' has the dominoes of the row, and 'save' would replace them by a script; use another name, such as session.dom" \
-        "$("$DOMINO" -e 'set row row; save ./row' 2>&1 | sed 's/.*: //')"
+    same 'the row' "'row' has the dominoes of the row, and 'save' would replace them by a script; use another name, such as session.dom" \
+        "$("$DOMINO" -e 'set row ./row; save row' 2>&1 | sed 's/.*: //')"
     same_file kept row
     same_file kept mine.csv
 }

@@ -4,7 +4,7 @@
  * command. */
 #include "support.h"
 
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "interpreter/interpret.h"
 #include "prompt/input.h"
 #include <stdio.h>

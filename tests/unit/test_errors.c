@@ -6,7 +6,7 @@
  */
 #include "support.h"
 
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "interpreter/interpret.h"
 #include "language/quad.h"
 #include <stdio.h>

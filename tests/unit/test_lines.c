@@ -5,7 +5,6 @@
 #include "support.h"
 
 #include "answer/answer.h"
-#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "io/escape.h"
 #include "io/terminal.h"

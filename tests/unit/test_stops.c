@@ -9,7 +9,7 @@
 #include "support.h"
 
 #include "domino_quad.h"
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "interpreter/interpret.h"
 #include "session/session.h"
 #include <fcntl.h>

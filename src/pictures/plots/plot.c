@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'plot', which makes the chart of a plot from its rows. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "pictures/plots/plots.h"
 #include <string.h>
 

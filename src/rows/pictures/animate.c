@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'animate', which makes a film of the falling row, at the terminal or in a .gif file. */
 #include "answer/answer.h"
-#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The plots 'fall' and 'speed': energies and speeds along the row. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "language/text.h"
 #include "pictures/plots/plots.h"
 #include "train/train.h"

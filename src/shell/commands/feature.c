@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shell's own commands, and the command 'version'. */
-#include "interpreter/feature.h"
-#include "commands/tables.h"
+#include "interpreter/command.h"
 #include "language/text.h"
 #include <gsl/gsl_version.h>
 #include <readline/readline.h>
@@ -47,6 +46,8 @@ static const struct command version_commands[] = {
      ANSWER(version)},
     {.name = NULL},
 };
+
+extern const struct command session_commands[], value_commands[], script_commands[], help_commands[];
 
 static const struct command_group groups[] = {
     {"The session", "settings", session_commands},       {"Values and names", "settings", value_commands},

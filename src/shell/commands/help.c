@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands help, apropos, complete and details. */
 #define _GNU_SOURCE /* strcasestr */
-#include "commands/tables.h"
-#include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "interpreter/question.h"
 #include "io/terminal.h"
@@ -344,7 +342,7 @@ static bool help_parse(struct reader *r, struct question *q)
     const char *outer = r->stops;
     offer_names(r, topic_names, NULL);
     r->stops = "?";
-    q->item[0].word = read_word(r, true);
+    q->item[0].word = read_word(r, WORD_QUOTED);
     r->stops = outer;
     r->at = skip_blanks(r->at);
     r->at += strspn(r->at, "?"); /* as in 'rmax?' */

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands for scripts and records: source, echo and log. */
-#include "commands/tables.h"
 #include "interpreter/interpret.h"
 #include "interpreter/question.h"
 #include "io/escape.h"
@@ -47,7 +46,7 @@ static bool echo_parse(struct reader *r, struct question *q)
     const char *quote = *begin == '"' ? text_quote(begin) : NULL;
     struct item *item = &q->item[0];
     if (*begin == '"' && (!quote || skip_blanks(quote) >= end)) {
-        item->word = read_text(r);
+        item->word = read_word(r, WORD_TYPED);
     } else {
         while (end > begin && strchr(" \t\r\f\v", end[-1]))
             end--;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands that set, reset and save the parameters of the session, undo changes, or end the session. */
 #include "answer/answer.h"
-#include "commands/tables.h"
+#include "interpreter/question.h"
 #include "io/output.h"
 #include "language/quad.h"
 #include "language/text.h"
@@ -104,7 +104,8 @@ static bool run_show(const struct query *query, struct answer *a, struct problem
     (void)problem;
     const struct arguments *given = query->given;
     const struct variables *variables = &query->state->variables;
-    const bool people = answer_for_people(a), is_named = given->parameter || given->variable,
+    const bool people = answer_for_people(a),
+               is_named = given->question->parameter || given->question->variable,
                is_short = people && !given->count;
     struct column *columns = answer_columns(a, show_columns);
     struct shown shown;
@@ -114,7 +115,7 @@ static bool run_show(const struct query *query, struct answer *a, struct problem
         for (const struct parameter *p = session_parameters; p->name; p++) {
             const bool is_changed = parameter_get(query->state, p) != parameter_fallback(query->state, p) ||
                                     (query->scene->length[p->share].m > 0 && parameter_is_number(p));
-            if (is_named        ? p != given->parameter
+            if (is_named        ? p != given->question->parameter
                 : is_short      ? !is_changed
                 : !given->count ? p->effect != NULL
                                 : false)
@@ -126,8 +127,8 @@ static bool run_show(const struct query *query, struct answer *a, struct problem
             if (pass == 1)
                 answer_row(a, shown.cell, NULL);
         }
-    if (given->variable)
-        variable_row(a, given->variable);
+    if (given->question->variable)
+        variable_row(a, given->question->variable);
     for (size_t i = 0; !is_named && i < variables->count; i++)
         variable_row(a, &variables->list[i]);
     if (is_empty)
@@ -158,15 +159,15 @@ change_say(const struct query *query, struct answer *a, const char *format, ...)
 /* Returns the length that was typed for a share of the height, with its unit. */
 static struct typed_length length_typed(const struct arguments *given)
 {
-    struct typed_length length = share_length(given->parameter, &given->quantity[1]);
+    struct typed_length length = share_length(given->question->parameter, &given->quantity[1]);
     char *end;
-    if (length.m > 0 && given->typed[1]) {
-        quad_read(given->typed[1], &end);
+    if (length.m > 0) {
+        quad_read(given->question->item[1].at, &end);
         const char *unit = skip_blanks(end), *stop = unit_scan(unit, &(struct quantity){.value = 1});
         if (stop && (isspace((unsigned char)*stop) || !*stop || *stop == ';'))
             name_copy(unit, (size_t)(stop - unit), length.unit, sizeof length.unit);
     }
-    if (length.m > 0 && !*length.unit && given->parameter->share == SHARE_push)
+    if (length.m > 0 && !*length.unit && given->question->parameter->share == SHARE_push)
         name_copy("m/s", strlen("m/s"), length.unit, sizeof length.unit);
     return length;
 }
@@ -194,7 +195,8 @@ static bool run_set(const struct query *query, struct answer *a, struct problem 
 {
     const struct arguments *given = query->given;
     struct state *next = query->next;
-    const struct parameter *p = given->parameter, *moved = p->moves ? parameter_find(p->moves) : NULL;
+    const struct parameter *p = given->question->parameter,
+                           *moved = p->moves ? parameter_find(p->moves) : NULL;
     const domq_real was = moved ? parameter_get(next, moved) : 0;
     const struct typed_length length = length_typed(given);
     if (!(given->word[1] ? p->load(&next->scene, given->word[1], query->run_context, problem)
@@ -250,16 +252,16 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
     const struct parameter *p;
     bool done = true;
     (void)a;
-    if (given->variable) {
+    if (given->question->variable) {
         variable_drop(&next->variables, given->word[0]);
         return true;
     }
     for (int k = 0; (p = parameter_in_order(next, k)) != NULL; k++) {
         domq_real value = parameter_fallback(next, p);
-        if (given->parameter ? p == given->parameter : !p->setting && !p->effect)
+        if (given->question->parameter ? p == given->question->parameter : !p->setting && !p->effect)
             done = parameter_set(next, p, &value, 1, NULL, problem) && done;
     }
-    if (!given->parameter)
+    if (!given->question->parameter)
         effects_reset(&next->scene);
     return done;
 }

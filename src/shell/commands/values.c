@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'print' and 'let'. */
-#include "commands/tables.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
@@ -28,7 +27,7 @@ static bool conversion_parse(struct reader *r, struct question *q)
         return true; /* what is there is one argument too many */
     *item = (struct item){.at = r->at};
     offer_names(r, expression_units, NULL);
-    item->word = reader_ends(r) ? "" : read_word(r, false);
+    item->word = reader_ends(r) ? "" : read_word(r, WORD_BARE);
     return item->word != NULL;
 }
 

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "session/parameters.h"
 #include <ctype.h>

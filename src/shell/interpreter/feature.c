@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The registry of features, of all their commands, and the names that are known in a line. */
-#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "language/text.h"
 #include "session/row.h"

@@ -24,7 +24,7 @@ static void answer_keep(struct session *session, const struct command *c, const 
                         struct answer *answer, const struct cell kept[ANSWER_CELLS])
 {
     char *text = answer->details.rest ? rest_end(answer->details.rest) : NULL;
-    if (text && query->given->details)
+    if (text && query->given->question->details)
         fprintf(answer->out, "\n%s", text);
     if (c->columns) {
         free(session->details);

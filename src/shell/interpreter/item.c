@@ -59,7 +59,7 @@ bool item_parse(struct reader *r, const struct argument *a, struct item *item)
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])
 {
-    const char *begin = r->at, *word = read_word(r, false);
+    const char *begin = r->at, *word = read_word(r, WORD_BARE);
     message[0] = '\0';
     if (!word)
         return NAMES_UNKNOWN;
@@ -113,7 +113,7 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
     char message[NAMES_MESSAGE], all[NAMES_ALL];
     offer_names(r, a->choices, NULL);
     *item = (struct item){.at = r->at};
-    const char *word = item->word = read_word(r, false);
+    const char *word = item->word = read_word(r, WORD_BARE);
     if (!word)
         return false;
     int k = parameter_search(a->choices, a->noun, word, message);
@@ -155,7 +155,7 @@ const struct parameter *parameter_parse(struct reader *r, const char *form)
     char message[NAMES_MESSAGE];
     reader_place(r, r->at);
     offer_names(r, model_names, NULL);
-    char *word = read_word(r, false);
+    char *word = read_word(r, WORD_BARE);
     if (!word)
         return NULL;
     int k = parameter_search(model_names, "parameter", word, message);

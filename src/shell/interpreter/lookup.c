@@ -16,26 +16,29 @@ struct rows {
     bool failed;
 };
 
-/* Finds the value of the node t: the number in column t->index of the row `cells`, which is an answer of the
- * command t->refers. If this cell is empty or contains a word, reports an error. `reason` is the reason why
- * the row has empty cells, or "". */
-static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
-                          const char *reason, struct quantity *result)
+/* Finds the value of the node t, which is the number in a cell with this unit. If the cell is empty or
+ * contains a word, reports an error. `row` is the number of the cell's row in a table, or 0. `reason` is the
+ * reason why the cell is empty, or "". */
+static bool cell_quantity(struct evaluation *e, const struct tree *t, struct cell cell, struct quantity unit,
+                          size_t row, const char *reason, struct quantity *result)
 {
     const struct command *c = t->refers;
-    const struct cell cell = cells[t->index];
     const char *key = c->columns[t->index].key;
     if (cell.kind == CELL_WORD)
-        return expression_wrong(e->problem, t->at, "%s.%s is the word '%s', not a number", t->name, key,
-                                cell.word);
-    if (cell.kind == CELL_NONE && *reason)
-        return expression_no_value(e->problem, t->at, "%s.%s has no value here: %s", t->name, key, reason);
-    if (cell.kind == CELL_NONE)
-        return expression_no_value(e->problem, t->at, "%s.%s has no value here; enter '%s' to see why",
-                                   t->name, key, c->name);
-    *result = t->value;
+        return expression_wrong(e->problem, t->at, "%s.%s is the word '%s', not a number%s", t->name, key,
+                                cell.word, row ? "; only 'count' takes words" : "");
+    *result = unit;
     result->value *= cell.number;
-    return true;
+    if (cell.kind != CELL_NONE)
+        return true;
+    if (row)
+        return expression_no_value(e->problem, t->at,
+                                   "%s.%s has no value in row %zu; 'if' can choose another value there",
+                                   t->name, key, row);
+    return expression_no_value(e->problem, t->at,
+                               *reason ? "%s.%s has no value here: %s"
+                                       : "%s.%s has no value here; enter '%s' to see why",
+                               t->name, key, *reason ? reason : c->name);
 }
 
 static bool arguments_evaluate(struct evaluation *e, const struct tree *t,
@@ -79,7 +82,8 @@ static bool command_run(struct evaluation *e, const struct tree *t, const struct
                         struct answer *answer, struct rows *rows)
 {
     const struct command *c = t->refers;
-    struct arguments given = {.count = t->count};
+    static const struct question no_question;
+    struct arguments given = {.count = t->count, .question = &no_question};
     struct query query = *e->query;
     if (!command_allowed(query.run_context, c, e->problem))
         return false;
@@ -102,7 +106,7 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
     struct cell cells[ANSWER_CELLS];
     struct answer answer = {.kept = cells};
     return command_run(e, t, argument, &answer, NULL) &&
-           cell_quantity(e, t, cells, answer.late_reason, result);
+           cell_quantity(e, t, cells[t->index], t->value, 0, answer.late_reason, result);
 }
 
 /* ---- Columns of tables ---- */
@@ -128,17 +132,8 @@ static bool column_quantity(struct evaluation *e, const struct tree *t, struct q
     if (!rows->columns[index].key)
         return expression_no_value(e->problem, t->at, "%s.%s is not in the table here; enter '%s' to see why",
                                    t->name, key, t->name);
-    const struct cell cell = rows->cells[index];
-    if (cell.kind == CELL_WORD)
-        return expression_wrong(e->problem, t->at, "%s.%s consists of words, which only 'count' takes",
-                                t->name, key);
-    if (cell.kind == CELL_NONE)
-        return expression_no_value(e->problem, t->at,
-                                   "%s.%s has no value in row %zu; 'if' can choose another value there",
-                                   t->name, key, rows->count);
-    *result = expression_unit(rows->columns[index].unit);
-    result->value *= cell.number;
-    return true;
+    return cell_quantity(e, t, rows->cells[index], expression_unit(rows->columns[index].unit), rows->count,
+                         "", result);
 }
 
 static __attribute__((noinline)) bool aggregate_quantity(struct evaluation *e, const struct tree *t,
@@ -205,7 +200,7 @@ static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct q
         return true;
     case SYMBOL_ANS:
         *result = ans->value;
-        return !t->refers || cell_quantity(e, t, ans->cells, "", result);
+        return !t->refers || cell_quantity(e, t, ans->cells[t->index], t->value, 0, "", result);
     case SYMBOL_COLUMN:
         return column_quantity(e, t, result);
     case SYMBOL_AGGREGATE:
@@ -251,11 +246,7 @@ bool question_bind(const struct question *q, const struct query *query, struct c
 {
     struct assigned assigned[ASSIGNED_MAX];
     int count = 0;
-    call->given = (struct arguments){.count = q->count,
-                                     .parameter = q->parameter,
-                                     .variable = q->variable,
-                                     .details = q->details,
-                                     .bound = q->parsed};
+    call->given = (struct arguments){.count = q->count, .bound = q->parsed, .question = q};
     call->query = *query;
     if (!command_allowed(query->run_context, q->command, problem))
         return false;
@@ -273,7 +264,6 @@ bool question_bind(const struct question *q, const struct query *query, struct c
         const struct argument *a = &q->command->argument[i];
         const struct item *item = &q->item[i];
         call->given.word[i] = item->word;
-        call->given.typed[i] = item->at;
         call->given.column[i] = item->at ? text_column(q->text, item->at) : 0;
         if (!item_bind(item, q->text, &call->query, &call->given.quantity[i], &call->given.number[i],
                        problem) ||

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parses expressions by recursive descent. */
-#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"

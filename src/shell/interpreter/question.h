@@ -201,13 +201,11 @@ bool reader_takes(struct reader *reader, const char *word);
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 
-/* Reads a word, up to a blank, a ';' or one of the characters in `stops`, and returns a copy in the arena. If
- * `quotes` is true, it may also be a string in double quotes, in which '""' stands for one '"'. If the
- * closing quote is missing, sets the reader's problem and returns NULL. */
-char *read_word(struct reader *reader, bool quotes);
-
-/* Reads a word or quoted text as it was typed, without replacing Greek letters. */
-char *read_text(struct reader *reader);
+/* Reads a word, up to a blank, a ';' or one of the characters in `stops`, and returns a copy in the arena.
+ * Unless it is a bare word, it may also be a string in double quotes, in which '""' stands for one '"'. If
+ * the closing quote is missing, sets the reader's problem and returns NULL. */
+enum word_form { WORD_BARE, WORD_QUOTED, WORD_TYPED /* as it was typed: Greek letters are kept */ };
+char *read_word(struct reader *reader, enum word_form form);
 
 /* Reads the name of a file, which may be in double quotes. Replaces '~' or '~USER' at the beginning of the
  * name with a home directory. */
@@ -354,12 +352,11 @@ struct question {
     int key; /* index of the requested column of the answer, or -1 for the whole answer */
     int count;
     struct item item[ARGUMENTS_MAX];
-    /* These two members are copied to struct arguments. */
-    const struct parameter *parameter;
-    const struct variable *variable;
-    void *parsed;                  /* the result of argument.parse */
-    const struct assignment *with; /* the assignments after 'with', or NULL */
-    bool details;                  /* the command ends with the word 'details' */
+    const struct parameter *parameter; /* the one that an ARGUMENT_PARAMETER names, or NULL */
+    const struct variable *variable;   /* the one that the name of a parameter stands for, or NULL */
+    void *parsed;                      /* the result of argument.parse */
+    const struct assignment *with;     /* the assignments after 'with', or NULL */
+    bool details;                      /* the command ends with the word 'details' */
     const struct text *text;
     const char *name; /* the text from question_name, for messages and headings */
 };

@@ -3,28 +3,17 @@
 #include "session/parameters.h"
 #include <ctype.h>
 #include <limits.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <unistd.h>
 
 /* ---- Parameters ---- */
 
-/* Returns true if the next word looks like the path of a file rather than the beginning of an expression. The
- * name of any file that exists is a path, unless it is a number. */
-static bool is_path(const struct reader *r)
+/* Returns true if the word looks like the path of a file rather than the beginning of an expression. */
+static bool is_path(const struct reader *r, const char *word)
 {
-    char word[PATH_MAX];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;"), r->at);
     const size_t length = strlen(word);
-    if (strchr("\"./~", *word) || (length > 4 && strcasecmp(word + length - 4, ".csv") == 0) ||
-        (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(r->query->state, word)))
-        return true;
-    const struct run_context *context = r->query->run_context;
-    char *path = context->safe || !word[strspn(word, "0123456789")] ? NULL : path_beside(context, word);
-    const bool exists = path && access(path, F_OK) == 0;
-    free(path);
-    return exists;
+    return strchr("\"./~", *word) || (length > 4 && strcasecmp(word + length - 4, ".csv") == 0) ||
+           (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(r->query->state, word));
 }
 
 /* Reports a word that is too much. After a value, it may be meant as a unit. */
@@ -71,7 +60,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
                          : too_many(r, q, word, "", command_usage(q->command));
     if (value->or_file)
         offer_kind(r, OFFER_FILE);
-    if (value->or_file && names_exact(parameter_words, p, word) < 0 && is_path(r)) {
+    if (value->or_file && names_exact(parameter_words, p, word) < 0 && is_path(r, word)) {
         *item = (struct item){.at = r->at};
         item->word = read_file(r);
         return item->word != NULL;
@@ -93,7 +82,7 @@ static bool name_parse(struct reader *r, const struct argument *a, struct questi
     if (!has_value)
         offer_kind(r, OFFER_VARIABLE);
     r->stops = has_value ? "=" : outer;
-    const char *word = q->item[i].word = read_word(r, false);
+    const char *word = q->item[i].word = read_word(r, WORD_BARE);
     r->stops = outer;
     if (!word)
         return false;
@@ -146,7 +135,7 @@ static bool end_check(struct reader *r, const struct question *q)
     reader_place(r, r->at);
     if (reader_ends(r) && !word_is_next(r, "with"))
         return true;
-    const char *word = read_word(r, false);
+    const char *word = read_word(r, WORD_BARE);
     return too_many(r, q, word ? word : "", "", command_usage(q->command));
 }
 

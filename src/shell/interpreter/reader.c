@@ -30,11 +30,10 @@ char *reader_copy(struct reader *r, const char *text, size_t length)
 
 /* ---- Words ---- */
 
-/* If `is_typed` is true, Greek letters are not replaced by their names. */
-static char *word_read(struct reader *r, bool quotes, bool is_typed)
+char *read_word(struct reader *r, enum word_form form)
 {
     char ends[16];
-    bool is_quoted = quotes && *r->at == '"';
+    bool is_quoted = form != WORD_BARE && *r->at == '"';
     const char *begin = r->at + is_quoted, *end;
     if (is_quoted) {
         const char *behind = text_quote(r->at);
@@ -48,7 +47,7 @@ static char *word_read(struct reader *r, bool quotes, bool is_typed)
         snprintf(ends, sizeof ends, " \t\r\f\v;%s", r->stops ? r->stops : "");
         r->at = end = begin + strcspn(begin, ends);
     }
-    if (is_typed) {
+    if (form == WORD_TYPED) {
         begin = text_typed(r->text, begin);
         end = text_typed(r->text, end);
     }
@@ -62,19 +61,9 @@ static char *word_read(struct reader *r, bool quotes, bool is_typed)
     return word;
 }
 
-char *read_word(struct reader *r, bool quotes)
-{
-    return word_read(r, quotes, false);
-}
-
-char *read_text(struct reader *r)
-{
-    return word_read(r, true, true);
-}
-
 char *read_file(struct reader *r)
 {
-    char *name = read_text(r);
+    char *name = read_word(r, WORD_TYPED);
     if (!name || *name != '~')
         return name;
     char *path = tilde_expand_word(name);

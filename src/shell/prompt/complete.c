@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Completion. The parser reports what may follow at the cursor, and also decides whether a candidate is
  * valid. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "interpreter/interpret.h"
 #include "io/escape.h"
 #include "prompt/input.h"

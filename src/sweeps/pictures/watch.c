@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'watch': arrow keys change a parameter, and a point moves along the answer's curve. Enter
  * stores the value in the session. */
-#include "interpreter/feature.h"
+#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "pictures/plots/plots.h"
 #include "session/session.h"
