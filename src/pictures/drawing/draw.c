@@ -92,7 +92,7 @@ static bool draw_parse(struct reader *r, struct question *q)
     bool good = words && words_parse(r, &q->item[0], words);
     if (good && !reader_ends(r)) {
         reader_place(r, r->at);
-        const char *word = read_word(r, false);
+        const char *word = read_word(r, WORD_BARE);
         good = problem_error(r->problem, "'%s' does not fit here", names_shown(word ? word : ""));
     }
     if (!good)

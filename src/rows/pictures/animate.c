@@ -255,7 +255,7 @@ static bool film_parse(struct reader *r, struct question *q)
                                                                                    : 0;
         *words |= word;
         if (word == 0) {
-            const char *other = read_word(r, false);
+            const char *other = read_word(r, WORD_BARE);
             return problem_error(r->problem,
                                  "'%s' does not fit here; usage: animate, animate speed 0.5 rate 20, animate "
                                  "tower",
