@@ -128,34 +128,6 @@ TEST(rows_again_end_like_whole_rows)
 
 /* ---- Heads that certainly keep falling ---- */
 
-/* Returns the tilt of follower i at a tilt of the head. */
-static double follower_tilt(const struct geometry *head, size_t i, double theta)
-{
-    struct link link = link_head(head, tilt_make(sin(theta), cos(theta)), false);
-    while (link.i < i)
-        link_next(&link, false, false);
-    return tilt_angle(link.tilt);
-}
-
-/* Checks the bound of -theta_i'' while the head moves, for the first dominoes of a chain. */
-static void curve_check(const struct geometry *head, size_t moving)
-{
-    const double end = tilt_angle(head->c), by = 1e-3 * end;
-    struct link a = link_head(head, head->c, false), b = link_head(head, standing, false);
-    struct glide g = {.t = half_of_tilt(head->c)};
-    while (a.i + 1 < moving && a.i < 5 && a.tilt.v < a.geometry->leave.v) {
-        glide_next(&g, &a, &b);
-        link_next(&a, false, false);
-        link_next(&b, false, false);
-        for (int k = 1; k < 8; k++) {
-            const double at = end * k / 8, bend = 2 * follower_tilt(head, a.i, at) -
-                                                  follower_tilt(head, a.i, at - by) -
-                                                  follower_tilt(head, a.i, at + by);
-            assert_true(bend / (by * by) <= g.curve + 1e-6);
-        }
-    }
-}
-
 /* Checks the next head of a run. With too little energy, the head must not be certain to keep falling. A head
  * that is certain to keep falling must arrive with the energy of a full run. */
 static void head_check(const struct run *run, size_t k, int *count)
@@ -164,7 +136,6 @@ static void head_check(const struct run *run, size_t k, int *count)
     struct descent d;
     struct dom_fall fall = {.domino = k + 1};
     struct start at;
-    curve_check(&run->row->geometry[k], run->moving);
     assert_status(row_descend(&full, k, &d, &fall), DOM_OK);
     count[0]++;
     const double need = run->omegasq - d.least_margin / d.J0;

@@ -247,26 +247,6 @@ TEST(verdicts_near_the_limit)
     assert_true(goes > 25 && stops > 25);
 }
 
-/* Checks that the remaining energy has the relative tolerance tol, even if it is a small difference of large
- * energies. */
-TEST(small_margins_keep_their_digits)
-{
-    for (int i = 0; i < 12; i++) {
-        struct setup train = setup_default();
-        struct domq_limit limit;
-        struct domq_barrier rough, fine;
-        train.s = 0.1 + 0.1 * (i % 4);
-        train.q = 3 + 0.5 * (i % 3);
-        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
-        train.r = limit.r_max * (1 - (domq_real)1e-8);
-        train.tol = 1e-14;
-        assert_status(ask_barrier_find(&train, &fine), DOM_OK);
-        train.tol = 1e-3;
-        assert_status(ask_barrier_find(&train, &rough), DOM_OK);
-        assert_near("margin", rough.margin, fine.margin, 1e-3);
-    }
-}
-
 struct seen {
     const struct setup *train;
     int rows, events;

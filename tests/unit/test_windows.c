@@ -7,10 +7,14 @@
 enum { MOST = ROW_MOST };
 static struct dom_window windows[MOST];
 
-static void find(struct run *run)
+/* Finds all windows of one kind. Returns the number of passes. */
+static double find(struct run *run, enum dom_window_of of, struct dom_window *found)
 {
+    struct dom_work work = {0};
     run->row.domino = run->domino;
-    assert_status(ask_row_windows(&run->row, DOM_WINDOW_GAP, NULL, NULL, windows), DOM_OK);
+    run->row.work = &work;
+    assert_status(ask_row_windows(&run->row, of, NULL, NULL, found), DOM_OK);
+    return (double)work.passes;
 }
 
 static void random_row(struct run *run, uint64_t *seed)
@@ -120,8 +124,7 @@ TEST(the_verdict_changes_at_the_ends)
         for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_THICKNESS; of++) {
             size_t first = of <= DOM_WINDOW_PLACE ? 1 : 0;
             size_t end = of == DOM_WINDOW_FRICTION ? 1 : count;
-            run.row.domino = run.domino;
-            assert_status(ask_row_windows(&run.row, of, NULL, NULL, windows), DOM_OK);
+            find(&run, of, windows);
             for (size_t k = first; k < end; k++) {
                 const struct dom_window *w = &windows[k - first];
                 assert_int_equal(w->domino, of == DOM_WINDOW_FRICTION ? 0 : k + 1);
@@ -149,52 +152,16 @@ TEST(the_verdict_changes_at_the_ends)
     assert_true(beside > 5 && none > 5);
 }
 
-/* Checks that places are measured from the back of the first domino to the back of each domino. */
-TEST(places_on_a_tape_measure)
-{
-    static struct run run;
-    double place = 0;
-    make_row(&run, 4, 0.3, 1.2, 0);
-    run.row.domino = run.domino;
-    assert_status(ask_row_windows(&run.row, DOM_WINDOW_PLACE, NULL, NULL, windows), DOM_OK);
-    for (size_t k = 1; k < 4; k++) {
-        place += (double)(run.domino[k - 1].thickness + run.domino[k].gap);
-        assert_near("place", (double)windows[k - 1].now, place, 1e-14);
-    }
-}
-
-/* Returns the number of passes that the windows of all gaps take in a row with `count` dominoes. */
-static double work_of(size_t count)
-{
-    static struct run run;
-    struct dom_work work = {0};
-    make_row(&run, count, 0.5, 1, 0);
-    run.row.domino = run.domino;
-    run.row.work = &work;
-    assert_status(ask_row_windows(&run.row, DOM_WINDOW_GAP, NULL, NULL, windows), DOM_OK);
-    return (double)work.passes;
-}
-
 /* Checks that a trial runs only the part of the row that the change affects: a row twice as long takes little
  * more than twice as many passes, whereas runs of the whole row would take at least four times as many. */
 TEST(work_grows_with_the_row)
 {
-    double part = work_of(20), whole = work_of(40);
-    print_message("# %.0f passes for 20 dominoes, %.0f for 40\n", part, whole);
-    assert_true(whole < 2.6 * part && part > 1e4);
-}
-
-/* Finds all windows of one kind in a row of 20 dominoes, whose sizes differ by `differ`. Returns the number
- * of passes. */
-static double equal_windows(struct run *run, double differ, enum dom_window_of of, struct dom_window *found)
-{
-    struct dom_work work = {0};
-    for (size_t k = 0; k < run->row.count; k++)
-        run->domino[k].mass *= (domq_real)(1 + differ * (double)k);
-    run->row.domino = run->domino;
-    run->row.work = &work;
-    assert_status(ask_row_windows(&run->row, of, NULL, NULL, found), DOM_OK);
-    return (double)work.passes;
+    static struct run part, whole;
+    make_row(&part, 20, 0.5, 1, 0);
+    make_row(&whole, 40, 0.5, 1, 0);
+    const double few = find(&part, DOM_WINDOW_GAP, windows), many = find(&whole, DOM_WINDOW_GAP, windows);
+    print_message("# %.0f passes for 20 dominoes, %.0f for 40\n", few, many);
+    assert_true(many < 2.6 * few && few > 1e4);
 }
 
 /* Checks that a window takes less work if the domino equals the one before it. If the dominoes differ by
@@ -216,8 +183,9 @@ TEST(equal_dominoes)
             for (size_t k = 0; k < 20; k++)
                 equal.domino[k].lean = (domq_real)rows[i].lean;
             differ = equal;
-            const double few = equal_windows(&equal, 0, of, one),
-                         many = equal_windows(&differ, 1e-14, of, other);
+            for (size_t k = 0; k < 20; k++)
+                differ.domino[k].mass *= (domq_real)(1 + 1e-14 * (double)k);
+            const double few = find(&equal, of, one), many = find(&differ, of, other);
             print_message("# row %zu, kind %d: %.0f passes, %.0f without a guess\n", i, (int)of, few, many);
             assert_true(few < many / 2);
             for (size_t k = 0; k < (of <= DOM_WINDOW_PLACE ? 19 : 20); k++) {
@@ -240,7 +208,7 @@ TEST(a_long_row_that_stops)
     run.domino[49].mass *= 200;
     assert_int_equal(row_end(&run), DOM_ROW_STOPS);
     assert_int_equal(run.verdict.domino, 50);
-    find(&run);
+    find(&run, DOM_WINDOW_GAP, windows);
     for (size_t k = 0; k < 59; k++)
         assert_true(isnan(windows[k].low) || (windows[k].domino >= 21 && windows[k].domino <= 51));
 }
@@ -252,17 +220,23 @@ static void progress_seen(size_t done, size_t of, void *context)
     *before = done;
 }
 
-/* Checks that a single domino has no window, and that progress is reported for every gap. */
-TEST(few_gaps)
+/* Checks that a single domino has no window, that progress is reported for every domino, and that places are
+ * measured from the back of the first domino to the back of each domino. */
+TEST(few_dominoes)
 {
     static struct run run;
     size_t done = 0;
+    double place = 0;
     make_row(&run, 1, 0.3, 1, 0);
-    find(&run);
-    make_row(&run, 5, 0.3, 1, 0);
+    find(&run, DOM_WINDOW_GAP, windows);
+    make_row(&run, 4, 0.3, 1.2, 0);
     run.row.domino = run.domino;
-    assert_status(ask_row_windows(&run.row, DOM_WINDOW_GAP, progress_seen, &done, windows), DOM_OK);
-    assert_int_equal(done, 4);
+    assert_status(ask_row_windows(&run.row, DOM_WINDOW_PLACE, progress_seen, &done, windows), DOM_OK);
+    assert_int_equal(done, 3);
+    for (size_t k = 1; k < 4; k++) {
+        place += (double)(run.domino[k - 1].thickness + run.domino[k].gap);
+        assert_near("place", (double)windows[k - 1].now, place, 1e-14);
+    }
 }
 
 /* Checks the windows of heights: all dominoes fall at both ends, even where rounded edges leave taller
@@ -279,9 +253,8 @@ TEST(heights_that_stand)
             run.domino[k].radius = i == 2 ? run.domino[k].thickness / 3 : 0;
             run.domino[k].lean = (domq_real)(i == 3 || i == 5 ? 0.05 : 0);
         }
-        run.row.domino = run.domino;
         assert_true(row_end(&run) == DOM_ROW_FALLS);
-        assert_status(ask_row_windows(&run.row, DOM_WINDOW_HEIGHT, NULL, NULL, windows), DOM_OK);
+        find(&run, DOM_WINDOW_HEIGHT, windows);
         for (size_t k = 0; k < 4; k++) {
             struct dom_window *w = &windows[k];
             assert_true(w->low < w->now && w->now < w->high);
