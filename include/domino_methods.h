@@ -20,8 +20,6 @@ enum dom_status dom_paper_launch(const struct dom_train *train, const struct dom
                                  struct dom_launch *launch);
 enum dom_status dom_paper_barrier(const struct dom_train *train, const struct dom_compute *compute,
                                   struct dom_barrier *barrier);
-enum dom_status dom_paper_duration(const struct dom_train *train, const struct dom_compute *compute,
-                                   double *duration);
 enum dom_status dom_paper_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 

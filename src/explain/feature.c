@@ -10,6 +10,6 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-static const struct method paper = {"paper", dom_paper_barrier, dom_paper_duration, dom_paper_rmax};
+static const struct method paper = {"paper", dom_paper_barrier, dom_paper_rmax};
 
 const struct feature explain_feature = {.name = "explain", .groups = groups, .method = &paper};

@@ -163,7 +163,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
         return query_status(query, problem, status);
     bool is_known = least == most, is_enough = is_known && isfinite(least),
          goes_on = proof.verdict == DOM_PROVED_GOES_ON;
-    if (!start_run(query, &query->scene->train, (domq_real)most + 1, &start, problem))
+    if (!start_run(query, &query->scene->train, (domq_real)most + 1, true, &start, problem))
         return false;
     if (!start.falls)
         start_problem(query, &start, ends);

@@ -32,6 +32,21 @@ struct search {
     enum dom_status status;
 };
 
+/* Returns margin / barrier of the moving train, which is positive if it keeps falling. Returns -INFINITY if a
+ * domino misses the next one or if falling releases no energy. */
+static double train_spare(const struct search *s)
+{
+    struct domq_barrier barrier;
+    const enum dom_status status = any_barrier_find(&s->train, query_compute(s->query), &barrier);
+    if (status != DOM_OK && status != DOM_STOPS)
+        return (double)-INFINITY;
+    const double share = (double)(barrier.margin / barrier.barrier);
+    return status == DOM_OK ? fmin(share, HUGE_VAL) : fmin(share, -0.0);
+}
+
+/* A row whose sizes are out of range after fewer dominoes decides nothing. */
+enum { FEW = 8 };
+
 /*
  * Returns how well the row falls with gaps of `separation`: the smallest margin / barrier of its dominoes,
  * which is positive if all fall. If the row stops, the result is at most 0, and lower if the row stops
@@ -43,8 +58,21 @@ static double spare_at(double separation, void *context)
     s->train.s = quad_decimal(separation);
     if (dom_raised(query_compute(s->query)->interrupt))
         s->status = DOM_INTERRUPTED;
-    const double value = s->moves ? start_train_spare(s->query, &s->train)
-                                  : start_row_spare(s->query, &s->train, s->count + 1, &s->status);
+    struct start start;
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    const domq_real dominoes = s->count + 1, most = quad_smaller(dominoes, (domq_real)START_DOMINOES);
+    double value = (double)-INFINITY;
+    if (s->moves) {
+        value = train_spare(s);
+    } else if (!start_run(s->query, &s->train, dominoes, false, &start, &ignored)) {
+        s->status =
+            start.status == DOM_NO_MEMORY || start.status == DOM_INTERRUPTED ? start.status : s->status;
+    } else if ((domq_real)start.count >= quad_smaller(most, (domq_real)FEW)) {
+        if (start.falls)
+            value = dominoes > most ? fmin(start.spare, train_spare(s)) : start.spare;
+        else if (start.end == DOM_ROW_STOPS) /* by 1 lower for each domino that is left */
+            value = fmin(start.spare, 0) - (double)(most - (domq_real)start.stops_at);
+    }
     return s->status == DOM_OK && !isnan(value) ? value : (double)-INFINITY;
 }
 

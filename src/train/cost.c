@@ -67,13 +67,10 @@ static enum dom_status method_find(const struct cost *cost, const struct any_com
     const struct dom_compute compute = compute_in_double(given);
     struct dom_barrier barrier = {.margin = 0};
     struct dom_limit limit = {.r_max = 0};
-    double duration = 0;
     enum dom_status status = cost->which == COST_BARRIER ? cost->method->barrier(&train, &compute, &barrier)
-                             : cost->which == COST_DURATION
-                                 ? cost->method->duration(&train, &compute, &duration)
-                             : cost->which == COST_RMAX ? cost->method->rmax(&train, &compute, &limit)
-                                                        : DOM_NO_METHOD;
-    *value = (domq_real)(barrier.margin + duration + limit.r_max); /* two of them are 0 */
+                             : cost->which == COST_RMAX  ? cost->method->rmax(&train, &compute, &limit)
+                                                         : DOM_NO_METHOD;
+    *value = (domq_real)(barrier.margin + limit.r_max); /* one of them is 0 */
     return status == DOM_STOPS && cost->which == COST_BARRIER ? DOM_OK : status;
 }
 

@@ -179,11 +179,6 @@ bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_
 
 /* ---- Whether a row that is at rest starts to fall ---- */
 
-/* A very long row need not be run to its end. If the endless train keeps falling, and a row of this many
- * dominoes falls, then any longer row also falls, because a row forgets its start: in the model, the energy
- * of a cycle is a linear function of the energy of the cycle before it, with a slope below 1. */
-enum { START_DOMINOES = 64 };
-
 /* This many dominoes often decide. A row whose sizes are out of range after fewer of them decides nothing. */
 enum { FEW = 8 };
 
@@ -265,71 +260,39 @@ static enum dom_status plain_run(struct plain_run *run)
     }
 }
 
-static size_t plain_count(domq_real dominoes)
-{
-    return dominoes < START_DOMINOES ? (size_t)dominoes : START_DOMINOES;
-}
-
-bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes,
+bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes, bool seeks_push,
                struct start *start, struct problem *problem)
 {
     struct plain_run run = {.most = 0};
     struct double_row in_double;
-    const struct scene scene = start_scene(query, train, plain_count(dominoes));
+    const struct scene scene =
+        start_scene(query, train, (size_t)quad_smaller(dominoes, (domq_real)START_DOMINOES));
     const struct domq_row *row = &run.made.row;
+    *start = (struct start){.push = DOMQ_NAN};
     if (!scene_row_make(&scene, &run.made, problem))
         return false;
     enum dom_status status = plain_run(&run);
-    *start = (struct start){
-        .count = row->count, .push = DOMQ_NAN, .engine = row->engine ? scene_engine_why(&scene) : NULL};
+    start->status = status;
+    start->count = row->count;
+    start->engine = row->engine ? scene_engine_why(&scene) : NULL;
+    start->end = run.verdict.end;
+    start->stops_at = run.verdict.domino;
+    start->spare = run.spare;
     start->falls = status == DOM_OK && run.verdict.end == DOM_ROW_FALLS;
-    if (status == DOM_OK && !start->falls) {
-        start->end = run.verdict.end;
-        start->stops_at = run.verdict.domino;
-        status = start->engine ? status : scene_row_in_double(&run.made, &in_double);
-    }
-    if (status == DOM_OK && !start->falls && !start->engine) {
+    if (seeks_push && status == DOM_OK && !start->falls && !start->engine) {
         /* The centre of a falling domino moves on a circle. If omega^2 h/2 > g, its weight is too small to
          * keep it on the circle, and the domino lifts off the floor. */
         const double lifting = (double)quad(sqrt)(2 * row->g / run.made.domino[0].height);
         double push = (double)NAN;
-        status = dom_row_weakest_push(&in_double.row, &in_double.compute, lifting, &push);
+        status = scene_row_in_double(&run.made, &in_double);
+        if (status == DOM_OK) {
+            status = dom_row_weakest_push(&in_double.row, &in_double.compute, lifting, &push);
+            free(in_double.domino);
+        }
         start->push = quad_decimal(push);
-        free(in_double.domino);
     }
     free(run.made.domino);
     return row_status(query, problem, status);
-}
-
-double start_row_spare(const struct query *query, const struct domq_train *train, domq_real dominoes,
-                       enum dom_status *status)
-{
-    struct plain_run run = {.most = 0};
-    struct problem ignored = {.kind = PROBLEM_NONE};
-    const size_t count = plain_count(dominoes);
-    const struct scene scene = start_scene(query, train, count);
-    if (!scene_row_make(&scene, &run.made, &ignored))
-        return (double)-INFINITY;
-    const enum dom_status ran = plain_run(&run);
-    free(run.made.domino);
-    if (ran == DOM_NO_MEMORY || ran == DOM_INTERRUPTED)
-        *status = ran;
-    const bool is_short = run.made.row.count < count && run.made.row.count < FEW;
-    if (ran != DOM_OK || is_short || (run.verdict.end != DOM_ROW_FALLS && run.verdict.end != DOM_ROW_STOPS))
-        return (double)-INFINITY;
-    if (run.verdict.end == DOM_ROW_STOPS)
-        return fmin(run.spare, 0) - (double)(count - run.verdict.domino);
-    return dominoes > START_DOMINOES ? fmin(run.spare, start_train_spare(query, train)) : run.spare;
-}
-
-double start_train_spare(const struct query *query, const struct domq_train *train)
-{
-    struct domq_barrier barrier;
-    const enum dom_status status = any_barrier_find(train, query_compute(query), &barrier);
-    if (status != DOM_OK && status != DOM_STOPS)
-        return (double)-INFINITY;
-    const double share = (double)(barrier.margin / barrier.barrier);
-    return status == DOM_OK ? fmin(share, HUGE_VAL) : fmin(share, -0.0);
 }
 
 /* ---- The largest growth ---- */

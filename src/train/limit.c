@@ -207,7 +207,7 @@ static bool tower_find(const struct query *query, struct tower *t, struct proble
     const enum dom_status status = any_barrier_find(&t->train, &query->scene->compute, &barrier);
     t->stops = verdict_reason(status);
     if ((!t->stops && !query_status(query, problem, status)) || !growth_find(query, t, problem) ||
-        !start_run(query, &t->train, t->count.dominoes + 1, &t->start, problem))
+        !start_run(query, &t->train, t->count.dominoes + 1, true, &t->start, problem))
         return false;
     t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > t->count.dominoes);
     return true;

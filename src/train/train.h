@@ -34,7 +34,6 @@ void verdict_train_say(const struct query *query, struct answer *answer, enum do
 struct method {
     const char *name;
     enum dom_status (*barrier)(const struct dom_train *, const struct dom_compute *, struct dom_barrier *);
-    enum dom_status (*duration)(const struct dom_train *, const struct dom_compute *, double *);
     enum dom_status (*rmax)(const struct dom_train *, const struct dom_compute *, struct dom_limit *);
 };
 
@@ -141,32 +140,29 @@ bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_
 /* The result of running a row. If 'set push' is on, the fall starts with this push. If it is off, the
  * first domino just tips over. */
 struct start {
-    size_t count; /* number of dominoes in the row that was run */
-    bool falls;   /* true if all dominoes of the row fall */
+    enum dom_status status; /* of the run, before a push is sought */
+    size_t count;           /* number of dominoes in the row that was run */
+    bool falls;             /* true if all dominoes of the row fall */
     enum dom_row_end end;
+    double spare;       /* the smallest margin / barrier of the dominoes, if they fall or the row stops */
     size_t stops_at;    /* number of the domino at which the fall ends, counted from 1 */
     domq_real push;     /* the weakest push in rad/s that makes the row fall, or NaN */
     const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
 };
 
+/* A very long row need not be run to its end. If the endless train keeps falling, and a row of this many
+ * dominoes falls, then any longer row also falls, because a row forgets its start: in the model, the energy
+ * of a cycle is a linear function of the energy of the cycle before it, with a slope below 1. */
+enum { START_DOMINOES = 64 };
+
 /* Runs a row of `dominoes` dominoes of the train, or the first part of a very long row. If the row does not
- * fall in the model, also finds start->push. Does not search for a push with the rigid-body engine. */
-bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes,
+ * fall in the model and `seeks_push` is true, also finds start->push. Does not search for a push with the
+ * rigid-body engine. */
+bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes, bool seeks_push,
                struct start *start, struct problem *problem);
 
 /* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
 struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count);
-
-/* Runs a row as start_run does. Returns its smallest margin / barrier, which is positive if all dominoes
- * fall. If the row stops, the result is not positive, and smaller by 1 for each domino that is left. Returns
- * -INFINITY if the fall ends in another way. If memory runs out, or if the user interrupts the run, sets
- * *status. */
-double start_row_spare(const struct query *query, const struct domq_train *train, domq_real dominoes,
-                       enum dom_status *status);
-
-/* Returns margin / barrier of a moving train, which is positive if it keeps falling. Returns -INFINITY if a
- * domino misses the next one or if falling releases no energy. */
-double start_train_spare(const struct query *query, const struct domq_train *train);
 
 struct start_growths {
     domq_real r_max;       /* the largest growth at which a row starts, or NaN if no growth is small enough */

@@ -10,19 +10,15 @@ TEST(a_cycle_agrees)
     struct dom_compute compute = dom_compute_default();
     struct dom_launch launch, by_paper;
     struct dom_barrier ours, other;
-    double duration, slow;
     compute.tol = 1e-5;
     assert_status(dom_launch_find(&train, &compute, &launch), DOM_OK);
     assert_status(dom_barrier_find(&train, &compute, &ours), DOM_OK);
-    assert_status(dom_cycle_duration(&train, &compute, &duration), DOM_OK);
     assert_status(dom_paper_launch(&train, &compute, &by_paper), DOM_OK);
     assert_status(dom_paper_barrier(&train, &compute, &other), DOM_OK);
-    assert_status(dom_paper_duration(&train, &compute, &slow), DOM_OK);
     assert_near("fuel", by_paper.fuel, launch.fuel, 1e-4);
     assert_near("J0", by_paper.J0, launch.J0, 1e-4);
     assert_near("barrier", other.barrier, ours.barrier, 1e-3);
     assert_near("kinetic", other.kinetic, ours.kinetic, 1e-3);
-    assert_near("duration", slow, duration, 1e-3);
 }
 
 /* Checks the recipe if the growth is limited by 1/s, for equal dominoes, and if the train stops. */
@@ -53,7 +49,6 @@ TEST(effects)
     struct dom_launch launch;
     struct dom_barrier barrier;
     struct dom_limit limit, boxes;
-    double duration;
     compute.tol = 1e-4;
     train[0].mu = 0.1;
     train[1].alpha = 0.01;
@@ -65,7 +60,6 @@ TEST(effects)
         const enum dom_status status = k == 4 ? DOM_BAD_S : DOM_NO_METHOD;
         assert_status(dom_paper_launch(&train[k], &compute, &launch), status);
         assert_status(dom_paper_barrier(&train[k], &compute, &barrier), status);
-        assert_status(dom_paper_duration(&train[k], &compute, &duration), status);
         assert_status(dom_paper_rmax(&train[k], &compute, &limit), status);
     }
     assert_status(dom_paper_rmax(&train[5], &compute, &boxes), DOM_OK);

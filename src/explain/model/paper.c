@@ -161,24 +161,3 @@ enum dom_status dom_paper_rmax(const struct dom_train *train, const struct dom_c
     }
     return p.status;
 }
-
-/* Integrates 1/(tau omega) with the trapezoidal rule, since the paper names no method. */
-enum dom_status dom_paper_duration(const struct dom_train *train, const struct dom_compute *compute,
-                                   double *duration)
-{
-    struct paper p = paper_begin(train, compute, train->r);
-    cycle_begin(&p, train->r);
-    if (p.status != DOM_OK)
-        return p.status;
-    const size_t steps = (size_t)ceil(1 / p.step);
-    double H0 = chain_sum(&p, 0).H, sum = 0;
-    for (size_t k = 0; k <= steps && p.status == DOM_OK; k++) {
-        const struct paper_sums at = chain_sum(&p, p.theta_c * (double)k / (double)steps);
-        const double omegasq = (p.kinetic - (at.H - H0)) / at.J; /* (21; c3) */
-        if (!(omegasq > 0))
-            return p.status == DOM_OK ? DOM_STOPS : p.status;
-        sum += (k == 0 || k == steps ? 0.5 : 1) / sqrt(omegasq);
-    }
-    *duration = sum * p.theta_c / (double)steps;
-    return p.status;
-}
