@@ -313,31 +313,25 @@ static bool never_moment(const struct dom_moment *moment, void *context)
     return false;
 }
 
-/* Checks times that are not in order, that are no numbers, or that are before a push. */
-TEST(times)
+/* Checks times that are not in order, that are no numbers, or that are before a push, and the largest push of
+ * a search. */
+TEST(times_and_searches)
 {
     const double bad[][2] = {{0.1, 0.05}, {(double)NAN, 1}, {-0.1, 0}};
     struct some_row r;
     struct dom_verdict verdict;
+    double push = -1;
     row_make(&r);
     r.row.push = 5;
     for (int k = 0; k < 3; k++)
         assert_named(dom_row_watch(&r.row, NULL, bad[k], 2, never_moment, NULL, &verdict), DOM_BAD_TIME);
-    r.row.count = 0;
-    assert_named(dom_row_watch(&r.row, NULL, bad[0], 1, never_moment, NULL, &verdict), DOM_BAD_COUNT);
-}
-
-/* Checks the limits of the searches for a growth and for a push. */
-TEST(searches)
-{
-    struct some_row r;
-    double push = -1;
-    row_make(&r);
     for (int k = 0; k < 5; k++) {
-        const double bad[] = {0, -1, (double)NAN, (double)INFINITY, -(double)INFINITY};
-        assert_named(dom_row_weakest_push(&r.row, NULL, bad[k], &push), DOM_BAD_PUSH);
+        const double limits[] = {0, -1, (double)NAN, (double)INFINITY, -(double)INFINITY};
+        assert_named(dom_row_weakest_push(&r.row, NULL, limits[k], &push), DOM_BAD_PUSH);
     }
     assert_true(push == -1);
+    r.row.count = 0;
+    assert_named(dom_row_watch(&r.row, NULL, bad[0], 1, never_moment, NULL, &verdict), DOM_BAD_COUNT);
 }
 
 TEST(placements)

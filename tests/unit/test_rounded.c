@@ -43,15 +43,14 @@ TEST(largest_growths)
 
 TEST(edges_become_sharp)
 {
-    for (int k = 0; k < 6; k++) {
-        struct setup sharp = train_of(0.15 + 0.13 * (k % 3), 0, k < 3 ? 0 : 0.2), slight = sharp;
+    for (int k = 0; k < 4; k++) {
+        struct setup sharp = train_of(0.15 + 0.09 * k, 0, k % 2 ? 0.2 : 0), slight = sharp;
+        struct domq_best a, b;
         slight.rho = 1e-12;
         assert_near("r_max", rmax_of(&slight), rmax_of(&sharp), 1e-9);
-        struct domq_best a, b;
         assert_status(ask_limit_best(&sharp, &a), DOM_OK);
         assert_status(ask_limit_best(&slight, &b), DOM_OK);
         assert_near("best", (double)b.r_max, (double)a.r_max, 1e-7);
-        k += 2 * (k < 3);
     }
 }
 
@@ -370,9 +369,6 @@ TEST(radii_that_do_not_fit)
     assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
     assert_true(limit.r_max > 1);
     train.rho = 0.01;
-    train.fuel = DOM_FUEL_PAPER;
-    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
-    train.fuel = DOM_FUEL_EXACT;
     train.s = 1; /* the reach of a rounded domino is less than its height */
     train.r = 1;
     assert_status(ask_check(&train), DOM_OUT_OF_REACH);
@@ -411,11 +407,15 @@ TEST(slopes_that_do_not_hold)
     }
     train.alpha = 2;
     assert_status(ask_check(&train), DOM_BAD_ALPHA);
-    train.alpha = 0.01;
-    struct domq_limit limit;
-    train.fuel = DOM_FUEL_PAPER;
-    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
-    assert_status(ask_limit_pair(&train, &limit), DOM_OK);
-    struct domq_launch launch;
-    assert_status(ask_launch_find(&train, &launch), DOM_NO_METHOD);
+    /* the paper's fuel is only for sharp edges on a level floor */
+    for (int k = 0; k < 2; k++) {
+        struct domq_limit limit;
+        struct domq_launch launch;
+        train.alpha = k == 0 ? 0.01 : 0;
+        train.rho = k == 0 ? 0 : 0.01;
+        train.fuel = DOM_FUEL_PAPER;
+        assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
+        assert_status(ask_launch_find(&train, &launch), DOM_NO_METHOD);
+        assert_status(ask_limit_pair(&train, &limit), DOM_OK);
+    }
 }

@@ -31,29 +31,23 @@ static _Noreturn void fail_view(const struct view *v, int k, const char *what, d
     abort();
 }
 
-/*
- * Returns a bound for the rounding errors of the corners of domino k, in heights of the head. The hinge is a
+/* a domino this many times smaller than the head is a dot, and is the last one that is drawn */
+enum { DOTS = 100 };
+
+/* Returns a bound for the rounding errors of the corners of domino k, in heights of the head. The hinge is a
  * sum of k terms, and the tilt is the result of k steps of the chain, each of which adds a few rounding
- * errors.
- */
+ * errors. */
 static double roundings(const struct view *v, int k)
 {
     const struct drawn *own = &v->stage.domino[k];
     return DBL_EPSILON * (k + 1) * (fabs(own->foot) + own->height * (1 + (double)v->train.d));
 }
 
-/* a domino this many times smaller than the head is a dot, and is the last one that is drawn */
-enum { DOTS = 100 };
-
-/*
- * Returns the allowed error for the position of domino k. The chain ends where its remainder weighs less than
- * the tolerance, and all later dominoes are drawn at theta_f. The error of the first of these is a tenth of a
- * dot if 10,000 dots are as high as the head.
- */
+/* Returns the allowed error for the position of domino k. Dominoes after the end of the chain are drawn at
+ * theta_f, with an error of a tenth of a dot if 10,000 dots are as high as the head. */
 static double allowed(const struct view *v, int k)
 {
-    const struct drawn *own = &v->stage.domino[k];
-    return roundings(v, k) + (own->theta == (double)v->angles.theta_f ? 1e-5 : 0);
+    return roundings(v, k) + (v->stage.domino[k].theta == (double)v->angles.theta_f ? 1e-5 : 0);
 }
 
 static bool is_dot(const struct drawn *domino)
@@ -64,11 +58,6 @@ static bool is_dot(const struct drawn *domino)
 static double dot(struct point a, struct point b)
 {
     return a.x * b.x + a.y * b.y;
-}
-
-static struct point from_to(struct point a, struct point b)
-{
-    return (struct point){b.x - a.x, b.y - a.y};
 }
 
 /* Returns the distance between two dominoes along a side of one of them. It is negative if they overlap. */
@@ -98,8 +87,8 @@ static int contacts_check(const struct view *v)
         const struct drawn *own = &v->stage.domino[i], *next = own + 1;
         if (!own->touched || is_dot(next))
             continue;
-        struct point face = from_to(own->corner[3], own->corner[2]),
-                     contact = from_to(own->corner[3], own->contact);
+        const struct point from = own->corner[3], to = own->corner[2], face = {to.x - from.x, to.y - from.y},
+                           contact = {own->contact.x - from.x, own->contact.y - from.y};
         double up = dot(face, contact) / own->height / own->height,
                off = fabs(face.x * contact.y - face.y * contact.x) / own->height,
                bound = allowed(v, i) + allowed(v, i + 1);

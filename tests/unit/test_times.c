@@ -272,12 +272,36 @@ static bool state_seen(const struct domq_state *s, const struct domq_event *even
     return true;
 }
 
+static bool force_seen(const struct dom_force *f, void *context)
+{
+    double *least = context;
+    if (f->per_weight < *least)
+        *least = f->per_weight;
+    return true;
+}
+
+/* Checks that the smallest contact force agrees with the smallest one at 500 tilts of the cycle, between
+ * which the force may be slightly smaller. Returns false if there is none. */
+static bool force_check(const struct setup *train, double end)
+{
+    struct domq_least_force found;
+    double least = INFINITY;
+    assert_status(ask_cycle_least_force(train, &found), DOM_OK);
+    for (int k = 0; k <= 500; k++)
+        assert_status(ask_cycle_forces(train, fmin(end * k / 500, end), force_seen, &least), DOM_OK);
+    if (isinf(least) || least > 1e6)
+        return false;
+    if (found.force > least + 1e-5 + 1e-5 * fabs(least) || found.force < least - 0.02 * fabs(least) - 1e-3)
+        fail_train("least force", train, (double)found.force, least);
+    return true;
+}
+
 /* Checks that the table of a cycle has the same times and tilts as single answers, that the times are evenly
- * spaced, and that the last one is the duration. */
+ * spaced, and that the last one is the duration. Also checks the smallest contact forces. */
 TEST(tables_and_answers)
 {
     uint64_t seed = 85;
-    int tables = 0;
+    int tables = 0, forces = 0;
     for (int i = 0; i < 150; i++) {
         struct setup train = random_train(&seed);
         struct domq_event events[DOM_EVENTS_MAX];
@@ -300,47 +324,9 @@ TEST(tables_and_answers)
         assert_int_equal(seen.events, n);
         assert_true(seen.rows >= 5 - n);
         tables++;
+        if (train.r * train.s < 0.95)
+            forces += force_check(&train, (double)events[n - 1].theta);
     }
-    assert_true(tables > 50);
-}
-
-static bool force_seen(const struct dom_force *f, void *context)
-{
-    double *least = context;
-    if (f->per_weight < *least)
-        *least = f->per_weight;
-    return true;
-}
-
-/* Checks that the smallest contact force agrees with the smallest one at 500 tilts of the cycle. */
-TEST(least_forces)
-{
-    uint64_t seed = 86;
-    int checked = 0;
-    for (int i = 0; i < 120; i++) {
-        struct setup train = random_train(&seed);
-        struct domq_event events[DOM_EVENTS_MAX];
-        struct domq_least_force found;
-        int n;
-        train.tol = 1e-12;
-        train.s = random_log(&seed, 0.05, 0.95);
-        train.r = fmax(fmin((double)train.r, 0.95 / (double)train.s), 1);
-        train.mu = i % 3 ? 0 : random_log(&seed, 1e-3, 1);
-        enum dom_status status = ask_cycle_events(&train, events, &n);
-        if (status != DOM_OK && status != DOM_STOPS)
-            continue;
-        assert_status(ask_cycle_least_force(&train, &found), DOM_OK);
-        double least = INFINITY, end = (double)events[n - 1].theta;
-        for (int k = 0; k <= 500; k++)
-            assert_status(ask_cycle_forces(&train, fmin(end * k / 500, end), force_seen, &least), DOM_OK);
-        if (isinf(least) || least > 1e6)
-            continue;
-        /* Between two samples, the force may be slightly smaller than at both. */
-        if (found.force > least + 1e-5 + 1e-5 * fabs(least) ||
-            found.force < least - 0.02 * fabs(least) - 1e-3)
-            fail_train("least force", &train, (double)found.force, least);
-        checked++;
-    }
-    print_message("# %d least forces\n", checked);
-    assert_true(checked > 30);
+    print_message("# %d tables, %d least forces\n", tables, forces);
+    assert_true(tables > 50 && forces > 30);
 }
