@@ -50,7 +50,7 @@ END
 @test "words of other programs: the message names the word to use here" {
     wrong 'bye' "unknown command 'bye'; did you mean '(exit|quit)'"
     same 'Show s' "$("$DOMINO" -e 'show s')" "$("$DOMINO" -e 'Show s')"
-    wrong 'help(rmax)' "'help' has no value; enter the command without parentheses"
+    wrong 'help(rmax)' "'help' has no value in an expression; enter the command alone"
     wrong 'let xx = 3; xx += 1' "'xx' is a variable; 'xx = VALUE' changes it"
 }
 

@@ -51,16 +51,6 @@ struct head {
     bool is_alone; /* the name is the whole command */
 };
 
-bool goes_on(const char *c)
-{
-    bool is_apart = isspace((unsigned char)c[-1]);
-    return (*c && strchr("*/^<", *c)) || ((*c == '>' || *c == '!' || *c == '=') && c[1] == '=') ||
-           (strncmp(c, "and", 3) == 0 && isspace((unsigned char)c[3])) ||
-           (strncmp(c, "or", 2) == 0 && isspace((unsigned char)c[2])) ||
-           ((*c == '+' || *c == '-') && (!is_apart || isspace((unsigned char)c[1]))) ||
-           (strncmp(c, "to", 2) == 0 && isspace((unsigned char)c[2]));
-}
-
 /* Returns true if the line is meant as an expression, even one with errors. */
 static bool is_expression(const struct state *state, const struct head *h, bool is_variable)
 {

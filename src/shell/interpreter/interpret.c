@@ -16,8 +16,6 @@
 #define TRAIN_NOTE                                                                                           \
     "This answer is about the endless train with these parameters, not about the row. 'fall' runs the row."
 
-#define DOUBLE_NOTE "This answer is computed in double precision."
-
 /* Keeps the answer for 'ans', and its rest for 'details'. Prints the rest at once if the command ends with
  * this word. */
 static void answer_keep(struct session *session, const struct command *c, const struct query *query,
@@ -45,22 +43,15 @@ static void answer_keep(struct session *session, const struct command *c, const 
 /* Says what is special about the numbers of an answer: they are in double, or about the endless train and not
  * about the row, or some have no error. If the answer is a picture in a file, the note about the train goes
  * to standard error. */
-static void notes_say(const struct session *session, const struct command *c, const char *in_double,
-                      struct answer *answer)
+static void notes_say(const struct command *c, const char *in_double, struct answer *answer)
 {
-    const char *note =
-        in_double ? "(" DOUBLE_NOTE ")"
-        : scene_has_engine(&session->state.scene)
-            ? "(This answer is about the endless train in the model, with hinged feet and without bounce. "
-              "'fall' and 'rowmax' run the row in the rigid-body engine.)"
-            : "(" TRAIN_NOTE ")";
     if (in_double)
-        (answer->details.rest ? answer_detail : answer_say)(answer, "%s", note);
+        (answer->details.rest ? answer_detail : answer_say)(answer, "(%s)", in_double);
     else if (answer->note && answer_for_people(answer) && answer->path &&
              extension_of(answer->path)->kind == EXTENSION_SHEET)
-        fprintf(stderr, "%s\n", note);
+        fprintf(stderr, "(%s)\n", answer->note);
     else if (answer->note && answer_for_people(answer))
-        answer_say(answer, "%s", note);
+        answer_say(answer, "(%s)", answer->note);
     if (answer->errors.has_unknown)
         answer_say(answer,
                    c->precision == PRECISION_AS_SET
@@ -83,8 +74,9 @@ static bool run_command(struct session *session, const struct command *c, const 
     struct output *output = session->output;
     const bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
     /* in another precision than that of the session */
-    const char *in_double =
-        c->precision == PRECISION_DOUBLE && query->scene->compute.precision != IN_DOUBLE ? DOUBLE_NOTE : NULL;
+    const char *in_double = c->precision == PRECISION_DOUBLE && query->scene->compute.precision != IN_DOUBLE
+                                ? "This answer is computed in double precision."
+                                : NULL;
     struct answer answer = {
         .out = output->out,
         .path = output->path,
@@ -113,7 +105,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         done = problem_status(problem, query->scene, DOM_INTERRUPTED);
     session->is_last = session->is_last && done && !c->columns && !answer.progress.wrote_text;
     if (done)
-        notes_say(session, c, in_double, &answer);
+        notes_say(c, in_double, &answer);
     if (done && *answer.late_reason && answer_for_people(&answer))
         answer_say(&answer, "%s", answer.late_reason);
     else if (done && *answer.late_reason)

@@ -257,6 +257,12 @@ static const struct op *op_at(const struct reader *r, const char *at)
     return (is_sign || redirects) && r->nested == 0 ? NULL : op;
 }
 
+bool goes_on(const char *c)
+{
+    const struct reader r = {.at = isspace((unsigned char)c[-1]) ? c - 1 : c};
+    return *c == '^' || op_at(&r, c) || (is_word(c, "to") && isspace((unsigned char)c[2]));
+}
+
 /* Parses a value. It may have an exponent after it, and signs or a 'not' before it. An exponent binds more
  * tightly than a sign, so -2^2 is -(2^2). */
 static struct tree *parse_factor(struct reader *r)

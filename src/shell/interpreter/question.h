@@ -83,6 +83,10 @@ struct tree {
 #define expression_no_value(problem, at_, ...)                                                               \
     ((problem)->at = (at_), problem_no_answer(problem, __VA_ARGS__))
 
+/* Decides whether the word before c is the beginning of an expression rather than a command. Returns true if
+ * there is an operator or 'to' at c. */
+bool goes_on(const char *c);
+
 /* Parses the longest expression at the reader's position, and moves the reader to its end. After an error,
  * sets the reader's problem, leaves the reader at the place of the error, and returns NULL. */
 struct tree *expression_parse(struct reader *reader);
@@ -226,10 +230,6 @@ const struct command *command_read(struct reader *reader);
  * expression, as in 'assert rmax < 2', returns 'print'. Other shorthands are not allowed. Completion offers
  * the names in the list `offered`. */
 const struct command *command_read_inner(struct reader *reader, names_list *offered);
-
-/* Decides whether the word before c is the beginning of an expression rather than a command. Returns true if
- * there is an operator or 'to' at c. */
-bool goes_on(const char *c);
 
 /* Parses the beginning of a definition, up to the '=', as in "x =" or "f(s, d) =". Returns the position after
  * the '='. If the text does not begin in this way, returns NULL. */

@@ -143,14 +143,8 @@ static bool command_resolve(struct reader *r, struct tree *t, const struct comma
     const bool has_rows = command_is_table(c);
     if (has_rows && !t->key)
         return fail(r, t, IS_TABLE, c->name);
-    if (!c->principal && !has_rows)
-        return fail(r, t,
-                    t->count > 0 ? "'%s' has no value; enter the command without parentheses"
-                                 : "'%s' has no value: the answer of this command consists of words or rows",
-                    t->name);
-    if (most < 0)
-        return fail(r, t, "'%s' cannot be used in an expression: it needs an argument that is not a number",
-                    command_usage(c));
+    if (most < 0 || (!c->principal && !has_rows))
+        return fail(r, t, "'%s' has no value in an expression; enter the command alone", c->name);
     if (t->count == 0 && fewest == 1)
         return fail(r, t, "'%s' needs a value in parentheses: '%s(%s)%s%s'", c->name, c->name,
                     c->argument[0].name, t->key ? "." : "", t->key ? t->key : "");
