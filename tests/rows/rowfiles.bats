@@ -145,7 +145,7 @@ END
     sed 's/,-12$/,-10/' over.csv >slope.csv
     wrong 'effect slope -1 deg; effect row slope.csv' '3:14: .*the limit on this slope is -9.145 mm$'
     wrong 'effect row slope.csv; effect slope -1 deg; fall' 'fall: domino 2: .*on this slope is -9.145 mm$'
-    wrong 'effect row slope.csv; effect slope 9 deg; fall' 'fall: domino 1 cannot stand upright on a slope of 9 deg; for its thickness'
+    wrong 'effect row slope.csv; effect slope 9 deg; fall' 'fall: domino 1 cannot stand upright on a slope of 9 deg; for this thickness'
     # On a slope, a domino may lean further back than on a level floor.
     same 'leans uphill' 'stops' "$(json 'effect slope 2 deg; effect row over.csv; verdict' | values verdict)"
     wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans, but the effect 'edges' needs upright dominoes; turn it off, or set all dominoes upright: 'change all lean = 0 mm'"

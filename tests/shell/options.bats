@@ -30,7 +30,7 @@ load common
     done
     version=$("$DOMINO" -n -e 'set output json; version')
     same json "${lines[0]#domino }" "$(values version <<<"$version")"
-    same quad "$("$DOMINO" -n -e 'set output json; show precision' | grep -o '__float128\|long double')" "$(values quad <<<"$version")"
+    values quad <<<"$version" | grep -qx '__float128\|long double'
     for option in --help -h; do
         run -0 --separate-stderr "$DOMINO" "$option"
         same stderr '(nothing)' "$stderr"

@@ -157,28 +157,27 @@ static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
     return c->error ? 0 : (ssize_t)size;
 }
 
-/* Closes the file of a channel that is not freed. */
-static int channel_end(void *cookie)
-{
-    const struct channel *c = cookie;
-    const int closed = close(c->file);
-    errno = c->error ? c->error : errno;
-    return c->error ? -1 : closed;
-}
-
 static int channel_close(void *cookie)
 {
-    const int closed = channel_end(cookie);
+    const struct channel *c = cookie;
+    const int error = c->error, closed = close(c->file);
     free(cookie);
-    return closed;
+    errno = error ? error : errno;
+    return error ? -1 : closed;
+}
+
+static FILE *channel_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt,
+                            cookie_write_function_t *write_function)
+{
+    const struct channel channel = {.file = file, .interrupt = interrupt};
+    return cookie_stream(
+        &channel, sizeof channel, mode,
+        (cookie_io_functions_t){.read = channel_read, .write = write_function, .close = channel_close});
 }
 
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt)
 {
-    const struct channel channel = {.file = file, .interrupt = interrupt};
-    const cookie_io_functions_t functions = {
-        .read = channel_read, .write = channel_write, .close = channel_close};
-    FILE *stream = cookie_stream(&channel, sizeof channel, mode, functions);
+    FILE *stream = channel_stream(file, mode, interrupt, channel_write);
     if (!stream)
         close(file);
     return stream;
@@ -199,13 +198,11 @@ FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt)
 FILE *io_stdin(const volatile sig_atomic_t *interrupt)
 {
     static FILE *in;
-    static struct channel channel = {.file = STDIN_FILENO};
     struct stat status;
     if (!in) {
-        channel.interrupt = interrupt;
         /* When the program ends, stdin leaves the unread lines of a regular file to the next program. */
         bool is_regular = fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode);
-        in = is_regular ? stdin : fopencookie(&channel, "r", (cookie_io_functions_t){.read = channel_read});
+        in = is_regular ? stdin : channel_stream(STDIN_FILENO, "r", interrupt, NULL);
     }
     if (in)
         clearerr(in); /* after ^D on a terminal, the next command can read again */
@@ -230,11 +227,8 @@ static ssize_t standard_write(void *cookie, const char *bytes, size_t size)
 
 FILE *io_stdout(const volatile sig_atomic_t *interrupt)
 {
-    static struct channel channel = {.file = STDOUT_FILENO};
     if (!standard) {
-        channel.interrupt = interrupt;
-        standard = fopencookie(&channel, "w",
-                               (cookie_io_functions_t){.write = standard_write, .close = channel_end});
+        standard = channel_stream(STDOUT_FILENO, "w", interrupt, standard_write);
         if (standard)
             setvbuf(standard, NULL, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, HELD_MOST);
         terminal_standard(standard);

@@ -49,16 +49,16 @@ const struct parameter *parameter_by_synonym(const char *word, bool any)
     return found;
 }
 
-const struct parameter *parameter_by_value(const char *word, char *message)
+bool parameter_by_value(const char *word, char message[NAMES_MESSAGE])
 {
     const struct parameter *p = session_parameters;
     while (p->name && (p->effect || p->setting || names_exact(parameter_words, p, word) < 0))
         p++;
-    if (p->name && message)
+    if (p->name)
         snprintf(message, NAMES_MESSAGE,
                  "'%s' is a value of %s; enter 'set %s %s', or write 'with %s %s' at the end", word, p->name,
                  p->name, word, p->name, word);
-    return p->name ? p : NULL;
+    return p->name;
 }
 
 const char *parameter_usage_write(const struct parameter *p, char usage[PARAMETER_USAGE])
@@ -330,15 +330,15 @@ const char *parameter_word(const struct parameter *p, domq_real value)
 const char *parameter_range_write(const struct state *state, const struct parameter *p, int i,
                                   char text[PARAMETER_RANGE])
 {
-    int digits = p->value[i].whole ? 15 : 6; /* whole numbers are written with all their digits */
+    const char *word;
+    const int digits = p->value[i].whole ? 15 : 6; /* whole numbers are written with all their digits */
     text[0] = '\0';
-    for (const char *const *word = p->value[i].words; word && *word; word++)
-        text_add(text, PARAMETER_RANGE, "%s%s", *text ? "|" : "", *word);
     if (!p->words_only && !p->value[i].words)
-        text_add(text, PARAMETER_RANGE, "%.*g .. %.*g", digits, (double)parameter_lowest(state, p, i), digits,
+        snprintf(text, PARAMETER_RANGE, "%.*g .. %.*g", digits, (double)parameter_lowest(state, p, i), digits,
                  (double)p->value[i].highest);
-    for (const struct word *w = p->words; p->words_only && w->name; w++)
-        text_add(text, PARAMETER_RANGE, "%s%s", *text ? "|" : "", w->name);
+    else
+        for (int k = 0; (word = p->words_only ? p->words[k].name : p->value[i].words[k]) != NULL; k++)
+            text_add(text, PARAMETER_RANGE, "%s%s", k ? "|" : "", word);
     return text;
 }
 

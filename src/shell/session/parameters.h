@@ -88,9 +88,9 @@ const char *parameter_missing(const char *name);
 /* A names_list (see names.h) of all parameters. */
 const char *parameter_names(const void *context, int k);
 
-/* Returns the parameter of the model that accepts this word as its value, such as q for "hollow", or NULL. If
- * `message` is not NULL, writes a message that says so. */
-const struct parameter *parameter_by_value(const char *word, char *message);
+/* Returns true if a parameter of the model accepts this word as its value, as q accepts "hollow". Writes a
+ * message that says so. */
+bool parameter_by_value(const char *word, char message[NAMES_MESSAGE]);
 
 /* Returns how a parameter is set, such as "friction MU" or "q VALUE". The text lives until the end of the
  * caller's block. */

@@ -26,17 +26,16 @@ static bool problem_no_room(struct problem *problem, const struct scene *scene, 
 static bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit)
 {
     const double degree = (double)QUAD_PI / 180, alpha = (double)scene->train.alpha / degree;
-    char which[32] = "no domino", example[32] = "off";
+    char which[48] = "no domino can", example[32] = "off";
     if (k > 0)
-        snprintf(which, sizeof which, "domino %zu", k);
+        snprintf(which, sizeof which, "domino %zu cannot", k);
     if (limit > 0)
         snprintf(example, sizeof example, "%.2g deg", copysign((double)limit, alpha) / degree / 2);
     return problem_no_answer(problem,
-                             "%s %s stand upright on a slope of %.4g deg; for %s thickness%s the limit is "
+                             "%s stand upright on a slope of %.4g deg; for this thickness%s the limit is "
                              "%.4g deg; enter, for example, 'set slope %s'",
-                             which, k > 0 ? "cannot" : "can", alpha, k > 0 ? "its" : "this",
-                             scene->train.rho > 0 ? " and rounded edges" : "", (double)limit / degree,
-                             example);
+                             which, alpha, scene->train.rho > 0 ? " and rounded edges" : "",
+                             (double)limit / degree, example);
 }
 
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status)
@@ -347,13 +346,11 @@ static bool row_has_room(const struct scene *scene, const struct scene_row *row,
         if (status != DOM_OK) /* the run of the row reports the domino that is wrong */
             return true;
     }
-    const bool reaches = touch < 1.57;
-    if (leans && !reaches)
+    if (leans && !(touch < 1.57))
         return problem_no_answer(
-            problem, row->row.count > 1 ? "the first domino cannot lean against the second, which is out "
-                                          "of its reach; enter a tilt, as in 'set release 20 deg'"
-                                        : "the first domino cannot lean against a second, since the row "
-                                          "has only one; enter a tilt, as in 'set release 20 deg'");
+            problem, "the first domino cannot lean against %s; enter a tilt, as in 'set release 20 deg'",
+            row->row.count > 1 ? "the second, which is out of its reach"
+                               : "a second, since the row has only one");
     if (leans || release <= touch * (1 + (domq_real)1e-12))
         return true;
     return problem_no_answer(problem,
