@@ -80,7 +80,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 @test "edges: step and thetac show no equation of sharp edges; there is no paper fuel and no proof; a row file keeps the radii" {
     for effect in 'edges 0.01' 'friction 0.1'; do
         run -0 "$DOMINO" -e "effect $effect; step details; step 2 details"
-        [[ $output == *'Domino 1 turned at'* && $output != *'omega_1(theta_c)'* ]]
+        [[ $output == *'the head hits the next domino'* && $output != *'omega_1(theta_c)'* ]]
     done
     same 'no equation' 0 "$("$DOMINO" -e 'effect edges 0.01; thetac' | grep -c 'sin theta_c')"
     run -0 "$DOMINO" -n -e 'set s 0.54; set r 1.7; set q hollow; step; step details'
