@@ -82,11 +82,8 @@ static void find_train_values(struct ref *ref)
     mpfr_set(v[REF_FUEL_PAPER], ref->fuel_paper, N);
     mpfr_add_ui(v[REF_J0], ref->T, 1, N);
     find_launch(ref);
-    const enum ref_quantity found[] = {REF_THETA_C,        REF_THETA_U, REF_THETA_INF,  REF_THETA_F,
-                                       REF_THETA_LEAVE,    REF_J0,      REF_FUEL_EXACT, REF_FUEL_PAPER,
-                                       REF_LAUNCH_OMEGASQ, REF_KINETIC};
-    for (size_t k = 0; k < sizeof found / sizeof *found; k++)
-        ref->known[found[k]] = true;
+    for (int k = 0; k <= REF_KINETIC; k++)
+        ref->known[k] |= k <= REF_THETA_LEAVE || k >= REF_J0;
 }
 
 /* Finds omega^2 by (21; c3). The result is negative if the head does not reach the tilt. */
@@ -100,42 +97,20 @@ static void find_omegasq(struct ref *ref)
 
 static void find(struct ref *ref, enum ref_quantity quantity)
 {
-    switch (quantity) {
-    case REF_THETA_1:
-    case REF_SLOPE:
-    case REF_ARM_A:
-    case REF_ARM_B:
-    case REF_LINK_THETA:
-    case REF_LINK_SLOPE:
-    case REF_LINK_ARM_A:
-    case REF_LINK_ARM_B:
-    case REF_LINK_WEIGHT:
-    case REF_DH:
-    case REF_J:
+    if (quantity >= REF_THETA_1 && quantity <= REF_J)
         ref_walk_at_tilt(ref);
-        break;
-    case REF_THETA_M:
-    case REF_BARRIER:
-    case REF_MARGIN:
-        ref_find_barrier(ref);
-        break;
-    case REF_OMEGASQ:
-        find_omegasq(ref);
-        break;
-    case REF_STOP:
-        ref_find_stop(ref);
-        break;
-    case REF_DURATION:
-        ref_find_duration(ref);
-        break;
-    case REF_R_MAX:
-    case REF_PAIR:
-    case REF_BEST_S:
-    case REF_BEST_R:
-        abort(); /* see the functions for growths */
-    default:
+    else if (quantity <= REF_KINETIC)
         find_train_values(ref);
-    }
+    else if (quantity <= REF_MARGIN)
+        ref_find_barrier(ref);
+    else if (quantity == REF_OMEGASQ)
+        find_omegasq(ref);
+    else if (quantity == REF_STOP)
+        ref_find_stop(ref);
+    else if (quantity == REF_DURATION)
+        ref_find_duration(ref);
+    else
+        abort(); /* see the functions for growths */
 }
 
 mpfr_srcptr ref_value(struct ref *ref, enum ref_quantity quantity)

@@ -79,20 +79,6 @@ union found {
     struct domq_best best;
 };
 
-static void ask_cycle(const struct domq_train *train, const struct any_compute *compute, domq_real tilt,
-                      enum ref_quantity quantity, union found *f, struct answers *answers)
-{
-    enum dom_status status;
-    if (quantity == REF_STOP) {
-        status = any_barrier_find(train, compute, &f->barrier);
-        status = status == DOM_STOPS ? DOM_OK : status;
-        f->value = f->barrier.stop;
-    } else
-        status = quantity == REF_OMEGASQ ? any_cycle_omegasq(train, compute, tilt, &f->value)
-                                         : any_cycle_duration(train, compute, &f->value);
-    note(answers, quantity, status, f->value);
-}
-
 static void ask_growth(const struct domq_train *train, const struct any_compute *compute,
                        enum ref_quantity quantity, union found *f, struct answers *answers)
 {
@@ -135,8 +121,6 @@ void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity qu
         NOTE(SLOPE, f.contact, slope);
         NOTE(ARM_A, f.contact, arm_a);
         NOTE(ARM_B, f.contact, arm_b);
-    } else if (quantity <= REF_LINK_WEIGHT) {
-        library_link(setup, tilt, 1, answers);
     } else if (quantity <= REF_J0) {
         status = any_energy_find(&train, &compute, tilt, &f.energy);
         NOTE(DH, f.energy, dH);
@@ -156,8 +140,11 @@ void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity qu
         NOTE(BARRIER, f.barrier, barrier);
         NOTE(KINETIC, f.barrier, kinetic);
         NOTE(MARGIN, f.barrier, margin);
+        note(answers, REF_STOP, status == DOM_STOPS ? DOM_OK : status, f.barrier.stop);
     } else if (quantity <= REF_DURATION) {
-        ask_cycle(&train, &compute, tilt, quantity, &f, answers);
+        status = quantity == REF_OMEGASQ ? any_cycle_omegasq(&train, &compute, tilt, &f.value)
+                                         : any_cycle_duration(&train, &compute, &f.value);
+        note(answers, quantity, status, f.value);
     } else {
         ask_growth(&train, &compute, quantity, &f, answers);
     }

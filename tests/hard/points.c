@@ -75,16 +75,6 @@ static bool too_long(const struct ref_input *input, uint64_t *seed, enum precisi
     return 70 / rate > most || (precision == IN_FLOAT && (2 * q + 1) * log2(r) > 126 - 24);
 }
 
-static bool short_at_1(const struct ref_input *input)
-{
-    return 70 / sqrt((double)(input->s * (input->s + 2 * input->d))) < 400;
-}
-
-static bool underflows_at_reach(const struct ref_input *input, enum precision precision)
-{
-    return precision == IN_FLOAT && -(2 * (double)input->q + 1) * log2((double)input->s) > 126 - 24;
-}
-
 struct ref_input point_random(uint64_t *seed, enum precision precision)
 {
     struct ref_input input;
@@ -96,5 +86,7 @@ struct ref_input point_random(uint64_t *seed, enum precision precision)
 
 bool point_can_grow(const struct ref_input *input, bool pair, enum precision precision)
 {
-    return (pair || short_at_1(input)) && !underflows_at_reach(input, precision);
+    const double s = (double)input->s, d = (double)input->d, q = (double)input->q;
+    const bool underflows_at_reach = precision == IN_FLOAT && -(2 * q + 1) * log2(s) > 126 - 24;
+    return (pair || 70 / sqrt(s * (s + 2 * d)) < 400) && !underflows_at_reach;
 }

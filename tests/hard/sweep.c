@@ -221,7 +221,6 @@ static void check_stop(struct point *point, struct answers *answers)
 {
     if (fuel_vanishes(point) || !positive(point, fuel_of(point)) || margin_vanishes(point))
         return;
-    library_ask(&point->train, 0, REF_STOP, answers);
     /* The kinetic energy and the tilt of the stop may be so small that more bits are needed. */
     struct ref *ref = point->ref;
     struct ref_input there = point->input;

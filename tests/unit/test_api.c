@@ -78,24 +78,6 @@ TEST(any_precision_asks_the_library)
     }
 }
 
-/* Checks that each precision agrees with quad to its tolerance, and has digits of its own. */
-TEST(precisions_differ_by_their_tolerance)
-{
-    const struct domq_train train = domq_train_default();
-    domq_real r_max[3];
-    for (enum precision p = IN_FLOAT; p <= IN_QUAD; p++) {
-        struct any_compute compute = {.precision = p, .tol = any_arithmetic(p).tol_default};
-        struct domq_limit limit = {0};
-        if (any_arithmetic(p).bits == 0)
-            return;
-        assert_status(any_limit_rmax(&train, &compute, &limit), DOM_OK);
-        r_max[p] = limit.r_max;
-    }
-    assert_near("float", (double)r_max[IN_FLOAT], (double)r_max[IN_QUAD], 1e-5);
-    assert_near("double", (double)(r_max[IN_DOUBLE] - r_max[IN_QUAD]) + 1, 1, 1e-12);
-    assert_true(r_max[IN_FLOAT] != r_max[IN_DOUBLE] && r_max[IN_DOUBLE] != r_max[IN_QUAD]);
-}
-
 TEST(null_is_the_default)
 {
     const struct dom_compute compute = dom_compute_default();
