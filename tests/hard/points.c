@@ -3,16 +3,11 @@
 
 #include "../unit/support.h"
 
-domq_real point_rounded(domq_real x, enum precision precision)
-{
-    return precision == IN_FLOAT ? (domq_real)(float)x : precision == IN_DOUBLE ? (domq_real)(double)x : x;
-}
-
 /* Returns a random number between lo and hi, all of whose bits are random. */
 static domq_real random_real(uint64_t *seed, double lo, double hi, enum precision precision)
 {
     double x = random_log(seed, lo, hi);
-    return point_rounded((domq_real)x * (1 + (domq_real)(random_unit(seed) * 0x1p-52)), precision);
+    return rounded_to(precision, (domq_real)x * (1 + (domq_real)(random_unit(seed) * 0x1p-52)));
 }
 
 /* Returns a random growth, often one close to the reach, where 1 - r s is small. If 1 - r s is about d^2 and
@@ -23,15 +18,15 @@ static domq_real random_growth(uint64_t *seed, domq_real s, domq_real d, enum pr
     const double reach = 1 / (double)s, kind = random_unit(seed);
     if (kind < 0.06) {
         double u = (double)(d * d) * random_log(seed, 1e-5, 1e3);
-        return point_rounded((1 - (domq_real)fmin(fmax(u, finest / 20), 0.5)) / s, precision);
+        return rounded_to(precision, (1 - (domq_real)fmin(fmax(u, finest / 20), 0.5)) / s);
     }
     if (kind < 0.3)
-        return point_rounded((1 - random_real(seed, finest, 0.5, precision)) / s, precision);
+        return rounded_to(precision, (1 - random_real(seed, finest, 0.5, precision)) / s);
     if (kind < 0.55)
         return 1 + random_real(seed, 1e-12, fmax(1e-11, reach - 1), precision);
     if (kind < 0.9)
-        return point_rounded((domq_real)pow(reach, random_unit(seed)), precision);
-    return kind < 0.95 ? 1 : point_rounded(1 / s, precision);
+        return rounded_to(precision, (domq_real)pow(reach, random_unit(seed)));
+    return kind < 0.95 ? 1 : rounded_to(precision, 1 / s);
 }
 
 static struct ref_input random_input(uint64_t *seed, enum precision precision)
@@ -41,7 +36,7 @@ static struct ref_input random_input(uint64_t *seed, enum precision precision)
     input.d = random_real(seed, 1e-8, 3, precision);
     const double kind = random_unit(seed);
     input.q = kind < 0.33 ? 3 : kind < 0.66 ? 4 : random_real(seed, 0.3, 10, precision);
-    input.r = point_rounded(random_growth(seed, input.s, input.d, precision), precision);
+    input.r = rounded_to(precision, random_growth(seed, input.s, input.d, precision));
     input.r = input.r < 1 ? 1 : input.r;
     input.paper = random_unit(seed) < 0.3;
     input.tilt = 0;
@@ -60,7 +55,7 @@ domq_real point_tilt(uint64_t *seed, domq_real theta_c, enum precision precision
         tilt = theta_c * (1 - random_real(seed, 1e-16, 1, precision));
     else
         tilt = theta_c * (domq_real)random_unit(seed);
-    tilt = point_rounded(tilt, precision);
+    tilt = rounded_to(precision, tilt);
     return tilt > theta_c ? theta_c : tilt;
 }
 

@@ -311,7 +311,7 @@ static void check_at_tolerance(struct point *point, int asks)
 static bool check_reach(struct point *point, const struct answers *answers)
 {
     bool reaches = mpfr_sgn(point->ref->u) >= 0 ||
-                   point->input.r == point_rounded(1 / point->input.s, point->sweep->precision);
+                   point->input.r == rounded_to(point->sweep->precision, 1 / point->input.s);
     enum dom_status status = answers->status[REF_THETA_C];
     if (status != (reaches ? DOM_OK : DOM_OUT_OF_REACH))
         mistake(point, REF_THETA_C, answers, dom_status_text(status));

@@ -121,8 +121,6 @@ extern const int hard_cases_number;
 
 /* ---- Random trains over the whole parameter space, dense towards its edges ---- */
 
-domq_real point_rounded(domq_real x, enum precision precision);
-
 /*
  * Returns a random train with the tilt 0. 1 - r s is 0 or at least 1e-15, r - 1 is 0 or at least 1e-12, d is
  * between 1e-8 and 3, s is between 1e-6 and 1, and q is 3, 4 or any number between 0.3 and 10. In most trains

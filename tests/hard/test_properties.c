@@ -5,11 +5,6 @@
 
 static const enum precision precisions[] = {IN_FLOAT, IN_DOUBLE, IN_QUAD};
 
-static domq_real rounded(double x, enum precision precision)
-{
-    return precision == IN_FLOAT ? (domq_real)(float)x : (domq_real)x;
-}
-
 static void small(const char *what, const struct ref_input *in, double error, double bound)
 {
     if (!(fabs(error) <= bound))
@@ -62,8 +57,8 @@ TEST(best_separations)
                 continue;
             struct ref_input input = {.s = (domq_real)0.4,
                                       .r = 1,
-                                      .d = rounded(known[k].d, precisions[p]),
-                                      .q = rounded(known[k].q, precisions[p]),
+                                      .d = rounded_to(precisions[p], known[k].d),
+                                      .q = rounded_to(precisions[p], known[k].q),
                                       .paper = known[k].paper};
             struct setup train = library_train(&input, precisions[p]);
             struct answers a;

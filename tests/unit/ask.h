@@ -29,6 +29,12 @@ struct setup {
     const volatile sig_atomic_t *interrupt;
 };
 
+/* Returns a number as a precision has it. */
+static inline domq_real rounded_to(enum precision precision, domq_real x)
+{
+    return precision == IN_FLOAT ? (domq_real)(float)x : precision == IN_DOUBLE ? (domq_real)(double)x : x;
+}
+
 /* Returns the defaults, with every effect off. */
 static inline struct setup setup_default(void)
 {

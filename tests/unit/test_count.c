@@ -3,11 +3,6 @@
  * powers. */
 #include "support.h"
 
-static domq_real rounded(domq_real x, enum precision precision)
-{
-    return precision == IN_FLOAT ? (domq_real)(float)x : precision == IN_DOUBLE ? (domq_real)(double)x : x;
-}
-
 /*
  * Checks heights near a power. `first` and r have so few bits that first r^k is exact in the widest type, so
  * the distance of a height from this power is known exactly. A height takes one domino more if it exceeds the
@@ -31,7 +26,7 @@ TEST(heights_near_a_power)
         for (int j = 0; j < k; j++)
             power *= r;
         double units = random_log(&seed, 0.5, 1000) * (i % 3 ? 1 : -1);
-        domq_real height = rounded(power * (1 + (domq_real)(units * epsilon)), precision);
+        domq_real height = rounded_to(precision, power * (1 + (domq_real)(units * epsilon)));
         double off = (double)((height - power) / power) / epsilon,
                slack = fmin((4 + k) / 2.0, 1e-6 * log((double)r) / epsilon);
         if (fabs(off - slack) < 1) /* too close to the bound, which is itself rounded */
