@@ -45,7 +45,7 @@ static const struct command design_commands[] = {
          "lists their sizes and the boards to cut. Beside each place, each height and each thickness, it "
          "shows the limits between which all dominoes fall, as 'tolerance' finds them. With errors such as "
          "'set placement 2 mm', the guide shows how likely the row is to fall. 'plan title \"The hall\" > "
-         "hall.pdf' draws the guide on A4 pages. It shows the row to scale, beside a person 1.75 m tall. "
+         "hall.pdf' draws the guide on A4 pages. It shows the row to scale. "
          "As .svg or .png, the guide is one long page. csv and json have the numbers, in m.",
      .example = "set row 5; plan",
      .see = "row tolerance placement draw",

@@ -110,25 +110,6 @@ static bool plan_make(const struct query *query, struct problem *problem, struct
 
 /* ---- The caption ---- */
 
-#define PERSON 1.75 /* m */
-
-/* Adds a person beyond the last domino. */
-static bool person_add(struct stage *stage)
-{
-    struct drawn *more = realloc(stage->domino, (stage->count + 1) * sizeof *more);
-    if (!more)
-        return false;
-    stage->domino = more;
-    struct drawn *person = &more[stage->count++];
-    *person =
-        (struct drawn){.number = NUMBER_PERSON, .part = STANDS, .height = PERSON, .thickness = 0.3 * PERSON};
-    person->foot = stage->right + 0.4 * PERSON + person->thickness;
-    drawn_corners(person);
-    stage->top = fmax(stage->top, PERSON);
-    stage->right = person->foot;
-    return true;
-}
-
 static void caption_write(struct plan *p)
 {
     char errors[ERRORS_TEXT], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
@@ -140,9 +121,9 @@ static void caption_write(struct plan *p)
     falling_row_weakest(&p->row, weakest);
     errors_text(p->error, true, errors);
     falling_row_begin(&p->row, start);
-    int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor; the person is 1.75 m tall. %s %s%s%s",
-                      summary, measured((domq_real)stage->right, "m", 3).text, start, verdict,
-                      *weakest ? " " : "", weakest);
+    int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor. %s %s%s%s", summary,
+                      measured((domq_real)stage->right, "m", 3).text, start, verdict, *weakest ? " " : "",
+                      weakest);
     char *text = stage->caption + at;
     const size_t room = CAPTION - (size_t)at;
     if (s->rows > 0)
@@ -365,7 +346,7 @@ static bool guide_write(struct plan *p, const struct scene *scene)
     plan_tape_table(p);
     plan_size_table(p, scene);
     const bool is_complete = plan_board_table(p);
-    return fclose(p->out) == 0 && is_complete && person_add(&p->row.stage);
+    return fclose(p->out) == 0 && is_complete;
 }
 
 bool run_plan(const struct query *query, struct answer *a, struct problem *problem)

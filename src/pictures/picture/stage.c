@@ -39,13 +39,11 @@ _Static_assert(2 * SILHOUETTE - 1 <= OUTLINE, "OUTLINE is too small for a silhou
 int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
 {
     static const struct point tower[SILHOUETTE] = {{0.5, 0},     {0.5, 0.38},  {0.4, 0.39}, {0.4, 0.66},
-                                                   {0.26, 0.68}, {0.26, 0.87}, {0.06, 0.9}, {0, 1}},
-                              person[SILHOUETTE] = {{0.3, 0},     {0.34, 0.45}, {0.5, 0.47},  {0.46, 0.8},
-                                                    {0.14, 0.84}, {0.26, 0.88}, {0.24, 0.97}, {0, 1}};
-    const struct point *half = k->number == NUMBER_PERSON ? person : tower, up = direction(k->theta);
+                                                   {0.26, 0.68}, {0.26, 0.87}, {0.06, 0.9}, {0, 1}};
+    const struct point up = direction(k->theta);
     int n = 0;
-    for (int i = 1 - SILHOUETTE; k->number <= NUMBER_TOWER && i < SILHOUETTE; i++) {
-        const struct point *of = &half[SILHOUETTE - 1 - abs(i)];
+    for (int i = 1 - SILHOUETTE; k->number == NUMBER_TOWER && i < SILHOUETTE; i++) {
+        const struct point *of = &tower[SILHOUETTE - 1 - abs(i)];
         const struct point axis = along(k->corner[0], of->y * k->height, up.x, up.y);
         outline[n++] = along(axis, (0.5 + (i < 0 ? -of->x : of->x)) * k->thickness, -up.y, up.x);
     }
@@ -104,8 +102,7 @@ const struct drawn *stage_front(const struct stage *stage, size_t k)
 int stage_names(const struct stage *stage, double letter, double apart, bool snaps, double left, double right,
                 struct drawn_name name[NAMES])
 {
-    static const char *const words[] = {
-        [-NUMBER_NEXT] = "next", [-NUMBER_TOWER] = "tower", [-NUMBER_PERSON] = "person"};
+    static const char *const words[] = {[-NUMBER_NEXT] = "next", [-NUMBER_TOWER] = "tower"};
     int count = 0;
     for (int pass = 0; pass < 2; pass++)
         for (size_t k = 0; k < stage->count && count < NAMES; k++) {

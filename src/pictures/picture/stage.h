@@ -26,9 +26,8 @@ enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
 
 /* Special values of drawn.number. */
 enum {
-    NUMBER_NEXT = -1,  /* the domino in front of the head of a train */
-    NUMBER_TOWER = -2, /* the silhouette of a tower */
-    NUMBER_PERSON = -3 /* the silhouette of a person */
+    NUMBER_NEXT = -1, /* the domino in front of the head of a train */
+    NUMBER_TOWER = -2 /* the silhouette of a tower */
 };
 
 struct drawn {
