@@ -49,7 +49,7 @@ END
     "$DOMINO" -e 'set r 1.7; plot energy' | grep -q 'launch *stop'
     "$DOMINO" -e 'set q hollow; set s 0.54; set r 1.84; plot energy' | grep -q fall
     "$DOMINO" -e 'set angle deg; plot omega' | grep -q 'head in deg'
-    "$DOMINO" -e 'set d 0.3; effect row 5; plot fall' | grep -q 'Domino 2 stops: it has 5.99 % of the energy that it needs'
+    "$DOMINO" -e 'set d 0.3; effect row 5; plot fall' | grep -q 'Domino 2 stops the row: it has 6 % of the energy that it needs'
 }
 
 # bats test_tags=rows,sweeps

@@ -1,32 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The plots 'fall' and 'speed': energies and speeds along the row. */
 #include "interpreter/command.h"
-#include "language/text.h"
+#include "pictures/drawing/falling_row.h"
 #include "pictures/plots/plots.h"
 #include "train/train.h"
-#include <stdlib.h>
-#include <string.h>
 
-/* Writes into the chart's note how the fall ends. */
-static void end_note(const struct row_run *run, struct chart *chart)
+/* Runs the row for a plot. After a failure nothing needs to be freed. */
+static bool plotted_run(const struct query *query, bool timed, struct falling_row *row,
+                        struct problem *problem)
 {
-    const struct domq_verdict *v = &run->verdict;
-    const struct domq_fall *last = &run->fall[run->hits - 1];
-    if (v->end == DOM_ROW_FALLS)
-        snprintf(chart->note, sizeof chart->note, "%.40s", all_fall_words(run->scene.row.count).text);
-    else if (v->end == DOM_ROW_STOPS && last->barrier > 0 && isfinite(last->barrier))
-        snprintf(chart->note, sizeof chart->note,
-                 "Domino %zu stops: it has %.40s of the energy that it needs.", v->domino,
-                 measured(fall_share(last), "share", 3).text);
-    else
-        snprintf(chart->note, sizeof chart->note, "The fall ends at domino %zu: %s.", v->domino,
-                 dom_row_end_text(v->end));
+    *row = (struct falling_row){.end = (double)NAN};
+    if (!row_run(query, problem, timed, &row->run))
+        return false;
+    row->dominoes = row->stage.count = row->run.scene.row.count;
+    return true;
 }
 
 static bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem)
 {
-    struct row_run run;
+    struct falling_row row;
+    const struct row_run *run = &row.run;
     double least = HUGE_VAL, most = 0, spare = (double)NAN;
     if (scene_has_engine(query->scene))
         return problem_no_answer(
@@ -34,79 +28,77 @@ static bool plot_fall(const struct query *query, struct answer *a, struct chart 
             "the rigid-body engine runs this row because %s, and the engine does not compute the energy that "
             "a domino needs; 'plot speed' shows how the row falls",
             scene_engine_why(query->scene));
-    if (!row_run(query, problem, false, &run))
+    if (!plotted_run(query, false, &row, problem))
         return false;
     if (scene_has_masses(query->scene))
         columns_in_joules(a);
-    for (size_t i = 0; i < run.hits; i++) {
-        const struct domq_fall *f = &run.fall[i];
+    for (size_t i = 0; i < run->hits; i++) {
+        const struct domq_fall *f = &run->fall[i];
         const bool known = isfinite(f->barrier);
         /* There is none for a domino that needs no energy, that friction locks whatever its energy, or that
          * was tilted until it tipped over. */
-        spare = row_run_tipped(&run, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
+        spare = row_run_tipped(run, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
         least = spare > 0 ? fmin(least, spare) : least;
         most = isfinite(spare) ? fmax(most, spare) : most;
         answer_cells(a, cell_count((domq_real)f->domino), cell_real(f->kinetic),
                      cell_real(known ? f->barrier : DOMQ_NAN), cell_real(known ? f->margin : DOMQ_NAN),
                      cell_real((domq_real)spare));
     }
-    const bool idle = chart && run.scene.row.count == 1 && isnan(spare);
+    const bool idle = chart && run->scene.row.count == 1 && isnan(spare);
     if (idle)
         problem_no_answer(problem, "the only domino of this row starts past its tipping point, so it needs "
                                    "no energy to fall; 'set row 5' sets up five dominoes");
     else if (chart) {
-        const struct domq_verdict *v = &run.verdict;
-        end_note(&run, chart);
-        text_add(chart->note, sizeof chart->note, v->end == DOM_ROW_FALLS ? "." : "");
+        const struct domq_verdict *v = &run->verdict;
+        falling_row_verdict(&row, chart->note);
         chart->x.whole = chart->y.logarithmic = true;
         chart->x.low = 0.4;
-        chart->x.high = (double)run.scene.row.count + 0.6;
+        chart->x.high = (double)run->scene.row.count + 0.6;
         chart->y.low = least < HUGE_VAL ? pow(10, floor(log10(least / 2))) : 0.01;
         chart->y.high = fmax(1.6 * most, 100 * chart->y.low);
-        if (v->weakest && v->weakest <= run.hits && v->spare >= 0 && isfinite(v->spare))
+        if (v->weakest && v->weakest <= run->hits && v->spare >= 0 && isfinite(v->spare))
             chart_point(chart,
                         chart_curve(chart, CHART_POINTS, INK_RED, 0, "the weakest, domino %zu", v->weakest),
                         (double)v->weakest, fmax((double)v->spare, chart->y.low));
     }
-    row_run_free(&run);
+    row_run_free(&row.run);
     return !idle;
 }
 
 static bool plot_speed(const struct query *query, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {
-    struct row_run run;
-    if (!row_run(query, problem, true, &run))
+    struct falling_row row;
+    const struct row_run *run = &row.run;
+    if (!plotted_run(query, true, &row, problem))
         return false;
     domq_real place = 0;
     size_t at = 1;
     bool runs = false;
-    for (size_t i = 0; i < run.hits && !run.timeless; i++) {
-        const size_t next = run.fall[i].domino; /* the index, counted from 0, of the next domino */
-        const struct domq_domino *d = &run.scene.domino[next < run.scene.row.count ? next : 0];
-        const bool has_speed = next < run.scene.row.count && i + 1 < run.hits;
-        const domq_real speed = has_speed ? (d->gap + d->thickness) / run.fall[i].duration : DOMQ_NAN;
+    for (size_t i = 0; i < run->hits && !run->timeless; i++) {
+        const size_t next = run->fall[i].domino; /* the index, counted from 0, of the next domino */
+        const struct domq_domino *d = &run->scene.domino[next < run->scene.row.count ? next : 0];
+        const bool has_speed = next < run->scene.row.count && i + 1 < run->hits;
+        const domq_real speed = has_speed ? (d->gap + d->thickness) / run->fall[i].duration : DOMQ_NAN;
         for (; at < next; at++)
-            place += run.scene.domino[at].gap + run.scene.domino[at].thickness;
+            place += run->scene.domino[at].gap + run->scene.domino[at].thickness;
         runs = runs || !isnan(speed);
-        answer_cells(a, cell_count((domq_real)run.fall[i].domino), cell_real(place), cell_real(speed));
+        answer_cells(a, cell_count((domq_real)run->fall[i].domino), cell_real(place), cell_real(speed));
     }
-    bool done = !run.timeless && (!chart || runs);
-    if (run.timeless)
+    bool done = !run->timeless && (!chart || runs);
+    if (run->timeless)
         row_status(query, problem, DOM_NO_MARGIN);
     else if (!done)
-        problem_no_answer(problem, run.scene.row.count == 1
+        problem_no_answer(problem, run->scene.row.count == 1
                                        ? "this plot needs at least two dominoes; 'set row 5' sets up five"
                                        : "the front has no speed, because the fall ends before domino 2 is "
                                          "hit; 'mend' looks for a change that saves the row");
     else if (chart) {
-        end_note(&run, chart);
-        if (run.verdict.end == DOM_ROW_FALLS && isfinite(run.verdict.seconds))
-            text_add(chart->note, sizeof chart->note, "; the last one lies flat after %.40s.",
-                     measured(run.verdict.seconds, "s", 4).text);
+        row.end = (double)run->verdict.seconds;
+        falling_row_verdict(&row, chart->note);
         chart->x.low = chart->y.low = 0;
     }
-    row_run_free(&run);
+    row_run_free(&row.run);
     return done;
 }
 
