@@ -24,12 +24,12 @@ bool wishes_parse(struct reader *reader, struct question *question);
 bool wishes_bind(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
 
-/* Returns the wishes of a command whose arguments wishes_bind has bound. */
-const struct wishes *wishes_of(const struct query *query);
-
 /* Each is a names_list (see names.h). */
 const char *design_wishes(const void *context, int k);
 const char *improve_wishes(const void *context, int k);
+
+/* Returns the wishes of a command whose arguments wishes_bind has bound. */
+const struct wishes *wishes_of(const struct query *query);
 
 /* If `grid` is not 0, all gaps of a design are multiples of this length. Checks that `grid` is less than
  * `first`, the height of the first domino. Otherwise every gap would be too long for this domino to reach the
@@ -41,9 +41,8 @@ struct domq_domino domino_from_double(const struct dom_domino *domino);
 
 /* ---- The commands ---- */
 
-extern const struct column design_columns[], improve_columns[], plan_columns[];
+extern const struct column design_columns[], plan_columns[];
 bool run_design(const struct query *query, struct answer *a, struct problem *problem);
-bool run_improve(const struct query *query, struct answer *a, struct problem *problem);
 bool run_plan(const struct query *query, struct answer *a, struct problem *problem);
 bool plan_parse(struct reader *reader, struct question *question);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'change', 'place', 'remove' and 'insert'. */
-#include "interpreter/question.h"
+#include "answer/cell.h"
 #include "language/quad.h"
 #include "rows/rows.h"
 #include <ctype.h>
@@ -137,4 +137,350 @@ bool remove_bind(const struct question *q, const struct query *query, struct arg
                  struct problem *problem)
 {
     return dominoes_bind(q, query, given, problem) != NULL;
+}
+
+/* Returns a measurement of a domino in m or kg. For a lean, this is how far the top is off plumb. If a domino
+ * has no radius of its own, its radius is the radius of 'set edges'. */
+static domq_real measure_now(const struct scene *scene, const struct domq_domino *domino,
+                             enum row_measure measure)
+{
+    struct domq_domino d = *domino;
+    return measure == MEASURE_LEAN                      ? lean_offset(&d)
+           : measure == MEASURE_RADIUS && d.radius == 0 ? scene->train.rho * d.height
+                                                        : *row_measure_at(&d, measure);
+}
+
+/* Computes the value that a measurement of domino k, counted from 0, has after a change. Stores the value in
+ * *kept in the form of listed_row.change: a mass as a factor, and a lean as an angle. If the domino cannot
+ * have this value, sets *problem and returns false. */
+static bool domino_change(const struct scene *scene, const struct row_change *change,
+                          const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
+{
+    const enum row_measure measure = change->measure;
+    const bool is_lean = measure == MEASURE_LEAN, is_mass = measure == MEASURE_MASS;
+    struct domq_domino d = row->domino[k], *domino = &d;
+    domq_real *member = row_measure_at(domino, measure),
+              now = is_lean && change->is_angle ? domino->lean : measure_now(scene, domino, measure),
+              value = change->how == CHANGE_TO   ? change->value
+                      : change->how == CHANGE_BY ? now + change->value
+                                                 : now * change->value;
+    const struct listed_row *listed = &scene->listed;
+    const domq_real before = is_mass && listed->changes > 0 ? listed->change[k].to.mass : DOMQ_NAN;
+    char message[MISFIT_MESSAGE];
+    if (!csv_fits(&rowfile_kind.column[measure], value, message))
+        return problem_no_answer(problem, "domino %zu: %s", k + 1, message);
+    if (is_lean && !change->is_angle)
+        value = quad(asin)(quad_larger(quad_smaller(value / domino->height, 1), -1));
+    if (row_measure_is_size(measure))
+        domino->mass *= value / *member;
+    *kept = !is_mass ? value : change->how == CHANGE_TIMES ? change->value : value / now;
+    *kept *= isnan(before) ? 1 : before;
+    *member = value;
+    return (domino_misfit(domino, scene->train.alpha, message) == ROW_MEASURES &&
+            csv_fits(&rowfile_kind.column[MEASURE_MASS], domino->mass, message)) ||
+           problem_no_answer(problem, "domino %zu: %s", k + 1, message);
+}
+
+static bool is_selected(const struct row_change *change, size_t k)
+{
+    bool is_in = change->ranges == 0;
+    for (int i = 0; i < change->ranges; i++)
+        is_in = is_in || (change->range[i].first <= k && k <= change->range[i].last);
+    return is_in;
+}
+
+/* Checks that all selected dominoes exist and, if `gaps` is true, that there is a gap before them. */
+static bool dominoes_check(const struct row_change *change, size_t count, bool gaps, struct problem *problem)
+{
+    const size_t least = gaps ? 2 : 1;
+    if (count < least)
+        return problem_error(problem, "a row of one domino has no gap; enter 'set row N' with a larger N");
+    for (int i = 0; i < change->ranges; i++) {
+        const struct row_range *range = &change->range[i];
+        const size_t wrong = range->first < least ? range->first : range->last;
+        if (wrong >= least && wrong <= count)
+            continue;
+        return gaps ? problem_error(problem,
+                                    "there is no gap before domino %zu; choose a domino from 2 to %zu", wrong,
+                                    count)
+                    : problem_error(problem, "there is no domino %zu; this row has %zu", wrong, count);
+    }
+    return true;
+}
+
+/* Copies the row of a scene and opens its changes. After a failure nothing needs to be freed. */
+static bool edit_begin(const struct scene *scene, struct listed_row *next, struct problem *problem)
+{
+    if (listed_share(next, &scene->listed) && row_changes_open(next, scene_row_count(scene)))
+        return true;
+    listed_free(next);
+    return problem_status(problem, scene, DOM_NO_MEMORY);
+}
+
+/* Returns true if there is a row into whose dominoes the walls fit. */
+static bool walls_fit(const struct scene *scene, struct problem *problem)
+{
+    struct scene_row row;
+    if (!scene_row_list(scene, &row, problem))
+        return false;
+    const bool fit = scene_walls_fit(scene, &row, problem);
+    free(row.domino);
+    return fit;
+}
+
+/* Gives the scene an edited row if `good` is true. The walls must fit into its dominoes, unless they did not
+ * fit before: one edit need not mend all dominoes. If the scene does not get the edited row, frees it and
+ * returns false. */
+static bool edit_end(struct scene *scene, struct listed_row *next, bool good, struct problem *problem)
+{
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    struct listed_row before = scene->listed;
+    const bool fitted = good && walls_fit(scene, &ignored);
+    scene->listed = *next;
+    good = good && (!fitted || walls_fit(scene, problem));
+    if (good)
+        scene_apply_lengths(scene);
+    else
+        scene->listed = before;
+    listed_free(good ? &before : next);
+    return good;
+}
+
+/* ---- Change ---- */
+
+/* Prints the old and the new measurement of the first domino that has changed, and the number of others. If
+ * masses are not known, prints the factor by which the mass changes. */
+static bool change_say(const struct query *query, struct answer *a, const struct row_change *change,
+                       const struct scene_row *before, struct problem *problem)
+{
+    const enum row_measure measure = change->measure;
+    const char *name = row_measure_names(NULL, (int)measure);
+    struct scene_row after;
+    size_t first = 0, changed = 0;
+    char others[80] = "";
+    if (!scene_row_list(&query->next->scene, &after, problem))
+        return false;
+    for (size_t k = after.row.count; k-- > (size_t)(measure == MEASURE_GAP);)
+        if (is_selected(change, k + 1)) {
+            first = k;
+            changed++;
+        }
+    if (changed > 1)
+        snprintf(others, sizeof others, "; %zu more changed, and 'row' lists all", changed - 1);
+    const domq_real from = measure_now(query->scene, &before->domino[first], measure),
+                    to = measure_now(&query->next->scene, &after.domino[first], measure);
+    const struct measure unit =
+        measure_of(rowfile_kind.column[measure].unit, quad_larger(quad(fabs)(from), quad(fabs)(to)));
+    if (measure == MEASURE_MASS && !scene_has_masses(query->scene))
+        answer_say(a, "domino %zu: mass %s times as large as before%s", first + 1,
+                   quad_text(change->value, 6), others);
+    else
+        answer_say(a, "domino %zu: %s %s to %s %s%s", first + 1, name,
+                   quad_text(measure_number(unit, from), 6), quad_text(measure_number(unit, to), 6),
+                   unit.unit, others);
+    a->progress.wrote_text = true;
+    free(after.domino);
+    return true;
+}
+
+/* Changes one measurement of all selected dominoes. If the measurement is a size, the domino keeps its
+ * density. */
+bool run_change(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct row_change *change = query->given->bound;
+    struct scene_row row;
+    struct listed_row next;
+    if (!query->next)
+        return true;
+    struct scene *scene = &query->next->scene;
+    if (!scene_row_list(scene, &row, problem))
+        return false;
+    const bool gaps = change->measure == MEASURE_GAP;
+    bool good = dominoes_check(change, row.row.count, gaps, problem);
+    if (good && change->measure == MEASURE_MASS && change->how != CHANGE_TIMES && !scene_has_masses(scene))
+        good = problem_error(problem, "the masses of this row are not known; enter the mass of its first "
+                                      "domino with 'set mass', or a relative change such as '+10 %%'");
+    const bool begun = good && edit_begin(scene, &next, problem);
+    good = begun;
+    for (size_t k = gaps; k < row.row.count && good; k++)
+        if (is_selected(change, k + 1))
+            good = domino_change(scene, change, &row, k, row_measure_at(&next.change[k].to, change->measure),
+                                 problem) &&
+                   (!dom_raised(scene->compute.interrupt) || problem_status(problem, scene, DOM_INTERRUPTED));
+    good = begun && edit_end(scene, &next, good, problem);
+    if (good && answer_for_people(a) && !query->run_context->sourced)
+        good = change_say(query, a, change, &row, problem);
+    free(row.domino);
+    return good;
+}
+
+/* ---- Replace ---- */
+
+static bool is_near(domq_real a, domq_real b)
+{
+    return quad(fabs)(a - b) <= (domq_real)1e-12 * quad(fabs)(b);
+}
+
+/* Sets the sizes of a domino, or multiplies its mass so that its ratio to the first mass is that of `to`. */
+static void domino_set(struct changed_domino *change, const struct domq_domino *now, struct domq_domino to,
+                       bool sizes, domq_real masses)
+{
+    static const enum row_measure measures[] = {MEASURE_GAP, MEASURE_HEIGHT, MEASURE_THICKNESS,
+                                                MEASURE_RADIUS, MEASURE_WIDTH};
+    struct domq_domino from = *now;
+    const domq_real times = to.mass / now->mass * masses;
+    for (int i = 0; i < (sizes ? 5 : 4) && !(masses > 0); i++) {
+        const domq_real value = *row_measure_at(&to, measures[i]);
+        if (!is_near(*row_measure_at(&from, measures[i]), value))
+            *row_measure_at(&change->to, measures[i]) = value;
+    }
+    if (masses > 0 && !is_near(times, 1))
+        change->to.mass = (isnan(change->to.mass) ? 1 : change->to.mass) * times;
+}
+
+bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
+                   struct problem *problem)
+{
+    bool good = true;
+    /* A change of size also changes the mass, because a domino keeps its density. So masses come second. */
+    for (int masses = 0; masses <= (int)sizes && good; masses++) {
+        struct scene_row now;
+        struct listed_row next;
+        if (!scene_row_list(scene, &now, problem))
+            return false;
+        good = edit_begin(scene, &next, problem);
+        for (size_t k = 0; k < count && good; k++)
+            domino_set(&next.change[k], &now.domino[k], to[k], sizes,
+                       masses ? now.domino[0].mass / to[0].mass : 0);
+        free(now.domino);
+        good = good && edit_end(scene, &next, true, problem);
+    }
+    return good;
+}
+
+/* ---- Remove and insert ---- */
+
+/* Removes the selected dominoes. The gaps before the other dominoes stay the same. */
+bool run_remove(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct row_change *change = query->given->bound;
+    struct listed_row next;
+    size_t kept = 0;
+    if (!query->next)
+        return true;
+    struct scene *scene = &query->next->scene;
+    const size_t count = scene_row_count(scene);
+    if (count == 0)
+        return problem_no_row(problem);
+    if (!dominoes_check(change, count, false, problem) || !edit_begin(scene, &next, problem))
+        return false;
+    for (size_t k = 0; k < count; k++)
+        if (!is_selected(change, k + 1))
+            next.change[kept++] = next.change[k];
+    next.changes = kept;
+    next.change->to.gap = DOMQ_NAN;
+    if (!edit_end(scene, &next,
+                  kept > 0 || problem_error(problem, "a row has at least one domino; 'set row off' removes "
+                                                     "the row"),
+                  problem))
+        return false;
+    if (answer_for_people(a) && !query->run_context->sourced)
+        answer_say(a, "%zu domino%s removed; the row has %zu.", count - kept, count - kept == 1 ? "" : "es",
+                   kept);
+    a->progress.wrote_text = answer_for_people(a);
+    return true;
+}
+
+/* Inserts a copy of the domino that has the number k, or of the last one. The copy gets this number. */
+bool run_insert(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const size_t most = (size_t)domq_effect(DOM_EFFECT_row)->argument[0].highest,
+                 k = (size_t)query->given->number[0], at = k - 1;
+    struct scene_row row;
+    struct listed_row next;
+    if (!query->next)
+        return true;
+    struct scene *scene = &query->next->scene;
+    if (!scene_row_list(scene, &row, problem))
+        return false;
+    const size_t count = row.row.count, like = k <= count ? k - 1 : count - 1;
+    const struct domq_domino copied = row.domino[like];
+    /* A new second domino, or one that moves to the second place, has no gap of its own if it is a copy of
+     * the first. It gets a gap in proportion to the next one. */
+    const domq_real gap =
+        row.domino->height * (count > 1 ? row.domino[1].gap / row.domino[1].height : scene->train.s);
+    free(row.domino);
+    if (k > count + 1)
+        return problem_error(
+            problem,
+            "there is no place %zu in this row of %zu domino%s; 'insert %zu' adds one at its "
+            "end",
+            k, count, count == 1 ? "" : "es", count + 1);
+    if (count >= most)
+        return problem_error(problem, "a row has at most %zu dominoes", most);
+    if (!edit_begin(scene, &next, problem))
+        return false;
+    struct changed_domino *more = realloc(next.change, (count + 1) * sizeof *more);
+    if (!more) {
+        listed_free(&next);
+        return problem_status(problem, scene, DOM_NO_MEMORY);
+    }
+    const struct changed_domino copy = more[like];
+    memmove(&more[at + 1], &more[at], (count - at) * sizeof *more);
+    more[at] = copy;
+    if (like == 0 && copy.origin == 0)
+        more[1].to.gap = gap;
+    more[0].to.gap = DOMQ_NAN;
+    next.change = more;
+    next.changes = count + 1;
+    if (!edit_end(scene, &next, true, problem))
+        return false;
+    if (answer_for_people(a) && !query->run_context->sourced)
+        answer_say(a, "domino %zu: %s tall and %s thick; the row has %zu.", k,
+                   measured(copied.height, "m", 4).text, measured(copied.thickness, "m", 4).text, count + 1);
+    a->progress.wrote_text = answer_for_people(a);
+    return true;
+}
+
+/* ---- Save ---- */
+
+/* Writes the commands that remove and insert dominoes. Dominoes are removed from the end of the row, so that
+ * the numbers of those before them stay the same. */
+static void origins_save(const struct listed_row *row, size_t planned, FILE *out)
+{
+    for (size_t k = row->changes, end = planned; end > 0;) {
+        const size_t last = k > 0 ? row->change[k - 1].origin + 1 : 0; /* the last domino that is left */
+        if (last + 1 < end)
+            fprintf(out, "remove %zu-%zu\n", last + 1, end);
+        else if (last < end)
+            fprintf(out, "remove %zu\n", end);
+        end = last > 0 ? last - 1 : 0;
+        while (k > 0 && row->change[k - 1].origin + 1 == last)
+            k--;
+    }
+    for (size_t k = 1; k < row->changes; k++)
+        if (row->change[k].origin == row->change[k - 1].origin)
+            fprintf(out, "insert %zu\n", k);
+}
+
+void row_changes_save(const struct scene *scene, FILE *out)
+{
+    const struct listed_row *row = &scene->listed;
+    char number[WIDE_TEXT];
+    if (row->changes > 0)
+        origins_save(row, scene_row_planned(scene), out);
+    for (size_t k = 0; k < row->changes; k++)
+        for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
+            domq_real value = *row_measure_at(&row->change[k].to, m);
+            if (isnan(value))
+                continue;
+            /* A lean needs the '=', because it can be negative. Without the '=', 'change' would add a
+             * negative value to the current lean. */
+            fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
+                    m == MEASURE_LEAN ? "= " : "",
+                    quad_exact(m == MEASURE_MASS ? 100 * value : value, WIDE_DIGITS, number),
+                    m == MEASURE_LEAN   ? "rad"
+                    : m == MEASURE_MASS ? "%"
+                                        : "m");
+        }
 }

@@ -103,7 +103,7 @@ bool rowfile_load(struct scene *scene, const char *name, const struct run_contex
 /* A names_list (see names.h) of the measurements that can change. */
 const char *row_measure_names(const void *context, int k);
 
-/* ---- Changes of a row (row_edit.c) ---- */
+/* ---- Changes of a row (change.c) ---- */
 
 /* A range of consecutive dominoes, counted from 1. */
 struct row_range {
