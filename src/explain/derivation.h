@@ -105,8 +105,7 @@ struct derivation {
     /* The tilts and slopes of all dominoes, at launch and at the tilt of the current sum. */
     struct chain {
         struct domq_link *link;
-        size_t count, room;
-        bool failed; /* memory ran out, so the chain is incomplete */
+        size_t count;
     } launch, at;
     size_t i; /* index of the domino whose term is being computed */
 };

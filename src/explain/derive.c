@@ -5,7 +5,6 @@
 #include "language/text.h"
 #include "session/parameters.h"
 #include "train/train.h"
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- The numbers of the library ---- */
@@ -78,19 +77,13 @@ static bool name_value(struct evaluation *e, const struct tree *t, struct quanti
     return true;
 }
 
+/* Counts a domino and, once there is room, stores it. */
 static bool chain_add(const struct domq_link *link, void *context)
 {
     struct chain *c = context;
-    if (c->count == c->room) {
-        size_t room = 2 * c->room + 64;
-        struct domq_link *more = realloc(c->link, room * sizeof *more);
-        c->failed = !more;
-        if (!more)
-            return false;
-        c->link = more;
-        c->room = room;
-    }
-    c->link[c->count++] = *link;
+    if (c->link)
+        c->link[c->count] = *link;
+    c->count++;
     return true;
 }
 
@@ -103,16 +96,20 @@ static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
     struct chain *const chain[] = {&d->at, &d->launch};
     struct domq_angles angles = {.theta_f = DOMQ_NAN};
     enum dom_status status = any_angles_find(&scene->train, &scene->compute, &angles);
-    for (int k = 0; k < 2 && status == DOM_OK; k++) {
-        chain[k]->count = 0;
-        status = any_chain_walk(&scene->train, &scene->compute, k == 0 ? tilt : 0, chain_add, chain[k]);
+    size_t room = 0; /* known after the first walk along each chain */
+    for (int walk = 0; walk < 4 && status == DOM_OK; walk++) {
+        struct chain *c = chain[walk % 2];
+        *c = (struct chain){.link = walk < 2 ? NULL : arena_take(&d->arena, room * sizeof *c->link)};
+        if (walk >= 2 && !c->link)
+            return DOM_NO_MEMORY;
+        status = any_chain_walk(&scene->train, &scene->compute, walk % 2 ? 0 : tilt, chain_add, c);
+        room = c->count + 4 > room ? c->count + 4 : room;
     }
     const struct domq_link rest = {.theta = angles.theta_f, .slope = 0};
-    const size_t count = (d->launch.count > d->at.count + 2 ? d->launch.count : d->at.count + 2) + 2;
     for (int k = 0; k < 2; k++)
-        while (status == DOM_OK && !chain[k]->failed && chain[k]->count < count)
+        while (status == DOM_OK && chain[k]->count < room)
             (void)chain_add(&rest, chain[k]);
-    return status == DOM_OK && (d->at.failed || d->launch.failed) ? DOM_NO_MEMORY : status;
+    return status;
 }
 
 /* Returns the value of the equation of a step, or NaN if it has none. */
@@ -328,7 +325,5 @@ bool derivation_make(struct derivation *d, const struct query *query, const stru
 
 void derivation_end(struct derivation *d)
 {
-    free(d->launch.link);
-    free(d->at.link);
     arena_free(&d->arena);
 }
