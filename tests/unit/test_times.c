@@ -19,16 +19,6 @@ static double within_reach(const struct setup *train)
     return (1 - 1e-14) / (double)train->s;
 }
 
-/* Makes a train that stops in its cycle. */
-static bool stopping(uint64_t *seed, struct setup *train, domq_real *stop)
-{
-    *train = random_train(seed);
-    train->tol = 1e-12;
-    train->s = random_log(seed, 0.02, 1);
-    train->r = fmax(fmin(fmin((double)train->r, within_reach(train)), 6), 1);
-    return ask_cycle_stop(train, stop) == DOM_OK && isfinite((double)*stop);
-}
-
 /* Returns a random fraction of the distance to the stop: near the launch, near the stop, or in between. */
 static double part_of(uint64_t *seed, int kind)
 {
@@ -36,21 +26,43 @@ static double part_of(uint64_t *seed, int kind)
     return kind == 0 ? close : kind == 1 ? 1 - close : kind == 2 ? 1 : random_unit(seed);
 }
 
-/* Checks that the times of trains that stop differ from quad by no more than their error bounds, and that
- * these bounds are not too wide. */
+/* Checks that a train that stops has its events in every precision, even with friction and at r s = 1.
+ * Without these, its times differ from quad by no more than their error bounds, which are not too wide. */
 TEST(times_before_a_stop)
 {
-    uint64_t seed = 81;
-    int checked = 0;
+    uint64_t seed = 82;
+    int stops = 0, at_reach = 0, with_friction = 0, checked = 0;
     double loosest = 0;
-    for (int i = 0; i < 600; i++) {
-        struct setup train;
+    for (int i = 0; i < 1500; i++) {
+        struct setup train = random_train(&seed);
         struct domq_state here, there;
-        domq_real stop;
-        if (!stopping(&seed, &train, &stop))
+        struct domq_event events[DOM_EVENTS_MAX];
+        domq_real stop, end;
+        int n;
+        train.s = random_log(&seed, 0.02, 1);
+        train.q = i % 3 ? 3 : train.q;
+        train.mu = i % 2 ? random_log(&seed, 1e-3, 1) : 0;
+        train.r = i % 5 == 0 ? 1 / train.s : pow(1 / (double)train.s, random_unit(&seed));
+        train.precision = i % 7 == 0 ? IN_QUAD : i % 3 == 0 ? IN_FLOAT : IN_DOUBLE;
+        train.tol = train.precision == IN_FLOAT ? 1e-5 : 1e-12;
+        if (ask_cycle_stop(&train, &stop) != DOM_OK || isnan((double)stop))
             continue;
-        double theta = (double)stop * part_of(&seed, i % 4);
-        enum dom_status status = ask_cycle_state(&train, theta, &here);
+        enum dom_status status = ask_cycle_events(&train, events, &n);
+        if (status == DOM_NO_MARGIN)
+            continue;
+        if (status != DOM_STOPS)
+            fail_train(dom_status_text(status), &train, 0, 0);
+        assert_true(events[n - 1].kind == DOM_EVENT_STOP && events[n - 1].theta == stop);
+        if (!isfinite((double)events[n - 1].time) || events[n - 1].time <= 0)
+            fail_train("time", &train, (double)events[n - 1].time, 0);
+        stops++;
+        at_reach += i % 5 == 0;
+        with_friction += train.mu > 0;
+        if (train.precision != IN_DOUBLE || train.mu > 0 || i % 5 == 0)
+            continue;
+        const int kind = i / 2 % 4;
+        double theta = (double)stop * part_of(&seed, kind);
+        status = ask_cycle_state(&train, theta, &here);
         if (status == DOM_NO_MARGIN)
             continue;
         if (status != DOM_OK)
@@ -58,7 +70,6 @@ TEST(times_before_a_stop)
         struct setup fine = in_quad(train);
         /* Because of rounding, the stop in double may be after the true stop. In that case the time of the
          * true stop is expected. */
-        domq_real end;
         assert_status(ask_cycle_stop(&fine, &end), DOM_OK);
         assert_status(ask_cycle_state(&fine, theta < end ? theta : end, &there), DOM_OK);
         double off = fabs((double)(here.time - there.time));
@@ -67,12 +78,14 @@ TEST(times_before_a_stop)
         struct domq_barrier b;
         assert_status(ask_barrier_find(&train, &b), DOM_STOPS);
         /* Near the launch no digits are lost, unless the margin is small. */
-        if (i % 4 == 0 && -b.margin > b.kinetic / 100)
+        if (kind == 0 && -b.margin > b.kinetic / 100)
             loosest = fmax(loosest, off / (double)there.time);
         checked++;
     }
-    print_message("# %d times; the largest error near the launch is %.1e\n", checked, loosest);
-    assert_true(checked > 75 && loosest < 1e-9);
+    print_message(
+        "# %d stops, %d at the reach, %d with friction; %d times, largest error near the launch %.1e\n",
+        stops, at_reach, with_friction, checked, loosest);
+    assert_true(stops > 100 && at_reach > 25 && with_friction > 40 && checked > 75 && loosest < 1e-9);
 }
 
 /* Checks that the time is theta / omega(0) just after the launch of a train that stops. */
@@ -93,41 +106,6 @@ TEST(first_moment)
             assert_near("time", (double)s.time, theta / sqrt((double)launch.omegasq),
                         fmax(20 * theta, p == IN_FLOAT ? 1e-5 : 1e-12));
         }
-}
-
-/* Checks that a train that stops has its events in every precision, even with friction and at r s = 1. */
-TEST(stops_have_times)
-{
-    uint64_t seed = 82;
-    int stops = 0, at_reach = 0, friction_work = 0;
-    for (int i = 0; i < 750; i++) {
-        struct setup train;
-        struct domq_event events[DOM_EVENTS_MAX];
-        int n;
-        domq_real stop;
-        train = random_train(&seed);
-        train.s = random_log(&seed, 0.05, 1);
-        train.q = i % 3 ? 3 : train.q;
-        train.mu = i % 2 ? random_log(&seed, 1e-3, 1) : 0;
-        train.r = i % 5 == 0 ? 1 / train.s : pow(1 / (double)train.s, random_unit(&seed));
-        train.precision = i % 7 == 0 ? IN_QUAD : i % 3 == 0 ? IN_FLOAT : IN_DOUBLE;
-        train.tol = train.precision == IN_FLOAT ? 1e-5 : 1e-12;
-        if (ask_cycle_stop(&train, &stop) != DOM_OK || isnan((double)stop))
-            continue;
-        enum dom_status status = ask_cycle_events(&train, events, &n);
-        if (status == DOM_NO_MARGIN)
-            continue;
-        if (status != DOM_STOPS)
-            fail_train(dom_status_text(status), &train, 0, 0);
-        assert_true(events[n - 1].kind == DOM_EVENT_STOP && events[n - 1].theta == stop);
-        if (!isfinite((double)events[n - 1].time) || events[n - 1].time <= 0)
-            fail_train("time", &train, (double)events[n - 1].time, 0);
-        stops++;
-        at_reach += i % 5 == 0;
-        friction_work += train.mu > 0;
-    }
-    print_message("# %d stops, %d at the reach, %d with friction\n", stops, at_reach, friction_work);
-    assert_true(stops > 100 && at_reach > 25 && friction_work > 40);
 }
 
 /* Finds by bisection the growth at which the maximum of H moves away from theta = 0. */
