@@ -27,7 +27,7 @@ struct domq_domino domino_from_double(const struct dom_domino *domino)
 {
 #define VALUE(member) .member = quad_decimal(domino->member),
 #define NONE(...)
-    return (struct domq_domino){DOM_MEMBERS_domino(VALUE, NONE, NONE, NONE)};
+    return (struct domq_domino){DOM_MEMBERS_domino(VALUE, NONE, NONE)};
 #undef VALUE
 #undef NONE
 }

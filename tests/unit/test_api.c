@@ -40,7 +40,7 @@ static void same(const char *what, domq_real wide, domq_real own)
         const enum dom_status status = domf_##find(&t, &c, __VA_ARGS__ & own);                               \
         assert_status(any_##find(&train, &compute, __VA_ARGS__ &wide), status);                              \
         if (status == DOM_OK || status == DOM_STOPS) {                                                       \
-            DOM_MEMBERS_##structure(NUMBER, NONE, NONE, OTHER)                                               \
+            DOM_MEMBERS_##structure(NUMBER, NONE, OTHER)                                                     \
         }                                                                                                    \
     } while (0);
 #define SAME_NUMBER(find, ...)                                                                               \
@@ -108,13 +108,13 @@ struct seen {
 static bool domf_fall_seen(const struct domf_fall *from, void *context)
 {
     struct seen *seen = context;
-    DOM_MEMBERS_fall(KEEP, NONE, NONE, KEEP) return true;
+    DOM_MEMBERS_fall(KEEP, NONE, KEEP) return true;
 }
 
 static bool domq_fall_seen(const struct domq_fall *from, void *context)
 {
     struct seen *seen = context;
-    DOM_MEMBERS_fall(KEEP, NONE, NONE, KEEP) return true;
+    DOM_MEMBERS_fall(KEEP, NONE, KEEP) return true;
 }
 
 /* Runs rows by the library's function for float, and by the shell's in this precision. */
@@ -146,7 +146,7 @@ TEST(rows)
         struct domq_verdict wide = {0};
         assert_status(domf_row_run(&row, &compute, true, domf_fall_seen, &of_own, &own), DOM_OK);
         assert_status(any_row_run(&wide_row, &any, true, domq_fall_seen, &of_wide, &wide), DOM_OK);
-        DOM_MEMBERS_verdict(NUMBER, NONE, NONE, OTHER)
+        DOM_MEMBERS_verdict(NUMBER, NONE, OTHER)
             assert_true(of_own.count > 8 && of_own.count == of_wide.count);
         for (int k = 0; k < of_own.count; k++)
             same("a visitor's number", of_wide.number[k], of_own.number[k]);

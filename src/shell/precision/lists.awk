@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Reads the typed part of the headers of libdomino, and prints lists and functions for any.h. For each structure without
-# arrays, its members that are numbers, structures, pointers and others:
-#   #define DOM_MEMBERS_limit(NUMBER, PART, POINTER, OTHER) NUMBER(r_max) OTHER(ends) OTHER(why) NUMBER(open)
+# arrays, its members that are numbers, pointers and others; none of them is a structure:
+#   #define DOM_MEMBERS_limit(NUMBER, POINTER, OTHER) NUMBER(r_max) OTHER(ends) OTHER(why) NUMBER(open)
 # The functions that ask about a train, by the type of the answer, and by whether they take a number:
 #   #define DOM_FINDS(X) X(angles_find, angles) ...       DOM_FINDS_AT(X): the same, at a tilt
 #   #define DOM_NUMBERS(X) X(cycle_duration) ...             DOM_NUMBERS_AT(X): the same, at a tilt or a time
@@ -27,7 +27,7 @@ FNR == 1 { typed = 0 }
 /^struct dom_[a-z_]+ \{/ { structure = substr($2, 5); members = ""; next }
 structure && /^};/ {
     sub(/[a-z_]+ later\[DOM_LATER\];/, "", members) # room that a version does not use is not copied
-    if (members !~ /[[(]|\*const/) print "#define DOM_MEMBERS_" structure "(NUMBER, PART, POINTER, OTHER)" list_of(members)
+    if (members !~ /[[(]|\*const/) print "#define DOM_MEMBERS_" structure "(NUMBER, POINTER, OTHER)" list_of(members)
     if (members !~ /[[(*]/) structures = structures " X(" structure ")"
     structure = ""
 }
@@ -42,16 +42,16 @@ open && /;/ {
     open = 0
 }
 
-function list_of(members,   declaration, count, i, word, words, k, first, kind, type, list) {
+function list_of(members,   declaration, count, i, word, words, k, first, kind, list) {
     count = split(members, declaration, ";")
     for (i = 1; i < count; i++) {
         gsub(/const|volatile/, "", declaration[i])
         words = split(declaration[i], word, /[ ,]+/)
         first = word[1] == "" ? 2 : 1
-        type = word[first] == "struct" || word[first] == "enum" ? word[++first] : ""
-        kind = word[first] == "dom_real" ? "NUMBER" : word[first - 1] == "struct" ? "PART" : "OTHER"
+        first += word[first] == "struct" || word[first] == "enum"
+        kind = word[first] == "dom_real" ? "NUMBER" : "OTHER"
         for (k = first + 1; k <= words; k++)
-            list = list " " (word[k] ~ /^\*/ ? "POINTER(" substr(word[k], 2) : kind "(" word[k] (kind == "PART" ? ", " substr(type, 5) : "")) ")"
+            list = list " " (word[k] ~ /^\*/ ? "POINTER(" substr(word[k], 2) : kind "(" word[k]) ")"
     }
     return list
 }
