@@ -125,14 +125,6 @@ static struct words time_of(double seconds)
     return time;
 }
 
-static struct words speed_of(const struct class_row *class, double speed)
-{
-    struct words text;
-    snprintf(text.text, sizeof text.text, speed < 100 * class->size ? "%.3g %s/s" : "%.0f %s/s",
-             speed / class->size, class->unit);
-    return text;
-}
-
 /* Returns the number in a text of the sheet, so that what is computed from it agrees with the paper. */
 static double shown(struct words text)
 {
@@ -177,30 +169,23 @@ static void trials_write(const struct class_row *class, FILE *page, FILE *answer
 /* Writes the questions beside their answers. */
 static void questions_write(const struct class_row *class, FILE *page, FILE *answers)
 {
-    const struct row_run *run = &class->row.run;
     const struct trial *first = class->trial, *last = first + class->trials - 1, *fastest = first;
     const struct words length = length_of(class, class->row.stage.right), time = time_of(first->seconds);
-    bool is_narrowest = true;
+    const double speed = shown(length) / shown(time);
     int n = 1;
     for (const struct trial *t = first; t <= last; t++)
         fastest = t->dominoes == first->dominoes && t->seconds < fastest->seconds ? t : fastest;
-    for (const struct trial *t = first; t <= last; t++)
-        is_narrowest = is_narrowest && fastest->gap <= t->gap;
     fprintf(page,
             "# Questions\n%d. The row is %s long. How fast does it fall, length divided by time? _______ "
             "%s/s\n",
             n, length.text, class->unit);
-    fprintf(answers, "# Answers\n%d. %s / %s = %s.", n, length.text, time.text,
-            speed_of(class, shown(length) * class->size / shown(time)).text);
-    if (run->hits > 2)
-        fprintf(answers, " At the end the front is faster: %s.",
-                speed_of(class, (first->gap + (double)run->scene.domino->thickness) /
-                                    (double)(run->fall[run->hits - 1].time - run->fall[run->hits - 2].time))
-                    .text);
+    fprintf(answers,
+            speed < 100 ? "# Answers\n%d. %s / %s = %.3g %s/s." : "# Answers\n%d. %s / %s = %.0f %s/s.", n,
+            length.text, time.text, speed, class->unit);
     if (class->trials > 1) {
         fprintf(page, "%d. Which gap gives the shortest time? _______\n", ++n);
-        fprintf(answers, "\n%d. %s.%s", n, length_of(class, fastest->gap).text,
-                is_narrowest ? " But this row is also the shortest one: compare the speeds, too." : "");
+        fprintf(answers, "\n%d. %s. But rows differ in length: compare the speeds, too.", n,
+                length_of(class, fastest->gap).text);
     }
     if (last->dominoes > first->dominoes) {
         fprintf(page, "%d. Does a row of twice as many dominoes take twice as long? Why, or why not?\n", ++n);
@@ -229,7 +214,7 @@ static void questions_write(const struct class_row *class, FILE *page, FILE *ans
                 : "There is no friction. Real dominoes rub against each other, and a real row is slower. "
                   "'fit' finds "
                   "how much.",
-            (double)run->scene.row.g);
+            (double)class->row.run.scene.row.g);
 }
 
 /* ---- The command ---- */

@@ -46,6 +46,8 @@ sweep s 0.2 0.6 5 : rmax|rmax~against~s r_max s,~separation
 sweep q 3, 4 s 0.2 0.6 5 : rmax|q~=~3 q~=~4 r_max
 sweep s 0.2 0.6 9 d 0.1 0.3 7 : print 2*rmax|2\*rmax: d,~thickness~divided~by~height
 END
+    "$DOMINO" -e "$row; plot fall" >picture
+    same 'a mark for each domino' 'o o o o #' "$(sed -n '/^ *10 +/q;3,$s/.*[|+]//p' picture | grep -o '[o#]' | paste -sd ' ' -)"
     "$DOMINO" -e 'set r 1.7; plot energy' | grep -q 'launch *stop'
     "$DOMINO" -e 'set q hollow; set s 0.54; set r 1.84; plot energy' | grep -q fall
     "$DOMINO" -e 'set angle deg; plot omega' | grep -q 'head in deg'
@@ -81,12 +83,6 @@ END
     "$DOMINO" -e 'plot sweep tol 1e-12, 1e-6, 1e-3 : rmax > a.svg'
     same 'nearly equal' 3 "$(circles)"
     same 'ticks' "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort -u)" "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort)"
-}
-
-# bats test_tags=rows
-@test "plot fall: a mark for each domino rather than bars, which could not begin at 0 on a logarithmic axis" {
-    "$DOMINO" -e "$row; plot fall" >picture
-    same 'in characters' 'o o o o #' "$(sed -n '/^ *10 +/q;3,$s/.*[|+]//p' picture | grep -o '[o#]' | paste -sd ' ' -)"
 }
 
 @test "plot energy, omega: the data agree with energy and omega, and include the events" {

@@ -57,7 +57,7 @@ END
     for row in 'set h 5 cm; set d 8 mm; set s 20 mm; set row 30; set push 3' 'set h 5 cm; set d 8 mm; set s 20 mm; set row 20; set push 3' \
         'set h 44 mm; set d 7 mm; set s 15 mm; set row 9; set push 4' 'set h 1 cm; set d 1 mm; set s 4 mm; set row 2; set push 20'; do
         "$DOMINO" -e "set r 1; $row; sheet" >sheet
-        read -r length unit _ time _ _ speed _ <<<"$(sed -n 's/^1\. \([0-9.]* [a-z]* \/ .*\/s\)\. At.*/\1/p; s/^1\. \([0-9.]* [a-z]* \/ .*\/s\)\.$/\1/p' sheet)"
+        read -r length unit _ time _ _ speed _ <<<"$(sed -n 's/^1\. \([0-9.]* [a-z]* \/ .*\/s\)\.$/\1/p' sheet)"
         same "$row: $length $unit / $time s" "$(awk "BEGIN { v = $length/$time; printf v < 100 ? \"%.3g\" : \"%.0f\", v }")" "$speed"
         # The list has the same time, first for the row of the session.
         same "$row: the list" "$time" "$(sed -n 's/.* with gaps of .*: \([0-9.]*\) s$/\1/p' sheet | head -n 1)"

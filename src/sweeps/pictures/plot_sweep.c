@@ -23,6 +23,8 @@ struct plot_rows {
         char word[32]; /* the first cell as text, in the form that csv uses */
     } * row;
     size_t count;
+    const struct sweep *sweep;
+    int column; /* index of the first plotted column */
 };
 
 /* Receives the rows of the sweep, instead of the output format. The points are computed in several threads.
@@ -49,21 +51,15 @@ static void row_keep(struct answer *a, const struct cell *cells, const char *rea
         snprintf(row->word, sizeof row->word, "%s", cell_plain(&a->style, cells[0], text));
 }
 
-struct points {
-    const struct plot_rows *rows;
-    const struct sweep *sweep;
-    int column; /* index of the first plotted column */
-};
-
 /* Returns the index of the principal column of the answer or, if there is none, of the first column. */
-static int column_find(const struct points *p)
+static int column_find(const struct plot_rows *p)
 {
     const struct command *c = p->sweep->answer->command;
     const char *key = c->principal ? c->principal : c->columns[0].key;
     char renamed[64];
     snprintf(renamed, sizeof renamed, "%s.%s", c->name, key);
-    for (int i = p->sweep->grid.axes; i < ANSWER_COLUMNS && *p->rows->key[i]; i++)
-        if (strcmp(p->rows->key[i], key) == 0 || strcmp(p->rows->key[i], renamed) == 0)
+    for (int i = p->sweep->grid.axes; i < ANSWER_COLUMNS && *p->key[i]; i++)
+        if (strcmp(p->key[i], key) == 0 || strcmp(p->key[i], renamed) == 0)
             return i;
     return p->sweep->grid.axes;
 }
@@ -80,7 +76,7 @@ static void axis_label(const struct axis *a, struct chart_axis *to)
 
 /* Returns the name of the plotted number in a sweep of one answer: its expression, or the key of its column.
  */
-static const char *value_name(const struct points *p)
+static const char *value_name(const struct plot_rows *p)
 {
     const struct command *c = p->sweep->answer->command;
     return c->is_print ? p->sweep->typed : c->principal ? c->principal : c->columns[0].key;
@@ -92,25 +88,24 @@ static void label(char *to, size_t size, const char *name, const char *unit)
 }
 
 /* Draws curves along the axis with index `over`, one for each answer or each value of the other axis. */
-static void curves_draw(struct chart *chart, const struct points *p, int over)
+static void curves_draw(struct chart *chart, const struct plot_rows *p, int over)
 {
-    const struct plot_rows *rows = p->rows;
     const struct grid *grid = &p->sweep->grid;
     size_t second = grid->axes == 1 ? 1 : grid->axis[1].count, along = grid->axis[over].count;
     size_t values = grid->points / along, step = over == 0 ? second : 1, turn = over == 0 ? 1 : second;
     bool several = p->sweep->answers > 1, is_one = true;
     for (size_t k = 1; k < p->sweep->answers; k++)
-        is_one = is_one && strcmp(rows->unit[p->column + (int)k], rows->unit[p->column]) == 0;
+        is_one = is_one && strcmp(p->unit[p->column + (int)k], p->unit[p->column]) == 0;
     axis_label(&grid->axis[over], &chart->x);
     label(chart->y.label, sizeof chart->y.label, several ? "" : value_name(p),
-          is_one ? rows->unit[p->column] : "");
+          is_one ? p->unit[p->column] : "");
     for (size_t k = 0; k < values * p->sweep->answers; k++) {
         const int column = p->column + (several ? (int)k : 0);
-        const struct plot_row *row = &rows->row[several ? 0 : k * turn];
-        const char *name = rows->key[column] + (strncmp(rows->key[column], "print ", 6) == 0 ? 6 : 0);
+        const struct plot_row *row = &p->row[several ? 0 : k * turn];
+        const char *name = p->key[column] + (strncmp(p->key[column], "print ", 6) == 0 ? 6 : 0);
         char word[64 + 24] = "";
         if (several)
-            label(word, sizeof word, name, is_one ? "" : rows->unit[column]);
+            label(word, sizeof word, name, is_one ? "" : p->unit[column]);
         else if (grid->axes > 1 && over == 1)
             snprintf(word, sizeof word, "%s = %s", grid->axis[0].parameter->name, row->word);
         else if (grid->axes > 1)
@@ -122,21 +117,21 @@ static void curves_draw(struct chart *chart, const struct points *p, int over)
     }
 }
 
-static void map_draw(struct chart *chart, const struct points *p)
+static void map_draw(struct chart *chart, const struct plot_rows *p)
 {
     const struct grid *grid = &p->sweep->grid;
-    const struct plot_row *first = p->rows->row, *last = first + p->rows->count - 1;
+    const struct plot_row *first = p->row, *last = first + p->count - 1;
     struct chart_axis *axis[AXES] = {&chart->x, &chart->y};
     size_t cells[AXES] = {grid->axis[0].count, grid->axis[1].count};
-    double *value = chart->map.value = malloc(p->rows->count * sizeof *value);
+    double *value = chart->map.value = malloc(p->count * sizeof *value);
     chart->failed = chart->failed || !value;
-    for (size_t k = 0; k < p->rows->count && value; k++) {
+    for (size_t k = 0; k < p->count && value; k++) {
         size_t i = k / cells[1], j = k % cells[1];
         i = first->number[0] > last->number[0] ? cells[0] - 1 - i : i; /* values may descend */
         j = first->number[1] > last->number[1] ? cells[1] - 1 - j : j;
         value[j * cells[0] + i] = first[k].number[p->column];
     }
-    label(chart->map.label, sizeof chart->map.label, value_name(p), p->rows->unit[p->column]);
+    label(chart->map.label, sizeof chart->map.label, value_name(p), p->unit[p->column]);
     chart->map.across = (int)cells[0];
     chart->map.down = (int)cells[1];
     for (int k = 0; k < AXES; k++) {
@@ -146,21 +141,20 @@ static void map_draw(struct chart *chart, const struct points *p)
     }
 }
 
-static bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
-                            struct problem *problem)
+static bool plot_sweep_draw(struct plot_rows *rows, struct chart *chart, struct problem *problem)
 {
-    struct points p = {.rows = rows, .sweep = query->given->bound};
-    const struct grid *grid = &p.sweep->grid;
+    const struct sweep *sweep = rows->sweep;
+    const struct grid *grid = &sweep->grid;
     const struct axis *axis = grid->axis;
     if (rows->count == 0)
         return problem_no_answer(problem, "the sweep has no points to draw");
-    const bool several = p.sweep->answers > 1;
+    const bool several = sweep->answers > 1;
     size_t missing = 0, none = 0; /* missing values, and points where a value is missing */
-    p.column = several ? grid->axes : column_find(&p);
+    rows->column = several ? grid->axes : column_find(rows);
     for (size_t k = 0; k < rows->count; k++) {
         const size_t before = missing;
-        for (size_t i = 0; i < p.sweep->answers; i++)
-            missing += isnan(rows->row[k].number[p.column + (int)i]) != 0;
+        for (size_t i = 0; i < sweep->answers; i++)
+            missing += isnan(rows->row[k].number[rows->column + (int)i]) != 0;
         none += missing > before;
     }
     bool two = grid->axes > 1, numbers = isfinite(rows->row[0].number[0]);
@@ -177,17 +171,17 @@ static bool plot_sweep_draw(const struct query *query, const struct plot_rows *r
                              "a map needs evenly spaced numbers on both axes, as in 's 0.1 0.9 9'; to get "
                              "curves instead, enter at most %d values for one of the parameters",
                              FAMILY);
-    if (missing == rows->count * p.sweep->answers)
+    if (missing == rows->count * sweep->answers)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
                                  rows->count);
-    snprintf(chart->title, sizeof chart->title, "%.95s against %s%s%s", p.sweep->typed,
-             axis[0].parameter->name, two ? " and " : "", two ? axis[1].parameter->name : "");
+    snprintf(chart->title, sizeof chart->title, "%.95s against %s%s%s", sweep->typed, axis[0].parameter->name,
+             two ? " and " : "", two ? axis[1].parameter->name : "");
     if (none > 0)
         snprintf(chart->note, sizeof chart->note, "No answer at %zu of %zu points.", none, rows->count);
     if (over >= 0)
-        curves_draw(chart, &p, over);
+        curves_draw(chart, rows, over);
     else
-        map_draw(chart, &p);
+        map_draw(chart, rows);
     return true;
 }
 
@@ -212,7 +206,7 @@ static bool plot_sweep_rows(const struct query *query, struct answer *a, struct 
                              sweep->answer->command->name);
     if (!chart)
         return run_sweep(query, a, problem);
-    struct plot_rows rows = {.row = malloc((sweep->grid.points + 1) * sizeof *rows.row)};
+    struct plot_rows rows = {.row = malloc((sweep->grid.points + 1) * sizeof *rows.row), .sweep = sweep};
     if (!rows.row)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
     for (; rows.count < sweep->grid.points; rows.count++)
@@ -222,7 +216,7 @@ static bool plot_sweep_rows(const struct query *query, struct answer *a, struct 
         }
     a->sink.take = row_keep;
     a->sink.context = &rows;
-    const bool done = run_sweep(query, a, problem) && plot_sweep_draw(query, &rows, chart, problem);
+    const bool done = run_sweep(query, a, problem) && plot_sweep_draw(&rows, chart, problem);
     free(rows.row);
     return done;
 }
