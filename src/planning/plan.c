@@ -355,8 +355,6 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
     const char *const *title = query->given->bound;
     const bool has_masses = scene_has_masses(query->scene), people = answer_for_people(a),
                is_drawn = a->path && extension_of(a->path)->kind == EXTENSION_SHEET;
-    if (is_drawn && !picture_ready(a, problem))
-        return false;
     if (!plan_make(query, problem, &p))
         return false;
     if (!has_masses)

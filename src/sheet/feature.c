@@ -272,7 +272,7 @@ static bool run_sheet(const struct query *query, struct answer *a, struct proble
         return problem_error(
             problem, "a sheet has two pages, which a picture such as '%s' cannot have; use .pdf, .gp or .txt",
             names_shown(a->path));
-    if (!picture_ready(a, problem) || !falling_row_make(query, problem, false, &class.row))
+    if (!falling_row_make(query, problem, false, &class.row))
         return false;
     bool good = class_make(&class, problem);
     if (good && answer_for_people(a))

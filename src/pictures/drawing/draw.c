@@ -282,7 +282,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
         stage_rows(&stage, forces, a);
         good = true;
     }
-    stage_free(&stage);
+    free(stage.domino);
     return good;
 }
 
@@ -297,8 +297,6 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
             problem,
             "'draw at' shows a row at a given time; first enter 'set row N', for example 'set row 10'");
     }
-    if (!picture_ready(a, problem))
-        return false;
     if (words & DRAW_TOWER) {
         struct tower tower;
         const bool good = tower_make(query, &tower, problem) && draw_row(&tower.query, a, problem, words);

@@ -82,8 +82,9 @@ bool falling_row_make(const struct query *query, struct problem *problem, bool h
         return false;
     size_t count = row->run.scene.row.count;
     row->slid = calloc(count, sizeof *row->slid);
-    enum dom_status status = stage_make(&row->stage, count) && row->slid ? DOM_OK : DOM_NO_MEMORY;
+    row->stage.domino = calloc(count, sizeof *row->stage.domino);
     row->stage.count = count;
+    enum dom_status status = row->stage.domino && row->slid ? DOM_OK : DOM_NO_MEMORY;
     row->dominoes = count - has_tower;
     row->stage.ruler = "tape measure from the back of domino 1";
     if (status == DOM_OK && !row->run.timeless)
@@ -101,7 +102,7 @@ bool falling_row_make(const struct query *query, struct problem *problem, bool h
 void falling_row_free(struct falling_row *row)
 {
     row_run_free(&row->run);
-    stage_free(&row->stage);
+    free(row->stage.domino);
     free(row->slid);
 }
 

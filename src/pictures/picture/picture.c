@@ -174,12 +174,6 @@ bool picture_is_filed(const struct answer *a)
     return a->path && extension_of(a->path)->terminal;
 }
 
-bool picture_ready(const struct answer *a, struct problem *problem)
-{
-    return !(a->path && a->appended && extension_of(a->path)->kind >= EXTENSION_FILM) ||
-           problem_error(problem, "'%s' can hold only one picture; '>' replaces it", names_shown(a->path));
-}
-
 bool picture_begin(struct picture *p, const struct answer *a, double height, double wide, int delay,
                    const volatile sig_atomic_t *interrupt, struct problem *problem)
 {

@@ -97,9 +97,6 @@ enum { PICTURE_WIDTH = 640, PICTURE_HEIGHT = 480, CAPTION_COLUMNS = 76 };
 /* Returns true if the answer goes to a picture file, such as .png. */
 bool picture_is_filed(const struct answer *a);
 
-/* Returns true if a picture can be drawn to the destination of the answer. */
-bool picture_ready(const struct answer *a, struct problem *problem);
-
 /* Begins a picture of this height in the file of an answer; a .pdf file is `wide` cm wide. If the file is a
  * .gp script, the picture is only this script, which draws a .pdf file of the same name. For a film, `delay`
  * is the time between two frames in hundredths of a second, otherwise 0. On failure, sets *problem and

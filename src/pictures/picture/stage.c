@@ -82,17 +82,6 @@ bool drawn_locked(const struct drawn *k)
 
 /* ---- The stage ---- */
 
-bool stage_make(struct stage *stage, size_t room)
-{
-    *stage = (struct stage){.domino = calloc(room, sizeof *stage->domino)};
-    return stage->domino != NULL;
-}
-
-void stage_free(struct stage *stage)
-{
-    free(stage->domino);
-}
-
 const struct drawn *stage_front(const struct stage *stage, size_t k)
 {
     bool is_first = stage->domino[0].foot > stage->domino[stage->count - 1].foot;
@@ -194,7 +183,8 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     struct tilts tilts = {.count = 0};
     const double r = (double)train->r, pitch = (double)(train->s + train->d) * r,
                  tall = r < TALLEST ? r : TALLEST, seen = 1.04 * tall;
-    if (!stage_make(stage, DOMINOES))
+    *stage = (struct stage){.domino = calloc(DOMINOES, sizeof *stage->domino)};
+    if (!stage->domino)
         return DOM_NO_MEMORY;
     /* With the finest tolerance, the chain includes dominoes that are light, but large enough to be seen. */
     fine.tol = any_arithmetic(fine.precision).tol_floor;

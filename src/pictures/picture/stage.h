@@ -104,17 +104,13 @@ static inline bool drawn_marked(const struct drawn *domino)
 const struct drawn *stage_front(const struct stage *stage, size_t k);
 
 /* Makes a stage that shows the train when its head is at the tilt `theta`, 0 <= theta <= theta_c. Even after
- * an error, the caller must free the stage. */
+ * an error, the caller must free stage->domino. */
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
                             const struct any_compute *compute, domq_real theta);
 
 /* Adds the contact forces to a train on a stage. Returns the status of dom_cycle_forces. */
 enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
                              const struct any_compute *compute, domq_real theta);
-
-/* Makes an empty stage for up to `room` dominoes. Returns false if memory runs out. */
-bool stage_make(struct stage *stage, size_t room);
-void stage_free(struct stage *stage);
 
 /* Returns the unit that the ruler shows. For a train, this is h, the height of its head, with the size 1. For
  * a row, it is a metric unit that suits `across`, the width of the visible part of the stage. */
@@ -144,16 +140,13 @@ struct sheet {
 /* Returns the sheet for a stage, with a height between `least` and `most` dots. */
 struct sheet sheet_of(const struct stage *stage, double least, double most);
 
-/* Moves the sheet to another part of the stage, with position `at` near its middle. The visible height
- * becomes `tall`, which includes the strip for labels below the ground. */
-void sheet_follow(struct sheet *sheet, double at, double tall);
-
 /* Draws a dot in each colour into a frame. A gif has only the colours of its first frame, so this frame
  * must contain all colours. The last dot is white and covers the others. `shift` changes this white slightly.
  * It must alternate between 0 and 1, because gnuplot omits a frame that equals the previous one. */
 void sheet_palette(const struct sheet *sheet, int shift, FILE *script);
 
-/* Writes the commands with which gnuplot draws a stage on a sheet. */
+/* Writes the commands with which gnuplot draws a stage on a sheet. In a film that follows the fall, the
+ * height stage->tall includes the strip for labels below the ground. */
 void stage_script(const struct stage *stage, const struct sheet *sheet, FILE *script);
 
 /* ---- Pages for printing (paper.c): a stage at the top, with text and tables below it ---- */

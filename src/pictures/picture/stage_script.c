@@ -51,15 +51,6 @@ struct sheet sheet_of(const struct stage *stage, double least, double most)
     return v;
 }
 
-void sheet_follow(struct sheet *v, double at, double tall)
-{
-    const double up = v->height - v->above - v->below;
-    v->dot = tall / up;
-    v->left = at - 0.45 * ACROSS * v->dot;
-    v->right = v->left + ACROSS * v->dot;
-    v->high = (up - STRIP) * v->dot;
-}
-
 /* ---- The ruler and the labels ---- */
 
 static void axes_script(const struct stage *stage, const struct sheet *v, FILE *script)
@@ -146,8 +137,17 @@ void sheet_palette(const struct sheet *v, int shift, FILE *script)
                 k + 1, 1.5 / PICTURE_WIDTH, 1.5 / v->height, colour[k]);
 }
 
-void stage_script(const struct stage *stage, const struct sheet *v, FILE *script)
+void stage_script(const struct stage *stage, const struct sheet *sheet, FILE *script)
 {
+    struct sheet view = *sheet;
+    const struct sheet *const v = &view;
+    if (stage->tall > 0) {
+        const double up = v->height - v->above - v->below;
+        view.dot = stage->tall / up;
+        view.left = stage->at - 0.45 * ACROSS * v->dot;
+        view.right = v->left + ACROSS * v->dot;
+        view.high = (up - STRIP) * v->dot;
+    }
     axes_script(stage, v, script);
     caption_script(stage->caption, v, script);
     for (size_t k = 0; k < stage->count; k++) {

@@ -147,8 +147,6 @@ static bool frame_visit(const struct dom_moment *m, void *context)
         return !f->failed && frame_play(f);
     }
     fputs("unset label\nunset arrow\nunset object\n", f->picture.script);
-    if (f->follows)
-        sheet_follow(&f->sheet, stage->at, stage->tall);
     sheet_palette(&f->sheet, (int)(f->frame % 2), f->picture.script);
     stage_script(stage, &f->sheet, f->picture.script);
     progress_show((double)++f->frame / (double)f->frames);
@@ -295,8 +293,6 @@ static bool run_animate(const struct query *query, struct answer *a, struct prob
     struct tower tower = {.change = NULL};
     a->note = NULL;      /* no TRAIN_NOTE, because the film shows the row */
     a->style.errors = 0; /* a picture shows no errors */
-    if (!film.is_data && !picture_ready(a, problem))
-        return false;
     if (film.words & FILM_TOWER)
         film.query = &tower.query;
     const bool good = (!(film.words & FILM_TOWER) || tower_make(query, &tower, problem)) && film_make(&film);

@@ -62,7 +62,6 @@ struct answer {
     FILE *out;        /* the stream; NULL if nothing is written and only the cells of the last row are kept */
     const char *path; /* the name of the output file after '>' or '>>', or NULL */
     char made[64];    /* what the file has, for a note such as "wrote a.gif: 249 frames, 10 s, 1.3 MB" */
-    bool appended;    /* the answer is appended to the file, because the command has '>>' */
     struct answer_style style;
     const char *command;          /* the name of the command, for programs that read the answer */
     const char *note;             /* a remark for programs that read the answer, or NULL */

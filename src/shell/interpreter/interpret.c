@@ -80,7 +80,6 @@ static bool run_command(struct session *session, const struct command *c, const 
     struct answer answer = {
         .out = output->out,
         .path = output->path,
-        .appended = output->append,
         .style = state_style(query->state),
         .command = c->name,
         .note = is_not_row ? TRAIN_NOTE : in_double,
@@ -123,7 +122,7 @@ static bool run_command(struct session *session, const struct command *c, const 
 
 /* ---- Files ---- */
 
-static bool extension_fits(const struct command *c, const char *path, struct problem *problem)
+static bool extension_fits(const struct command *c, const char *path, bool appends, struct problem *problem)
 {
     const enum extension_kind kind = extension_of(path)->kind;
     const bool films = c->writes == WRITES_FILMS, draws = c->writes == WRITES_PICTURES,
@@ -132,6 +131,8 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
                       : kind == EXTENSION_DATA  ? has_data
                       : kind == EXTENSION_SHEET ? draws
                                                 : kind != EXTENSION_OTHER && !films;
+    if (fits && appends && (kind == EXTENSION_FILM || kind == EXTENSION_SHEET))
+        return problem_error(problem, "'%s' can hold only one picture; '>' replaces it", names_shown(path));
     return fits || problem_error(problem, "'%s' cannot write '%s'; use %s", c->name, names_shown(path),
                                  draws      ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
                                  : films    ? ".gif (for the data: .csv or .json)"
@@ -174,7 +175,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
                              "only one word can follow '>'; put a file name with blanks in double quotes");
     if (session->run_context.safe)
         return problem_error(problem, "a safe session cannot read or write files");
-    if (!extension_fits(c, path, problem))
+    if (!extension_fits(c, path, appends, problem))
         return false;
     const char *wrong = output_push(&session->output, path, appends, session->state.scene.compute.interrupt);
     if (!wrong) {
