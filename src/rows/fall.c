@@ -113,11 +113,6 @@ static void feet_say(struct answer *a, const struct falling *f)
                (double)f->mu);
 }
 
-static bool is_slippery(const struct scene_row *scene)
-{
-    return scene->row.engine && isfinite(scene->engine.feet);
-}
-
 /* ---- In words ---- */
 
 /* Returns a phrase that says why the fall ends early, such as "friction locks it". */
@@ -176,7 +171,7 @@ static void columns_choose(struct answer *a, const struct falling *f, bool has_m
     }
     if (!f->floor)
         answer_leave_out(a, "floor floor_hit");
-    if (!is_slippery(&f->run.scene))
+    if (!(f->run.scene.row.engine && isfinite(f->run.scene.engine.feet)))
         answer_leave_out(a, "slid");
 }
 
@@ -192,15 +187,6 @@ static bool fall_note(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* Returns the energy of a domino, divided by the energy that it needs. For people, values above 100 are
- * not distinguished, as in energy_words. */
-static struct cell energy_cell(const struct answer *a, const struct domq_fall *fall)
-{
-    const domq_real share = fall_share(fall);
-    const bool has_plenty = share > 100 || (fall->barrier == 0 && fall->kinetic > 0);
-    return has_plenty && answer_for_people(a) ? cell_word("> 10000") : cell_narrow(share, 4);
-}
-
 static bool fall_row(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
@@ -208,15 +194,19 @@ static bool fall_row(const struct domq_fall *fall, void *context)
     const size_t k = fall->domino - 1;
     const struct dom_floor none = {.motion = DOM_NAN, .hit = DOM_NAN},
                            *floor = f->floor ? &f->floor[k] : &none;
-    const bool lifted = isinf(floor->motion) || isinf(floor->hit);
+    const bool lifted = isinf(floor->motion) || isinf(floor->hit), people = answer_for_people(f->answer);
+    const domq_real share = fall_share(fall);
+    /* For people, energies above 100 times what is needed are not distinguished, as in energy_words. */
+    const bool has_plenty = share > 100 || (fall->barrier == 0 && fall->kinetic > 0);
     answer_row(f->answer,
                ROW(cell_count((domq_real)fall->domino), cell_narrow(scene->domino[k].height, 4),
                    cell_narrow(fall->time, 4), cell_narrow(fall->time + fall->duration, 4),
                    cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4), cell_narrow(fall->barrier, 4),
-                   cell_narrow(fall->margin, 4), energy_cell(f->answer, fall),
+                   cell_narrow(fall->margin, 4),
+                   has_plenty && people ? cell_word("> 10000") : cell_narrow(share, 4),
                    cell_narrow((domq_real)floor->motion, 3), cell_narrow((domq_real)floor->hit, 3),
                    cell_narrow(scene->row.engine ? (domq_real)scene->report.slid[k] : DOMQ_NAN, 3)),
-               lifted && !answer_for_people(f->answer) ? foot_lifted : NULL);
+               lifted && !people ? foot_lifted : NULL);
     return fall_note(fall, context) && !answer_lost(f->answer);
 }
 

@@ -144,7 +144,7 @@ static bool row_write(struct planner *p, struct choice c)
         }
     }
     if (p->limits)
-        shape_round(&(struct shape){&row, p->limits}, p->domino);
+        shape_round(&(struct shape){&row, p->limits}, count, p->domino);
     return true;
 }
 

@@ -126,19 +126,13 @@ bool shape_dominoes(const struct shape *s, const double *x, bool final, struct d
     return true;
 }
 
-/* Rounds the sizes of the first `count` dominoes, except those of the very first, and all gaps. */
-static void round_some(const struct shape *s, size_t count, struct dom_domino *d)
+void shape_round(const struct shape *s, size_t count, struct dom_domino *d)
 {
     for (size_t k = 1; k < count; k++) {
         const double height = k + 1 < s->row->count ? on_grid(s, d[k].height) : d[k].height;
         shape_resize(s, &d[k], height, board_near(s, height, d[k].thickness * (height / d[k].height), true));
     }
     gaps_round(s, d);
-}
-
-void shape_round(const struct shape *s, struct dom_domino *d)
-{
-    round_some(s, s->row->count, d);
 }
 
 static bool is_near(double a, double b)
@@ -152,7 +146,7 @@ bool shape_keeps(const struct shape *s, const struct dom_domino *d, struct dom_d
     double length = d[count - 1].height;
     bool keeps = true;
     memcpy(rounded, d, count * sizeof *d);
-    round_some(s, 1 + sizes_of(s), rounded);
+    shape_round(s, 1 + sizes_of(s), rounded);
     for (size_t k = 0; k < count; k++) {
         length += d[k].gap + d[k].thickness;
         keeps = keeps && is_near(d[k].height, rounded[k].height) &&

@@ -29,9 +29,10 @@ void shape_resize(const struct shape *shape, struct dom_domino *domino, double h
  * are rounded to the grid. If the hall is too short even without gaps, returns false. */
 bool shape_dominoes(const struct shape *shape, const double *x, bool final, struct dom_domino *domino);
 
-/* Rounds the dimensions of a row to the grid. If there are boards, the thicknesses are those of the closest
- * boards. The first domino keeps its sizes. The last domino keeps its height. */
-void shape_round(const struct shape *shape, struct dom_domino *domino);
+/* Rounds the sizes of the first `count` dominoes, and all gaps, to the grid. If there are boards, the
+ * thicknesses are those of the closest boards. The first domino keeps its sizes. The last domino of the row
+ * keeps its height. */
+void shape_round(const struct shape *shape, size_t count, struct dom_domino *domino);
 
 /* Returns DOM_OK, or a status that says which of the limits is outside its range. */
 enum dom_status limits_check(const struct dom_limits *limits);
