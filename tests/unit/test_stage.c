@@ -218,7 +218,7 @@ TEST(a_train_is_drawn_where_the_model_has_it)
             sizes_check(&v);
             tilts += tilts_check(&v);
             hit_check(&v, k == TILTS - 1);
-            stage_free(&v.stage);
+            free(v.stage.domino);
         }
     }
     print_message("# %d contacts, %zu tilts\n", contacts, tilts);
