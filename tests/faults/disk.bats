@@ -58,39 +58,6 @@ export -f appended
     disk full_history
 }
 
-@test "full folder for temporary files: pictures and appended answers are complete, or fail with an error" {
-    command -v gnuplot >/dev/null || skip 'no gnuplot'
-    unshare --mount mount -t tmpfs tmpfs /tmp 2>/dev/null || skip 'nothing may be mounted here'
-    # The usual folder of a test is in /tmp, which is full here. So this test has a folder elsewhere, which is removed
-    # even if the test fails.
-    away=$(mktemp -d /var/tmp/domino.XXXXXX)
-    cp "$DOMINO" "$away/domino"
-    # shellcheck disable=SC2016
-    timeout -k 1 60 unshare --mount bash -c '
-        cd "$1" && mount -t tmpfs -o size=64k tmpfs /tmp || exit 9
-        for free in 40960 20480 8192 0; do
-            head -c 1M /dev/zero >/tmp/filler 2>/dev/null
-            truncate -s "-$free" /tmp/filler
-            echo old >row
-            for to in "> x.svg" "> x.png"; do
-                ./domino -n -e "plot energy $to" 2>&1
-                echo " $?"
-            done
-            ./domino -n -e "set output csv; curve 0.1 0.9 900 >> row" 2>&1
-            echo " $? $(wc -l <row)"
-        done' bash "$away" >"$BATS_TEST_TMPDIR/said"
-    # Each answer must be written completely or not at all.
-    rows=901
-    grep -vE "^( 0( $((rows + 1)))?| 1( 1)?|-e:1: (plot: cannot draw|curve: cannot write 'row'): No space left on device)$" \
-        "$BATS_TEST_TMPDIR/said" && false
-    [ "$(grep -c '^-e:1: plot: cannot draw' "$BATS_TEST_TMPDIR/said")" -ge 4 ]
-    for picture in x.svg x.png; do
-        [ ! -e "$away/$picture" ] || "$DOMINO" -n -e "plot energy > $BATS_TEST_TMPDIR/$picture"
-        [ ! -e "$away/$picture" ] || cmp "$away/$picture" "$BATS_TEST_TMPDIR/$picture"
-    done
-    [ -z "$(find "$away" -mindepth 1 -name '*.??????')" ]
-}
-
 @test "exceeding the file size limit is an error like any other" {
     enter
     export full='File too large'

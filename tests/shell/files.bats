@@ -277,14 +277,3 @@ END
     echo 'fuel > /dev/null; save /dev/null' >script
     same 'devices take more than one' "$answer" "$("$DOMINO" -e 'log /dev/null; source script; fuel' | tail -n 3)"
 }
-
-# bats test_tags=pictures
-@test "temporary files are in TMPDIR" {
-    command -v gnuplot >/dev/null || skip 'no gnuplot'
-    run -1 --separate-stderr env TMPDIR="$PWD/none" "$DOMINO" -e 'plot energy > x.svg'
-    same 'no such folder' "-e:1: plot: cannot make a temporary file in '$PWD/none': No such file or directory" "$stderr"
-    mkdir own
-    TMPDIR=$PWD/own "$DOMINO" -e 'plot energy > x.svg'
-    [ -s x.svg ]
-    same 'nothing is left' '(nothing)' "$(ls own)"
-}

@@ -142,7 +142,6 @@ theta1 9|\{"command":"theta1","error":"T = 9 rad is outside .*","source":"stdin"
 assert verdict|\{"command":"verdict","error":"there is no row; .*","source":"stdin","line":2,"column":null\}
 print "|\{"command":"print","error":".*\\".*","source":"stdin","line":2,"column":7\}
 print 1e400|\{"command":"print","value":null,"unit":"","reason":".*quad.*"\}
-print 1e-400|\{"command":"print","value":null,"unit":"","reason":".*closer to 0.*"\}
 print 1e5000|\{"command":"print","error":".*this number is too large","source".*\}
 help rmax|\{"command":"help","name":"rmax","kind":"command","usage":"rmax \[S\]",.*"keys":"s r_max ends_by r_max_exact r_max_paper r_start".*\}
 help friction|\{"command":"help","name":"friction","kind":"effect","usage":"set friction .*\}

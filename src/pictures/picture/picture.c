@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* memfd_create */
 #include "pictures/picture/picture.h"
 #include "answer/answer.h"
 #include "domino_quad.h"
 #include "io/escape.h"
-#include "io/io.h"
 #include "io/terminal.h"
 #include "language/names.h"
 #include <errno.h>
@@ -12,6 +12,7 @@
 #include <poll.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #ifdef __linux__
@@ -86,15 +87,13 @@ static void gnuplot_failed(int status, FILE *errors, struct problem *problem)
     problem_error(problem, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
 }
 
-/* Opens a temporary file, which is deleted when it is closed. */
+/* Opens a file in memory, which gnuplot can read. */
 static FILE *temporary_open(struct problem *problem)
 {
-    const int descriptor = io_temporary(NULL, NULL);
+    const int descriptor = memfd_create("picture", MFD_CLOEXEC);
     FILE *file = descriptor >= 0 ? fdopen(descriptor, "w+") : NULL;
-    const int error = errno;
     if (!file)
-        problem_error(problem, "cannot make a temporary file in '%s': %s", names_shown(io_temporary_folder()),
-                      strerror(error));
+        problem_error(problem, "cannot draw: %s", strerror(errno));
     return file;
 }
 

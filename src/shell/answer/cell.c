@@ -161,11 +161,6 @@ bool cell_finite(const struct answer_style *style, struct cell cell)
     return !is_number || isfinite(rounded(cell_style(style, cell), cell.number));
 }
 
-bool cell_vanishes(const struct answer_style *style, struct cell cell)
-{
-    return cell.kind == CELL_REAL && cell.number != 0 && rounded(cell_style(style, cell), cell.number) == 0;
-}
-
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT])
 {
     if (cell.kind == CELL_FLAG)

@@ -66,9 +66,6 @@ struct cell cell_word(const char *word);
 /* Returns false if the number of a cell is too large for the precision of the style. */
 bool cell_finite(const struct answer_style *style, struct cell cell);
 
-/* Returns true if a number other than 0 becomes 0 in csv and json at this precision. */
-bool cell_vanishes(const struct answer_style *style, struct cell cell);
-
 enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */
 
 /* Returns the text of a cell in a table. A real number gets at most `digits` digits. If `errors` is true and

@@ -79,9 +79,6 @@ static bool run_print(const struct query *query, struct answer *a, struct proble
     const struct cell cell = cell_without_error(q.value);
     if (answer_for_people(a))
         answer_say(a, *unit ? "%s %s" : "%s", quad_text(q.value, digits), unit);
-    else if (cell_vanishes(&a->style, cell))
-        answer_row(a, ROW({.kind = CELL_NONE}, cell_word(unit)),
-                   "the value is closer to 0 than this precision can represent");
     else
         answer_cells(a, cell, cell_word(unit));
     return true;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#define _GNU_SOURCE /* asprintf, fopencookie, mkostemp */
+#define _GNU_SOURCE /* fopencookie */
 #include "io/io.h"
 #include "domino_quad.h"
 #include "io/terminal.h"
@@ -88,29 +88,6 @@ void io_begin(void)
     for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)
         if (fcntl(file, F_GETFD) < 0)
             (void)!open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-}
-
-const char *io_temporary_folder(void)
-{
-    const char *variable = getenv("TMPDIR");
-    return variable && *variable ? variable : P_tmpdir;
-}
-
-int io_temporary(const char *folder, char **name)
-{
-    char *path;
-    if (asprintf(&path, "%s/.domino.XXXXXX", folder ? folder : io_temporary_folder()) < 0)
-        return -1;
-    sigset_t before = io_block(); /* a signal must not leave a file whose name is not needed */
-    int file = mkostemp(path, O_CLOEXEC);
-    if (file >= 0 && !name)
-        unlink(path);
-    io_unblock(&before);
-    if (name && file >= 0)
-        *name = path;
-    else
-        free(path);
-    return file;
 }
 
 /* ---- Streams ---- */

@@ -40,14 +40,6 @@ void io_unblock(const sigset_t *before);
  * closed. */
 void io_begin(void);
 
-/* Returns the folder for temporary files: $TMPDIR, or /tmp. */
-const char *io_temporary_folder(void);
-
-/* Creates a temporary file. If `name` is NULL, the file has no name, so it vanishes when it is closed or when
- * the program ends. Otherwise its path is stored in *name, which the caller frees. If `folder` is NULL, the
- * file is in the folder io_temporary_folder(). Returns -1 on failure. */
-int io_temporary(const char *folder, char **name);
-
 /* ---- Streams ---- */
 
 /* Makes a stream from an open file. When the stream is closed, the file is closed too. On failure, closes the

@@ -8,7 +8,7 @@
  * - After '>>', the target is locked, and the text is added at its end.
  * The log gets a copy of all that goes to standard output.
  */
-#define _GNU_SOURCE /* asprintf */
+#define _GNU_SOURCE /* asprintf, mkostemp */
 #include "io/output.h"
 #include "domino_quad.h"
 #include "io/escape.h"
@@ -169,11 +169,13 @@ static bool mode_copy(const struct stat *old, int file)
 static bool text_rename(const struct output *o)
 {
     char *name = NULL, *folder = output_folder(o);
-    const int file = folder ? io_temporary(folder, &name) : -1;
+    if (folder && asprintf(&name, "%s/.domino.XXXXXX", folder) < 0)
+        name = NULL;
+    const int file = name ? mkostemp(name, O_CLOEXEC) : -1;
     bool is_good = file >= 0 && io_write(file, o->text, o->size, NULL) && mode_copy(&o->status, file);
     is_good = (file < 0 || close(file) == 0) && is_good && rename(name, o->target) == 0;
     const int reason = errno;
-    if (name && !is_good)
+    if (file >= 0 && !is_good)
         unlink(name);
     free(name);
     free(folder);
