@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # FIFOs, pipes and devices as files, and closed descriptors.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 # bats file_tags=whole
 
 load common
@@ -21,10 +20,6 @@ load common
     # Write more than a FIFO can hold at once.
     for _ in {1..40}; do echo 'help all'; done >"$BATS_TEST_TMPDIR/script"
     prompt interrupt_partner '<' "source $BATS_TEST_TMPDIR/script > %s" '(cannot write [^\n]*canceled|source: interrupted)'
-}
-
-@test "^C ends a command that reads the terminal" {
-    prompt interrupt_terminal 'source /dev/tty'
 }
 
 @test "FIFOs, pipes and devices are read and written like files" {
@@ -61,7 +56,6 @@ load common
 @test "the command in '> >(...)' reads the answer" {
     answer=$("$DOMINO" -e fuel)
     mkfifo over
-    # shellcheck disable=SC2016 # the inner shell expands it
     soon bash -c '"$DOMINO" -e "fuel > $1"; exec 3>&-' bash >(cat >got; echo >over)
     soon cat over >/dev/null
     same '>()' "$answer" "$(cat got)"

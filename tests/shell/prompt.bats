@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The calculator at a terminal. The scenarios are in prompt.exp.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 # bats file_tags=whole
 
 load common
@@ -31,13 +30,9 @@ same_at_the_prompt() { # FORMAT
 @test "TAB quotes a file name with blanks, '#', ';' or '>'" { prompt complete_files_quoted; }
 @test "^C clears a half-typed line, ends a history search, and on an empty line says how to leave" { prompt interrupt_line; }
 @test "^C stops a long computation, and drops the rest of the line" { prompt interrupt_rest; }
-@test "^C stops a search that writes no rows" { prompt interrupt_silent; }
-@test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
 @test "^C stops gnuplot while it draws an animation, and leaves no file" { prompt interrupt_animation; }
 @test "animate at a terminal: space stops, the right arrow shows the next frame, q ends; a file says what it has" { prompt play; }
 @test "^Z while an animation plays does nothing" { prompt suspend_animation; }
-@test "SIGTERM ends the session during a long computation" { prompt terminate TERM; }
-@test "the session ends when its terminal goes away" { prompt hang_up; }
 @test "^Z during a computation suspends the session at once, and fg goes on" { prompt suspend; }
 @test "pasted lines run as those of a script: continued lines, comments, line ends of other systems" { prompt pasted; }
 @test "watch: keys move the point, and every way out restores the terminal" { prompt watch; }
@@ -49,8 +44,6 @@ same_at_the_prompt() { # FORMAT
 @test "^C in a file before the prompt ends the file, and the prompt opens" { prompt interrupt_opened; }
 @test "inputrc: \$if Domino" { prompt inputrc; }
 @test "letters: ASCII in an ASCII locale" { prompt ascii; }
-@test "progress: for a terminal only" { prompt progress; }
-@test "lines of 4000 letters" { prompt long_line; }
 @test "watch works only at the prompt, and says so" {
     wrong 'watch s 0.1 0.9: rmax' 'works only at the prompt of a terminal .* lists the answers'
     wrong 'watch s 0.9 0.1: rmax' 'FROM must be less than TO'

@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The calculator in a terminal emulator: the tests run it in tmux, and check the screen.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 # bats file_tags=whole
 
 load common
@@ -140,39 +139,6 @@ errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'prin
         see '^42$'
         close_terminal
     done
-}
-
-# Opens a session under a shell with job control, for ^Z and fg.
-suspended_session() {
-    open_terminal 80 24 bash --norc --noprofile -i
-    press -l "PS1='shell> '"
-    press Enter
-    see_last 'shell>'
-    press -l -- "\"\$DOMINO\""
-    press Enter
-    see "or 'help'\."
-    see_last "$prompt"
-}
-
-@test "^Z and fg: the session and the half-typed line are still there" {
-    suspended_session
-    ask 'set s 0.3'
-    type_in 'print s*10'
-    press C-z
-    see Stopped
-    see_last 'shell>'
-    press -l 'expr 6 \* 7' # the terminal modes of the shell are restored
-    press Enter
-    see '^42$'
-    see_last 'shell>'
-    press -l fg
-    press Enter
-    see_last "$prompt print s*10"
-    press -l 0
-    see_last "$prompt print s*100"
-    press Enter
-    see '^30$'
-    see_last "$prompt"
 }
 
 @test "^C during a computation leaves one line, and a prompt below it" {
