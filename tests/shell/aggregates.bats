@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Numbers made of the columns of a table in expressions: sum, min, max and count.
-# shellcheck disable=SC2154 # 'run' sets variables
 
 load common
 

@@ -171,23 +171,6 @@ wrong_line() { # COMMANDS PATTERN
     [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
 }
 
-# Checks lines COMMANDS|PATTERN on stdin. Each time the commands must fail with a message that matches the pattern.
-all_fail() {
-    local commands pattern
-    while IFS='|' read -r commands pattern; do
-        run -1 "$DOMINO" -e "$commands"
-        expects "$commands" "$pattern"
-        grep -q -- "$pattern" <<<"$output" || same "$commands" "$pattern" "$output"
-    done
-}
-
-# Checks that commands fail with a single line that contains the text.
-one_line() { # TEXT COMMANDS
-    run -1 "$DOMINO" --keep-going -e "$2"
-    same "$2: one line" 1 "${#lines[@]}"
-    [[ $output == *"$1"* ]] || same "$2" "$1" "$output"
-}
-
 # Checks lines LINE|ANSWER on stdin. ANSWER must be the last line of the output of LINE.
 all_print() {
     local line answer

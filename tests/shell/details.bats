@@ -1,24 +1,18 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Short answers, and 'details', which prints the rest of the last answer.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
 rest() { "$DOMINO" -e "$1 > /dev/null; details"; }
 
-@test "an answer for people is at most three sentences and seven values; 'details' has every column with a value" {
-    local command keys answer short
-    while IFS='|' read -r command keys; do
+@test "an answer for people is at most three sentences and seven values" {
+    local command short
+    while IFS='|' read -r command _; do
         short=$("$DOMINO" -e "$command")
         # A sentence ends with a full stop at the end of a line or before a capital letter.
         [ "$(grep -oE '[a-z0-9%)]\.( [A-Z]|$)' <<<"$short" | wc -l)" -le 3 ] || same "$command: sentences" 'three' "$short"
         [ "$(wc -l <<<"$short")" -le 7 ] || same "$command: lines" 'seven' "$short"
-        answer=$(json "$command")
-        for key in ${keys% reason}; do
-            [ "$(values "$key" <<<"$answer")" != null ] || continue
-            rest "$command" | grep -q "^$key  *[^ ]" || same "$command: $key" 'in the details' "$(rest "$command")"
-        done
     done < <(printf '%s\n' "$commands" | grep -E '^(count|rmax|pair|best|why|goto|where|barrier)')
 }
 

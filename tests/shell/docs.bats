@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The README and the man pages.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 # bats file_tags=whole
 
 load common
@@ -37,7 +36,6 @@ build=$(dirname "$DOMINO")
     # The first line of the file, which is the licence, is left out.
     sed -n '/^\.Bd -literal/,/^\.Ed/{/^\./d;s/\\e/\\/g;p}' "$root/man/libdomino.3" >"$BATS_TEST_TMPDIR/rmax.c"
     diff -u <(sed 1d "$root/examples/rmax.c") "$BATS_TEST_TMPDIR/rmax.c"
-    # shellcheck disable=SC2046
     cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$BATS_TEST_TMPDIR/rmax.c" "$build/libdomino.a" \
         $(checked "$build/libdomino.a") -lgsl -lgslcblas -lm -pthread -o "$BATS_TEST_TMPDIR/rmax"
     command=$(sed -n 's/^\.Dl \$ //p' "$root/man/libdomino.3")

@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Help and apropos.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
@@ -39,12 +38,8 @@ load common
     done <<'END'
 fuel|fuel
 barrier|barrier rmax
-hollow|q
-json|output
 separation|rmax pair best s
-seconds|duration
 significant|digits
-leave|quit thetac
 c7|fuel
 END
     all_wrong <<'END'
@@ -124,26 +119,15 @@ END
     same json 'launch omega cost fall push' "$(json 'help speed' | values name | paste -sd ' ' -)"
 }
 
-# Runs the lines that help begins with, which all must work in this order.
-lines_run() {
+# bats test_tags=rows,pictures,lesson
+@test "help begins with eleven lines to type, all of which work in this order" {
     "$DOMINO" -e help | sed -nE 's/^> (.{14}) [^ ].*$/\1/p' >lines
-    same 'the first' 'count 112 m' "$(sed -n '1s/ *$//p' lines)"
-    same 'the last' quit "$(sed -n '$s/ *$//p' lines)"
-    run --separate-stderr "$DOMINO" --bail - <lines
+    same 'first, last, lines' 'count 112 m quit 11' "$(sed -n '1p;$p' lines | xargs) $(wc -l <lines)"
+    run -0 --separate-stderr "$DOMINO" --bail - <lines
     same 'what went wrong' '(nothing)' "$stderr"
-    for words in "$@"; do
+    for words in '20 solid dominoes' 1.64422 1.51445 '^rmax \[S\]: ' '^   \[h\] ' '^    12 '; do
         grep -q -- "$words" <<<"$output" || same 'the answers' "$words" "$output"
     done
-}
-
-@test "help begins with lines to type, all of which work in this order" {
-    lines_run '20 solid dominoes' 1.64422 1.51445 '^rmax \[S\]: '
-}
-
-# bats test_tags=rows,pictures,lesson
-@test "help begins with eleven lines to type" {
-    lines_run '^   \[h\] ' '^    12 '
-    same lines 11 "$(wc -l <lines)"
 }
 
 # bats test_tags=chance,pictures,engine,sweeps
@@ -151,24 +135,17 @@ lines_run() {
     while read -r word wanted; do
         same "apropos $word" "$wanted" "$("$DOMINO" -e "apropos $word" | grep -oxE "$wanted( .*)?" | cut -c "-${#wanted}")"
     done <<'END'
-quiz count
 tower count
 picture draw
-image plot
 spacing set s
-feet slip
 undo reset
 script source
 slope set slope
 probability placement
-graph curve
-movie animate
 Domtoren count
 solid set q
-massive set q
 sandpaper set friction
 speed duration
-degrees set angle
 END
     same 'first what is about it' 'set slope' "$("$DOMINO" -e 'apropos slope' | sed -n '1s/ \{2,\}.*//p')"
     wrong 'apropos money' "^-e:1: apropos: nothing was found about 'money'; try another word, such as"

@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Lines: comments, blanks, line ends, quotes, letters beyond ASCII, and the end of a session.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
@@ -16,7 +15,6 @@ load common
     expected=$(json 'set s 0.3; fuel')
     differ 's counts' "$(json fuel)" "$expected"
     while IFS= read -r text; do
-        # shellcheck disable=SC2059 # the text is a format: \n, \r, \t
         same "$text" "$expected" "$(printf "$text" | "$DOMINO" 2>&1)"
     done <<'END'
 set output json\nset s 0.3\nfuel\n

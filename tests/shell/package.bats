@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The installed library, its headers, and the archive.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 # bats file_tags=whole
 
 load common
@@ -36,7 +35,6 @@ build_with() { # shared|--static FLAGS...
         if [ -z "$(checked "$build/libdomino.a")" ]; then how=(-static); else how=(-Lstatic); fi
         mkdir -p static && cp "$dest/usr/lib/libdomino.a" static
     fi
-    # shellcheck disable=SC2046,SC2086
     cc "${@:2}" "${how[@]}" $(checked "$build/libdomino.a") $(pkg-config ${1#shared} --cflags --libs domino)
 }
 
@@ -78,26 +76,10 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     find "$dest" | sort | diff -u before -
 }
 
-@test "uninstall removes what an install has left, even one that failed half way, and nothing of others" {
-    for other in '' usr/share/doc/domino/notes usr/share/man; do
-        dest="$PWD/a dest$other"
-        mkdir -p "$(dirname "$dest/${other:-x}")"
-        if [ -n "$other" ]; then echo mine >"$dest/$other"; fi
-        # A file where the folder of the man pages should be makes the install fail.
-        plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr || [ "$other" = usr/share/man ]
-        [ -e "$dest/usr/lib/libdomino.a" ]
-        plain_make -C "$root" B="$build" uninstall DESTDIR="$dest" PREFIX=/usr
-        same "files left" "${other:+$dest/}${other:-(nothing)}" "$(find "$dest" -type f)"
-        if [ -z "$other" ]; then same "left" "$dest" "$(find "$dest")"; fi
-        [ "$other" = usr/share/man ] || run ! plain_make -C "$root" B="$build" uninstall DESTDIR="$dest" PREFIX=/usr
-    done
-}
-
 @test "with any PREFIX, even with blanks, programs and the Python example find the shared library there" {
     local prefix="$PWD/my app"
     plain_make -C "$root" B="$build" install PREFIX="$prefix"
     export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
-    # shellcheck disable=SC2046
     eval cc "'$prefix/share/doc/domino/examples/rmax.c'" -o rmax $(checked "$build/libdomino.a") "$(pkg-config --cflags --libs domino)"
     same rmax.c '1.64422903954, ends by barrier' "$(./rmax 0.4)"
     if [[ "$(checked "$build/libdomino.a")" != *sanitize* ]]; then
@@ -115,10 +97,8 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     run -0 env -u LD_LIBRARY_PATH LIBDOMINO="$dest/usr/lib/libdomino.so" "$examples/rmax.py" 0.4
     same "LIBDOMINO" "1.64422903954, ends by barrier" "$output"
     for arguments in 0.4 0.05 0.7 1 1e-6 0.001 0 7 -1 nan inf 0.4x '' '0.4 0.4' no; do
-        # shellcheck disable=SC2086
         run ./rmax $arguments
         in_c="$status: $output"
-        # shellcheck disable=SC2086
         run "$examples/rmax.py" $arguments
         same "rmax $arguments" "$in_c" "$status: ${output/rmax.py/rmax}"
     done
@@ -130,7 +110,6 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
         pc=$PWD/pc$flags
         plain_make -C "$root" B="$pc" CFLAGS="-O2 $flags" "$pc/domino.pc" "$pc/include/domino_quad.h"
         same "Cflags" "Cflags: -I\${includedir}${flags:+ $flags}" "$(grep '^Cflags' "$pc/domino.pc")"
-        # shellcheck disable=SC2086
         cc -std=c17 $flags -I"$pc/include" -I"$root/include" -include domino_quad.h -x c /dev/null -E -P >"$pc/quad"
         grep -q 'domq_limit_rmax' "$pc/quad"
     done
@@ -196,7 +175,6 @@ END
     if command -v g++ >/dev/null; then languages+=' g++:-std=c++11 g++:-std=c++17'; fi
     for language in $languages; do
         for order in 'domino domino_quad domino_float' 'domino_float domino_quad domino' domino domino_quad domino_float; do
-            # shellcheck disable=SC2086
             printf '#include <%s.h>\n' $order >both.cpp
             echo 'int main(void) { return dom_rmax(0.4, 0.1, 4) > 1 && !dom_raised(NULL) ? DOM_OK : DOM_STOPS; }' \
                 >>both.cpp
@@ -252,7 +230,6 @@ int main()
     std::printf("%.9g %.9g\n", limit.r_max, static_cast<double>(wide_limit.r_max));
 }
 END
-    # shellcheck disable=SC2046
     g++ -std=c++11 -Wall -Wextra -Werror -I"$root/include" -I"$build/include" both.cc "$build/libdomino.a" $(checked "$build/libdomino.a") -lgsl -lgslcblas -lm -pthread \
         -o both
     local expected
@@ -282,7 +259,6 @@ END
     same quiz '20' "$("$fresh/usr/bin/domino" -n -e 'set output json; count 112 m' | values dominoes)"
     PKG_CONFIG_SYSROOT_DIR=$fresh PKG_CONFIG_PATH=$lib/pkgconfig
     export PKG_CONFIG_SYSROOT_DIR PKG_CONFIG_PATH
-    # shellcheck disable=SC2046
     cc "$fresh/usr/share/doc/domino/examples/rmax.c" -o rmax $(pkg-config --cflags --libs domino)
     same C '1.64422903954, ends by barrier' "$(LD_LIBRARY_PATH=$lib ./rmax 0.4)"
     same Python 20 "$(LD_LIBRARY_PATH=$lib PYTHONPATH=$fresh/usr/lib/python3/dist-packages python3 -B -c \

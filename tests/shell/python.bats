@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The Python module: its tests and its installation.
-# shellcheck disable=SC2154 # 'run' sets variables
 # bats file_tags=whole
 
 load common

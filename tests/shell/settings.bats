@@ -1,25 +1,8 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Parameters and settings: set, show and reset; digits.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
-
-# Checks a table on stdin: every column begins below its header, after a blank, and has a word in each row if FILLED
-# lists it. WHAT names the table in messages.
-columns_in_line() { # WHAT FILLED
-    awk -v what="$1" -v filled=" $2 " '
-        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = index(" " $0 " ", " " $i " ") }
-        NR > 1 {
-            rows++
-            for (key in at) {
-                before = at[key] > 1 ? substr($0, at[key] - 1, 1) : " "
-                here = substr($0, at[key], 1)
-                if (before != " " || (index(filled, " " key " ") && (here == " " || here == ""))) { print what ", " key ": " $0; bad = 1 }
-            }
-        }
-        END { exit bad || rows == 0 }'
-}
 
 # bats test_tags=rows,chance,engine
 @test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
@@ -100,16 +83,6 @@ END
     same both 'walls 18 mm, 0.3 m' "$("$DOMINO" -e 'set walls 18 mm 30 cm; show walls' | awk 'NR == 2 { print $1, $2, $3, $4, $5 }')"
 }
 
-# bats test_tags=chance
-@test "show: columns are aligned with their headers, however long the values are" {
-    for scene in '' 'set precision quad; set d 7/48; set digits 36; set seed 123456789' 'set h 1/3; set g 9.8123456789' \
-        'set density 700; set output table'; do
-        "$DOMINO" -e "${scene:+$scene > /dev/null; }show all" | grep -v '^tol is now\|^$' |
-            columns_in_line "show after '$scene'" 'name value range default meaning'
-    done
-    "$DOMINO" -e 'show density' | columns_in_line 'show density' 'name value unit range default meaning'
-}
-
 # bats test_tags=rows,planning
 @test "set s, r and d say that they do not change a row from a file, and which command makes a row from them" {
     for name in s r d; do
@@ -123,4 +96,3 @@ END
     same 'other values, and other rows, say nothing' '(nothing)' \
         "$("$DOMINO" -e "effect row $root/examples/record.csv; set q 3; effect row 4; set s 0.3" | grep 'does not')"
 }
-
