@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The build is hardened, and gives the same bytes in every folder.
-# shellcheck disable=SC2154
 
 load faults
 

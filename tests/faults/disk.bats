@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Full disks and file size limits: there is an error message, and every file is complete, either the old file or the new
 # one.
-# shellcheck disable=SC2154 # $full is set where the scripts run
 
 load faults
 
@@ -75,7 +74,6 @@ export -f appended
     [[ $stderr =~ (gnuplot did not draw it|cannot draw: File too large) ]] || same 'plot' 'an error' "$stderr"
     same 'no picture' 'before file old other' "$(inside)"
     # Standard output has the same limit.
-    # shellcheck disable=SC2016
     run -1 --separate-stderr bash -c '"$DOMINO" -n -e "set output csv; curve 0.1 0.9 900" >out'
     same 'standard output' 'domino: cannot write the output: File too large' "$stderr"
 }

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Failing allocations and a small stack must lead to an error or to the right answer, but never to a crash or to a
 # wrong answer.
-# shellcheck disable=SC2030,SC2031,SC2154
 
 load faults
 

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Malicious file names: each is used as it is, or leads to an error message of one readable line. No other file is
 # touched.
-# shellcheck disable=SC2154
 
 load faults
 

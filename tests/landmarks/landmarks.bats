@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Landmarks: names of heights, for 'count' and in expressions.
-# shellcheck disable=SC2154 # 'run' sets variables
 
 load ../shell/common
 

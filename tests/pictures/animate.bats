@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Animations of rows.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load ../shell/common
 
@@ -32,14 +31,6 @@ record="effect row \"$root/examples/record.csv\""
     "$DOMINO" -e 'set r 1.6; effect row 12; animate > a.gif; set r 1.5; effect row 12; animate rate 5 > b.gif'
     "$root/tests/pictures/gif" a.gif
     "$root/tests/pictures/gif" b.gif
-}
-
-# bats test_tags=rows
-@test "animate: the file stands after '>'" {
-    local scene='set r 1; effect row 5; effect push 6'
-    same silent '(nothing)' "$("$DOMINO" -e "$scene; animate rate 20 > a.gif; animate rate 20 > a.csv" 2>&1)"
-    same data "$(csv "$scene; animate rate 20")" "$(cat a.csv)"
-    same 'a film, even after set output csv' GIF89a "$("$DOMINO" -e "set output csv; $scene; animate > c.gif" && head -c 6 c.gif)"
 }
 
 # bats test_tags=rows,sweeps
@@ -74,9 +65,6 @@ record="effect row \"$root/examples/record.csv\""
     same tower "$(csv 'effect row 9; change 9 height 1 m; change 9 thickness 14.5833333333333333333333333333333333 cm
         change 9 width 50 cm; change 9 gap 40 cm; animate rate 5')" "$(cat tower)"
     same 'the tower falls last, and lies' '9 1.57' "$(tail -n 1 tower | cut -d, -f 2,3 | tr , ' ' | cut -c 1-6)"
-    same 'hollow dominoes' "$(csv 'set q hollow; effect row 9; change 9 height 1 m; change 9 thickness 14.5833333333333333333333333333333333 cm
-        change 9 width 50 cm; change 9 gap 40 cm; change 9 mass +23.0188 %; animate rate 5' | cut -c 1-4)" \
-        "$(csv 'set q hollow; count 1 m; animate tower rate 5' | sed 1,2d | cut -c 1-4)"
     wrong 'animate tower > a.gif' "'tower' works only if the last answer was a count"
     wrong 'count 5 m; animate tower 4 > a.gif' "'4' does not fit here; usage: animate"
     same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate')" \

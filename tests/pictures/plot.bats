@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Plots: their data compared with the commands, kinds of files, and pictures in characters.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load ../shell/common
 
@@ -154,8 +153,6 @@ END
     same csv "$(csv 'sweep s 0.2 0.6 5 : rmax')" "$(csv 'plot sweep s 0.2 0.6 5 : rmax')"
     same json "$(json 'sweep q 3, 4 s 0.2 0.6 3 : count 112')" "$(json 'plot sweep q 3, 4 s 0.2 0.6 3 : count 112')"
     wrong 'sweep s 0.2 0.6 5 : rmax > a.svg' "'sweep' cannot write 'a.svg'; use .csv, .json or .txt"
-    # The values of a grid may decrease.
-    same 'a map' "$("$DOMINO" -e 'plot sweep s 0.1 0.9 9 d 0.1 0.3 7 : rmax')" "$("$DOMINO" -e 'plot sweep s 0.9 0.1 9 d 0.3 0.1 7 : rmax')"
     # Each word of a grid has its own curve, logarithmic grids have logarithmic axes, and points without an answer are
     # counted.
     "$DOMINO" -e 'plot sweep fuel exact, paper s 0.2 0.6 5 : rmax' >picture
@@ -223,14 +220,5 @@ END
     done
     "$DOMINO" -e 'set angle deg; plot sweep s 0.3 0.5 9 : duration.duration, thetac' |
         grep -q 'duration.duration in tau  *# thetac in deg'
-    "$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair > a.gp'
-    # The curves agree with the columns of the sweep.
-    csv 'sweep s 0.1 0.8 30 : rmax, pair' | sed 1d >sweep
-    for k in 0 1; do
-        sed -n "/^\$curve$k/,/^END/p" a.gp | sed '1d;$d' | awk '{ print $2 }' >curve
-        same "curve $k" 30 "$(wc -l <curve)"
-        paste -d, sweep curve | awk -F, -v k=$k '{ y = k ? $3 : $2; c = $NF }
-            y == "" ? c != "NaN" : (y - c > 1e-8 || c - y > 1e-8) { exit 1 }'
-    done
     wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.2 3 : rmax, pair' 'up to 6 answers against one parameter, or one answer against two'
 }

@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The gap and the growth that need the fewest dominoes: count H fewest.
-# shellcheck disable=SC2154 # 'run' sets variables
 
 load ../shell/common
 

@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Scripts that check: assert, and the status of a script.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load ../shell/common
 
@@ -10,7 +9,6 @@ load ../shell/common
     wrong 'assert rmax(0.4) < 1.6' 'assert: not true: rmax\(0.4\) < 1.6'
     wrong 'assert 1/0 < 2' 'assert: .*division by zero'
     wrong 'assert rmax' "'rmax' has no verdict; .* 'assert rmax < 1.7'"
-    wrong 'assert rmax(0.4) > 2' "here '>' would write the answer to a file, .* parentheses, as in 'assert \(rmax\(0.4\) > 1.6\)'"
     wrong 'assert rmax > 2' "here '>' would write the answer to a file, .* parentheses"
     wrong 'assert (rmax(0.4) > 2)' 'assert: not true'
 }
@@ -34,8 +32,5 @@ load ../shell/common
     "$DOMINO" -e 'assert prove verdict; assert prove rmax 0.4; assert prove count 1' >proved
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'set r 2; assert prove verdict'
     same proof '-e:1: assert: not true: there is a proof that the train keeps falling' "$stderr"
-    wrong 'assert rmax' "'rmax' has no verdict; enter a command that answers yes or no, such as barrier, or a comparison"
     wrong 'assert' 'COMMAND is missing; usage: assert COMMAND'
-    wrong 'assert verdit' "did you mean 'verdict'"
-    wrong 'assert verdict' 'there is no row; first'
 }

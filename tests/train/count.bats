@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The number of dominoes that topple a height: count.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load ../shell/common
 
@@ -17,7 +16,6 @@ load ../shell/common
 0.072|1|1
 49.152 2|10|10
 49.153 2|11|10.000029351328536
-49.151 2|10|9.9999706480743
 END
 }
 
@@ -49,9 +47,6 @@ Hollow dominoes can each be 2.04 times as large as the one before: then 11 are e
     same "r s > 1" "20 false" "$(values dominoes <<<"$answer") $(values feasible <<<"$answer")"
     grep -q '"reason":"[^"]*without touching' <<<"$answer"
     "$DOMINO" -e 'set s 0.9; count 112 details' | grep -q 'without touching'
-    answer=$(json 'count 112')
-    same 'feasible' true "$(values feasible <<<"$answer")"
-    same 'feasible: no reason' '(nothing)' "$(values reason <<<"$answer")"
 }
 
 # Prints the verdict on the row of a count. The first domino tips over or is pushed.

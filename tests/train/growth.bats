@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The largest growth: rmax, pair and best; answers that are a physical "no".
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load ../shell/common
 
@@ -19,9 +18,7 @@ load ../shell/common
     done <<END
 set s 0.001; fuel||releases no energy: the fuel P is not positive
 set s 0.001; launch|omega0sq omega0 kinetic|fuel P is not positive
-set s 0.001; omega 0|omegasq omega|fuel P is not positive
 set s 0.001; barrier|kinetic margin|fuel P is not positive
-set s 0.001; set fuel paper; launch|omega0sq omega0 kinetic|fuel P is not positive
 rmax 0.001|r_max r_max_exact r_max_paper|no growth possible.*releases no energy
 pair 0.1|r_max|no growth possible
 set d 1; best|s r_max|no growth possible
@@ -47,7 +44,6 @@ END
     same r_start "$(sed -n 2p <<<"$answer" | values r_start)" "$(head -n 1 <<<"$answer" | values r_start)"
     close ans 1.59459196 "$(json 'rmax; print ans.r_start' | values value)" 1e-8
     # The second row does not start with equal dominoes. In the third, the energy to spare decreases slowly.
-    close 'r_start 0.3' 1.37361273 "$(json 'rmax 0.3' | values r_start)" 1e-8
     close 'r_start, friction' 1.29183480 "$(json 'set q hollow; set friction 0.2; rmax 0.25' | values r_start)" 1e-8
     close 'r_start, slow' 1.70033272 "$(json 'set q 3.5; set d 0.198; rmax 0.5826' | values r_start)" 1e-8
     wrong 'print rmax.r_start' "rmax.r_start is not available in expressions, because it takes a long time to compute; enter 'rmax', and then 'ans.r_start'"
@@ -60,7 +56,6 @@ END
     wrong "$scene; rmax 0.1192020420696138643273314766323029" 'r_max is open: at the growth 4.4669'
     local s=0.1192020420696138643273314766323029
     local named='r_max is open: at the growth 4.4669[0-9]* the margin is 0 within rounding errors, even in quad; if a train passes this growth, r_max is [5-9]'
-    wrong "$scene; print rmax($s)" 'r_max is open'
     for call in "rmax $s" "set s $s; why" "set s $s; count 112" "set s $s; recipe" "set s $s; explain rmax"; do
         run --separate-stderr "$DOMINO" -e "$scene; $call"
         same "$call: status" 1 "$status"
@@ -78,6 +73,5 @@ END
         if grep '1\.64423' <<<"$output"; then same "$command: rounded up" '(nothing)' "$output"; fi
     done
     same csv 1.6442290 "$(csv 'rmax' | tail -n 1 | cut -d , -f 2 | cut -c 1-9)"
-    same 'a decimal' 1.25 "$("$DOMINO" -e 'rmax 0.8; details' | awk '$1 == "r_max" { print $2 }')"
     wrong 'set s 0.9; why' 'the largest r for this s is 1/s = 1\.11111$'
 }

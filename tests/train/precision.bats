@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Precision, tolerance and errors.
-# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load ../shell/common
 
@@ -61,15 +60,10 @@ quad() { # COMMANDS KEY DIGITS
 @test "tables show 6 digits, or as many as 'set digits' says, but no more than tol guarantees; csv and json have all" {
     rmax() { "$DOMINO" -e "$1; rmax; details" | sed -n 's/^r_max  *\([0-9.]*\) .*/\1/p'; }
     same default 1.64422 "$(rmax '')"
-    for setting in 'float|1.6442' 'double|1.64422' 'quad|1.64422'; do
-        same "${setting%|*}" "${setting#*|}" "$(rmax "set precision ${setting%|*}")"
-    done
     same 3 1.64 "$(rmax 'set digits 3')"
     same 12 1.64422903953 "$(rmax 'set digits 12')"
     same 'no more than tol promises' 1.64422903953 "$(rmax 'set digits 30')"
     same quad 1.644229039535149107281365639 "$(rmax 'set precision quad; set digits 28')"
-    same 'a session keeps what it has' 9 \
-        "$(json "set digits 9; save s.dom; reset digits; source s.dom; show digits" | values value)"
     # Output for programs does not depend on 'digits'.
     for output in csv json; do
         same "$output" "$("$DOMINO" -e "set output $output; set digits 2; rmax; count 112")" \
@@ -83,11 +77,6 @@ quad() { # COMMANDS KEY DIGITS
         [ "$status" -eq 1 ]
         [[ $output == *"is too small for ${pair%|*} precision; tol must be in the range ${pair#*|} .. 0.1"* ]]
         json "set precision ${pair%|*}; set tol ${pair#*|}; rmax" | grep -q '"ends_by":"barrier"'
-    done
-    for value in 0 -1 -1e-12; do
-        run "$DOMINO" -e "set tol $value"
-        [ "$status" -eq 1 ]
-        [[ $output == *'is out of range; tol must be in the range 1e-15 .. 0.1'* ]]
     done
 }
 
