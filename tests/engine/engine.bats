@@ -61,8 +61,7 @@ poses_agree() { # SCENE
 }
 
 @test "'effects' says that the engine runs the row; trains are still computed by the model" {
-    run -0 "$DOMINO" -n -e "$scene; effect feet 0.4; effects"
-    [[ $output == *'computed by the rigid-body engine'* ]]
+    says "$scene; effect feet 0.4; effects" 'computed by the rigid-body engine'
     same train "$(json 'rmax' | sed 's/"r_start.*//')" "$(json 'set method engine; rmax' | sed 's/"r_start.*//')"
     # The engine takes too long to find the growth at which a row starts, and rmax says so.
     [[ $(json 'set method engine; rmax' | values reason) == *'engine'*'rowmax'* ]]
@@ -71,8 +70,7 @@ poses_agree() { # SCENE
 # bats test_tags=pictures
 @test "animate and draw show the poses of the engine" {
     poses_agree "$scene"
-    run -0 "$DOMINO" -n -e "$scene; effect feet 0.3; draw at 0.1 s"
-    [[ $output == *'after the push'* ]]
+    says "$scene; effect feet 0.3; draw at 0.1 s" 'after the push'
 }
 
 # bats test_tags=pictures
@@ -104,8 +102,7 @@ poses_agree() { # SCENE
     close 'highest last' "$(values height_high <<<"$model" | tail -n 1)" "$(values height_high <<<"$engine" | tail -n 1)" 0.02
     paste <(values height_low <<<"$model") <(values height_high <<<"$model") <(values height_low <<<"$engine") <(values height_high <<<"$engine") |
         awk '{ if (!($3 < 1.02 * $1 && $4 > 0.98 * $2)) { print; bad = 1 } } END { exit bad || NR != 3 }'
-    run -0 "$DOMINO" -n -e "$two; effect feet 0.4; tolerance; details"
-    [[ $output == *'accurate to about 1 %'* ]]
+    says "$two; effect feet 0.4; tolerance; details" 'accurate to about 1 %'
     run -130 timeout --preserve-status --foreground -s INT 1 "$DOMINO" -n -e 'effect row 60; effect feet 0.4; tolerance'
 }
 

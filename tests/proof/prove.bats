@@ -7,16 +7,11 @@ load ../shell/common
 root=$BATS_TEST_DIRNAME/../..
 
 @test "prove says in words what is proved, and r_max is within the bounds" {
-    run -0 "$DOMINO" -e 'set d 7/48; prove rmax 0.4'
-    [[ $output == *'Proved: for every growth from 1 to 1.644229039535 the train keeps falling; at 1.644229039536 it stops.'* ]]
-    run -0 "$DOMINO" -e 'set tol 1e-4; prove rmax 0.4'
-    [[ $output == *'for every growth from 1 to 1.6442 the train keeps falling; at 1.6443 it stops.'* ]]
-    run -0 "$DOMINO" -e 'prove rmax 0.7'
-    [[ $output == *'Proved: for every growth from 1 up to 1/s the train keeps falling.'* ]]
-    run -0 "$DOMINO" -e 'prove rmax 0.005'
-    [[ $output == *'Proved: at growth 1 the train stops.'* ]]
-    run -0 "$DOMINO" -e 'set q hollow; prove pair 0.3'
-    [[ $output == *'to 1.654207309921 the first domino topples the next one even if it only just tips over; at 1.654207309922 it does not.'* ]]
+    says 'set d 7/48; prove rmax 0.4' 'Proved: for every growth from 1 to 1.644229039535 the train keeps falling; at 1.644229039536 it stops.'
+    says 'set tol 1e-4; prove rmax 0.4' 'for every growth from 1 to 1.6442 the train keeps falling; at 1.6443 it stops.'
+    says 'prove rmax 0.7' 'Proved: for every growth from 1 up to 1/s the train keeps falling.'
+    says 'prove rmax 0.005' 'Proved: at growth 1 the train stops.'
+    says 'set q hollow; prove pair 0.3' 'to 1.654207309921 the first domino topples the next one even if it only just tips over; at 1.654207309922 it does not.'
     # With both fuels and with several exponents of the mass.
     for scene in 'set fuel paper' 'set q hollow' 'set q 3.7; set d 0.1'; do
         row=$(json "$scene; prove rmax 0.3")

@@ -153,6 +153,16 @@ within() { # WHAT EXPECTED OBTAINED CONDITION
     return 1
 }
 
+# Checks that commands run without an error, and that their answer contains each text, however its lines are broken.
+says() { # COMMANDS TEXT...
+    local text
+    run -0 "$DOMINO" -n -e "$1"
+    for text in "${@:2}"; do
+        expects "$1" "$text"
+        [[ $(tr -s ' \n' ' ' <<<"$output") == *"$text"* ]] || same "$1" "$text" "$output"
+    done
+}
+
 # Checks that a command fails with a one-line message that matches PATTERN, and that the session goes on. Sets
 # the variables of 'run'.
 # shellcheck disable=SC2154
