@@ -9,13 +9,11 @@ load common
     all_wrong stdin -e script <<'END'
 1|foo|^unknown command 'foo'.*'help'
 1|q 3|^'q' is a parameter; enter 'set q VALUE'
-8|4.8 cm in mm|'to' converts, as in '4.8 cm to mm'$
+8|4.8 cm in mm|'in' is one argument too many; usage: print VALUE \[to U\]$
 6|rmax hollow|^rmax: S at 'hollow': 'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 1|hollow|^'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
-5|set hollow|^set: 'hollow' is a value of q; enter 'set q hollow', or
 5|set foo 1|^set: unknown parameter 'foo'
 11|set s=0.4 1|^set: '1' .*too many.*set NAME VALUE
-6|show foo|^show: unknown parameter 'foo'
 6|help zzz|^help: unknown topic 'zzz'
 END
 }

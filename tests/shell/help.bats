@@ -76,21 +76,9 @@ END
         done < <(sed -n 's/^See also: //p' <<<"$output" | tr ' ' '\n')
     done <"$PWD/names"
     [ "$examples" -ge 25 ]
-    seen=0
-    json show | values name >"$PWD/parameters"
-    while read -r name; do
-        # 'fuel' is a command, too.
-        if grep -qx "$name" "$PWD/names"; then continue; fi
-        seen=$((seen + 1))
-        run -0 --separate-stderr "$DOMINO" -e "help $name"
-        range=$(json "show $name" | values range)
-        meaning=$(json "show $name" | values meaning)
-        expects "help $name: meaning" "$meaning"
-        for words in "$meaning" "$range" default "set $name"; do
-            [[ $output == *"$words"* ]] || same "help $name" "$words" "$output"
-        done
-    done <"$PWD/parameters"
-    [ "$seen" -ge 12 ]
+    for name in h tol q digits; do
+        says "help $name" "$(json "show $name" | values meaning)" "$(json "show $name" | values range)" default "set $name"
+    done
     # 'help set' names the commands that show the present values.
     [[ $("$DOMINO" -e 'help set') == *'See also: show reset'* ]]
 }
