@@ -216,11 +216,8 @@ static struct process process_least(const char *command, int runs)
 static double lines_seconds(const char *program, const char *line, int count)
 {
     char command[4200];
-    snprintf(command, sizeof command, "yes '%s' | head -n %d > lines.tmp; exec %s < lines.tmp", line, count,
-             program);
-    const double seconds = process_least(command, 5).work;
-    remove("lines.tmp");
-    return seconds;
+    snprintf(command, sizeof command, "yes '%s' | head -n %d | %s", line, count, program);
+    return process_least(command, 5).work;
 }
 
 /* Returns the processor time that the library takes to find r_max with both fuels. */
