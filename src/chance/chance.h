@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows with random errors: the kinds of error, and studies of many random rows. */
-#ifndef CHANCE_H
-#define CHANCE_H
+#pragma once
 
 #include "parallel/workers.h"
 #include "rows/rows.h"
@@ -45,5 +44,3 @@ bool problem_no_errors(struct problem *problem, const char *what);
 
 /* Returns a phrase such as "1795 of 2000 rows fall (88.3 % to 91 %)". */
 struct words study_words(const struct dom_study *study);
-
-#endif

@@ -2,8 +2,7 @@
 /* Runs a row of boxes in the rigid-body engine Chipmunk 7. The boxes stand on hinges, or on a floor with
  * friction. world.c puts the boxes into Chipmunk, run.c moves them step by step, and row_engine.c makes boxes
  * of the dominoes of a scene. */
-#ifndef ENGINE_H
-#define ENGINE_H
+#pragma once
 
 #include "domino_row.h"
 #include <chipmunk/chipmunk.h>
@@ -178,5 +177,3 @@ cpVect world_velocity(const struct world *world, size_t k, cpVect point);
 
 /* Returns the foremost point of the upper or lower front edge of box k, which may be rounded. */
 cpVect world_front(const struct world *world, size_t k, bool upper);
-
-#endif

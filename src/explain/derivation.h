@@ -2,8 +2,7 @@
 /* Derivations show where a number comes from. A quantity has an equation, which the user sees, or an
  * expression with which the library computes it, or both. The program then shows the number that the library
  * computes, and a test checks that the equation gives the same number. */
-#ifndef SHELL_DERIVATION_H
-#define SHELL_DERIVATION_H
+#pragma once
 
 #include "interpreter/question.h"
 
@@ -126,5 +125,3 @@ bool expression_value(const struct query *query, const char *expression, domq_re
 extern const struct column recipe_columns[], paper_columns[];
 bool run_recipe(const struct query *query, struct answer *a, struct problem *problem);
 bool run_paper(const struct query *query, struct answer *a, struct problem *problem);
-
-#endif

@@ -11,8 +11,7 @@
  * fit_data.c reads the file and numbers the hits of a sound, fit_solve.c finds the smallest sum of squares,
  * and fit_answer.c writes the answer.
  */
-#ifndef FIT_H
-#define FIT_H
+#pragma once
 
 #include "interpreter/question.h"
 #include "train/train.h"
@@ -112,5 +111,3 @@ bool fit_number(struct fit *fit, struct problem *problem);
 /* Finds the values of the unknowns for which the sum of squares is smallest. Also finds their standard
  * deviations and correlations. */
 bool fit_solve(struct fit *fit, struct problem *problem);
-
-#endif

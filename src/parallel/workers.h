@@ -2,8 +2,7 @@
 /* The thread pool. It computes the points of an answer, such as a sweep, and runs tasks of the library. Each
  * worker takes a block of up to 16 consecutive points, computes it, and then takes another block. Blocks are
  * written in order, so the output does not depend on the number of workers. */
-#ifndef PARALLEL_WORKERS_H
-#define PARALLEL_WORKERS_H
+#pragma once
 
 #include "domino_study.h"
 #include "session/query.h"
@@ -33,5 +32,3 @@ struct task_pool {
 
 /* Runs tasks of the library. This is a dom_parallel whose pool is a struct task_pool. */
 enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void *pool);
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Types and functions that the files in this directory share, and the commands that these files define. */
-#ifndef SHELL_PLANNING_H
-#define SHELL_PLANNING_H
+#pragma once
 
 #include "domino_study.h"
 #include "interpreter/question.h"
@@ -45,5 +44,3 @@ extern const struct column design_columns[], plan_columns[];
 bool run_design(const struct query *query, struct answer *a, struct problem *problem);
 bool run_plan(const struct query *query, struct answer *a, struct problem *problem);
 bool plan_parse(struct reader *reader, struct question *question);
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Types and functions that the files in this directory share, and the commands that are defined in them. */
-#ifndef SHELL_ROWS_H
-#define SHELL_ROWS_H
+#pragma once
 
 #include "domino_study.h"
 #include "interpreter/question.h"
@@ -128,5 +127,3 @@ bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t cou
 
 /* Writes the changes as commands for a saved script: 'remove', 'insert' and 'change'. */
 void row_changes_save(const struct scene *scene, FILE *out);
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the commands of this feature share: answers at many points of the parameters. */
-#ifndef SHELL_SWEEPS_H
-#define SHELL_SWEEPS_H
+#pragma once
 
 #include "interpreter/question.h"
 #include "train/seek.h"
@@ -180,5 +179,3 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
 const char *assert_names(const void *context, int k); /* a names_list of the commands with a verdict */
-
-#endif

@@ -23,8 +23,7 @@
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
  *   radians.
  */
-#ifndef TABLES_CSV_H
-#define TABLES_CSV_H
+#pragma once
 
 #include "language/names.h"
 #include "session/query.h"
@@ -190,5 +189,3 @@ struct csv_table *csv_named(const struct scene *scene, const struct run_context 
 /* Closes a table after it has been read. Returns true if there was no error. Otherwise copies the error from
  * the table to *problem and returns false. If `csv` is NULL, only returns false. */
 bool csv_end(struct csv_table *csv, struct problem *problem);
-
-#endif

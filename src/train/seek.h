@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Searches along one variable, for functions that are known only by their values. A place without a value
  * has the value NaN. */
-#ifndef SHELL_SEEK_H
-#define SHELL_SEEK_H
+#pragma once
 
 struct spot {
     double x, value;
@@ -20,5 +19,3 @@ struct spot seek_top(seek_value *at, void *context, double low, struct spot from
  * Moves both towards each other until they are at most `grain` apart, or until no double lies between them.
  */
 void seek_edge(seek_value *at, void *context, struct spot *good, struct spot *bad, double grain);
-
-#endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands about a train, what their files share, and runs of the scene's row by the model or the
  * rigid-body engine. */
-#ifndef SHELL_TRAIN_H
-#define SHELL_TRAIN_H
+#pragma once
 
 #include "interpreter/command.h"
 
@@ -181,5 +180,3 @@ struct words start_words(const struct query *query);
  * domino 2: it has too little energy to tip over". Returns `text`. */
 enum { START_TEXT = 400 };
 const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT]);
-
-#endif

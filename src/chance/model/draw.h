@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws random rows: copies of a row with random errors. */
-#ifndef DOM_DRAW_H
-#define DOM_DRAW_H
+#pragma once
 
 #include "rows/model/boxes.h"
 #include <gsl/gsl_rng.h>
@@ -27,5 +26,3 @@ enum { BATCH = 16 };
 
 /* Runs all batches of random rows, in parallel if the placement can. */
 enum dom_status placement_run(const struct dom_placement *placement, dom_task *batch, void *context);
-
-#endif

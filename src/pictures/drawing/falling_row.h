@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws the row of the scene on a stage, before or while it falls, and describes it in sentences. */
-#ifndef SHELL_FALLING_ROW_H
-#define SHELL_FALLING_ROW_H
+#pragma once
 
 #include "pictures/picture/stage.h"
 #include "train/train.h"
@@ -80,5 +79,3 @@ const char *falling_row_start(const struct falling_row *row);
 /* Writes what happens at a moment, for example "2.500 s after the push: domino 3 falls; 7 dominoes still
  * stand." */
 void falling_row_moment(const struct falling_row *row, const struct dom_moment *moment, char text[SENTENCE]);
-
-#endif

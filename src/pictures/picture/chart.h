@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts with two axes. They show curves, points or a map. A command fills a chart with data, and
  * chart_show then draws the chart to the destination of the answer. */
-#ifndef SHELL_CHART_H
-#define SHELL_CHART_H
+#pragma once
 
 #include "pictures/picture/picture.h"
 
@@ -122,5 +121,3 @@ void chart_script(const struct chart *chart, FILE *script);
 
 /* Writes an axis of this name, "x" or "y", into a script, with up to about `most` ticks. */
 void axis_script(FILE *script, const struct chart_axis *axis, const char *name, int most);
-
-#endif

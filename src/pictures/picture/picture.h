@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What charts and stages are drawn with: a canvas of characters, gnuplot, and the whole screen. */
-#ifndef SHELL_PICTURE_H
-#define SHELL_PICTURE_H
+#pragma once
 
 #include "answer/answer.h"
 #include "session/problem.h"
@@ -129,5 +128,3 @@ void screen_end(void);
 /* Waits for a key, for at most this many seconds, and not longer than 0.2 s. Returns KEY_NONE if there is
  * none. */
 int screen_key(double seconds, const volatile sig_atomic_t *interrupt);
-
-#endif

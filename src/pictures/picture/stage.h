@@ -2,8 +2,7 @@
 /* A stage is a picture of dominoes at one moment, with a caption and a ruler. If it shows a row, lengths are
  * in m. If it shows the endless train, the unit of length is the height of the head, which is domino 0. A
  * stage can be drawn with characters, or written as a gnuplot script. */
-#ifndef SHELL_STAGE_H
-#define SHELL_STAGE_H
+#pragma once
 
 #include "answer/cell.h"
 #include "pictures/picture/picture.h"
@@ -166,5 +165,3 @@ void paper_write(const char *paper, FILE *out);
  * *problem and returns false. */
 bool paper_draw(const char *paper, const char *title, const struct stage *stage, const struct answer *a,
                 const volatile sig_atomic_t *interrupt, struct problem *problem);
-
-#endif

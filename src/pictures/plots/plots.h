@@ -5,8 +5,7 @@
  *
  * To add a plot, write its plot_run and its columns, and add an entry to the table at the end of its file.
  */
-#ifndef SHELL_PLOTS_H
-#define SHELL_PLOTS_H
+#pragma once
 
 #include "interpreter/question.h"
 #include "pictures/picture/chart.h"
@@ -55,5 +54,3 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
 
 /* The entries of plots leave out members. */
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Converts the variables of the search for a better row into dominoes that are within the limits. */
-#ifndef DOM_SHAPE_H
-#define DOM_SHAPE_H
+#pragma once
 
 #include "rows/model/boxes.h"
 
@@ -39,5 +38,3 @@ enum dom_status limits_check(const struct dom_limits *limits);
 
 /* Returns true if a row is within the limits. `rounded` has room for its dominoes. */
 bool shape_keeps(const struct shape *shape, const struct dom_domino *domino, struct dom_domino *rounded);
-
-#endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of a proof share: the chain of dominoes, the energies of a train, and proofs for all tilts
  * of a cycle and all growths in an interval. */
-#ifndef DOM_PROOF_H
-#define DOM_PROOF_H
+#pragma once
 
 #pragma GCC visibility push(default) /* precision/shared.awk */
 #include "domino_proof.h"
@@ -204,5 +203,3 @@ double proof_guess(struct proof *proof, double r, double *top);
 /* Tries to enclose the smallest growth at which the train stops, as dom_prove_rmax says. If the proof remains
  * incomplete (DOM_PROVED_PARTLY), the result is the reason. */
 enum outcome limit_prove(struct proof *proof, double tol, struct dom_proof *found);
-
-#endif

@@ -12,8 +12,7 @@
  * The rounding mode is never changed here. If a caller has set a rounding mode other than rounding to
  * nearest, the functions dom_prove_... prove nothing.
  */
-#ifndef DOM_SPAN_H
-#define DOM_SPAN_H
+#pragma once
 
 #include <float.h>
 #include <math.h>
@@ -205,5 +204,3 @@ static inline struct dual dual_over(struct dual a, struct dual k)
     const struct span ratio = span_over(a.value, k.value);
     return (struct dual){ratio, span_over(span_sub(a.by_r, span_mul(ratio, k.by_r)), k.value)};
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tells which dominoes of a row are boxes with walls, and how much wood they have. */
-#ifndef DOM_BOXES_H
-#define DOM_BOXES_H
+#pragma once
 
 #include "numerics/api.h"
 #pragma GCC visibility push(default) /* precision/shared.awk */
@@ -49,5 +48,3 @@ static inline double wood_factor(const struct dom_row *row, const struct dom_dom
                  changed = old > 0 ? wood_volume(row, after) : 0;
     return changed > 0 ? changed / old : solid;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs a row many times: with changes of a few dominoes (windows, mending), or with random errors. */
-#ifndef DOM_STUDY_H
-#define DOM_STUDY_H
+#pragma once
 
 #include "entry/study.h"
 #include "rows/model/boxes.h"
@@ -23,5 +22,3 @@ void row_study_end(struct study *study);
 /* Runs a row. At a domino that would stop, the run does not end: the domino gets the energy that it needs. */
 enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,
                            dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
-
-#endif

@@ -4,8 +4,7 @@
  * writes each row immediately, so the beginning of a long curve appears while the rest is being computed. A
  * command can also write sentences. Sentences appear only in formats for people, not in formats for programs.
  */
-#ifndef SHELL_ANSWER_H
-#define SHELL_ANSWER_H
+#pragma once
 
 #include "answer/cell.h"
 #include "io/output.h"
@@ -262,5 +261,3 @@ int style_tol_digits(const struct answer_style *style);
 /* Converts an angle to the unit that the user has chosen, and returns the name of this unit. */
 domq_real style_angle(const struct answer_style *style, domq_real radians);
 const char *style_angle_unit(const struct answer_style *style);
-
-#endif

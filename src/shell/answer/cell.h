@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cells of an answer: how their numbers are written, in which units, and with which errors. */
-#ifndef SHELL_CELL_H
-#define SHELL_CELL_H
+#pragma once
 
 #include "precision/any.h"
 #include <math.h>
@@ -147,5 +146,3 @@ void reference_compare(const struct reference *reference, size_t at, const struc
                        struct cell *cells, size_t columns);
 
 void reference_free(struct reference *reference);
-
-#endif

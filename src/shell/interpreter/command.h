@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Each command is one entry of a table. The entry says everything about the command: its syntax, its help,
  * what completion offers, and which value the command has in an expression. */
-#ifndef SHELL_COMMAND_H
-#define SHELL_COMMAND_H
+#pragma once
 
 #include "language/arena.h"
 #include "language/names.h"
@@ -269,5 +268,3 @@ bool argument_check(const struct query *query, const struct argument *argument, 
 struct cell cell_omega(domq_real omegasq, domq_real tau);
 
 #define ROW(...) ((const struct cell[]){__VA_ARGS__})
-
-#endif

@@ -8,8 +8,7 @@
  * - The command writes its answer (answer/answer.h) or describes a problem (session/problem.h).
  * - The output is popped. After a problem, the file is not kept.
  */
-#ifndef SHELL_INTERPRET_H
-#define SHELL_INTERPRET_H
+#pragma once
 
 #include "interpreter/question.h"
 #include "session/session.h"
@@ -34,5 +33,3 @@ void line_stream(struct session *session, FILE *in, const char *name);
  */
 bool line_preview(struct session *session, const char *line, size_t length, const char *tail,
                   struct offer *offer);
-
-#endif

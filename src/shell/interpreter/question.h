@@ -8,8 +8,7 @@
  * The functions that take a reader parse text at its position and move the reader to the end of this text.
  * After an error they set the reader's problem, and return false or NULL. The others have a *problem.
  */
-#ifndef SHELL_QUESTION_H
-#define SHELL_QUESTION_H
+#pragma once
 
 #include "interpreter/command.h"
 #include "language/text.h"
@@ -387,5 +386,3 @@ void *arguments_take(struct arguments *given, size_t size, const struct query *q
  * numbers (answer/cell.h). */
 bool command_compute(const struct command *command, const struct query *query, struct answer *answer,
                      struct problem *problem);
-
-#endif

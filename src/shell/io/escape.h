@@ -2,8 +2,7 @@
 /* Makes text from outside, such as file names, safe to show. Some characters could confuse the terminal or
  * the reader: control characters, invisible characters, and characters that break lines or change the
  * direction of writing. They are replaced by escape sequences. Bytes that are not UTF-8 are also replaced. */
-#ifndef SHELL_ESCAPE_H
-#define SHELL_ESCAPE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -33,5 +32,3 @@ char *escape_copy(const char *text);
 /* Writes a string as a JSON string in double quotes. A JSON parser then gets the original string back. There
  * is one exception: each byte that is not UTF-8 becomes the character U+FFFD. */
 void escape_json(FILE *out, const char *text);
-
-#endif

@@ -5,8 +5,7 @@
  * errno ECANCELED. This also works if the signal handler was installed with SA_RESTART. If `interrupt` is
  * NULL, signals have their usual effect. All functions set errno on failure.
  */
-#ifndef SHELL_IO_H
-#define SHELL_IO_H
+#pragma once
 
 #include <signal.h>
 #include <stdbool.h>
@@ -73,5 +72,3 @@ void io_row(FILE *out);
  * runs out, the error flag of the stream is set, which open_memstream does not ensure. Returns NULL on
  * failure. */
 FILE *io_memory(char **text, size_t *size);
-
-#endif

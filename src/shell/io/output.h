@@ -4,8 +4,7 @@
  * can be nested, so the outputs form a stack with standard output at the bottom. A log can get a copy of the
  * text for standard output.
  */
-#ifndef SHELL_OUTPUT_H
-#define SHELL_OUTPUT_H
+#pragma once
 
 #include <signal.h>
 #include <stdbool.h>
@@ -70,5 +69,3 @@ void log_command(const char *text, size_t length);
 
 /* Writes an error or a note into the log, if there is one, as a comment. */
 void log_message(const char *text);
-
-#endif

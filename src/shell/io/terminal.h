@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The terminal and the locale, text that is broken into lines, and the progress of a long command. */
-#ifndef SHELL_TERMINAL_H
-#define SHELL_TERMINAL_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -61,5 +60,3 @@ void progress_show(double fraction);
  * previous setting. */
 bool progress_mute(bool mute);
 bool progress_is_muted(void);
-
-#endif

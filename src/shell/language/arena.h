@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An arena hands out pieces of memory and frees all of them at once. A parsed command lives in an arena until
  * the command has run. `struct arena arena = {.block = NULL}` is an empty arena. */
-#ifndef SHELL_ARENA_H
-#define SHELL_ARENA_H
+#pragma once
 
 #include <stddef.h>
 
@@ -19,5 +18,3 @@ char *arena_text(struct arena *arena, const char *text, size_t length);
 
 /* Frees all memory of the arena. The arena is then empty and can be used again. */
 void arena_free(struct arena *arena);
-
-#endif

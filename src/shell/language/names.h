@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Looks up names in lists. A name can be shortened if no other name in the list begins with the typed
  * letters. If no name begins with them, the message suggests a name with a similar spelling. */
-#ifndef SHELL_NAMES_H
-#define SHELL_NAMES_H
+#pragma once
 
 #include "io/escape.h"
 #include <stdbool.h>
@@ -49,5 +48,3 @@ enum { NAMES_SHOWN = 64 };
 /* Returns a copy of a string for messages, shortened and escaped. The copy lives until the end of the block
  * that contains the call. */
 #define names_shown(text) escape_text(text, (char[NAMES_SHOWN]){""}, NAMES_SHOWN)
-
-#endif

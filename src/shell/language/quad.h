@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Functions for domq_real, the quad-precision type. quad(sqrt)(x) is the square root of a domq_real. */
-#ifndef SHELL_QUAD_H
-#define SHELL_QUAD_H
+#pragma once
 
 #include "domino_quad.h"
 #include <math.h>
@@ -64,5 +63,3 @@ domq_real quad_decimal(double value);
 
 /* Reads a number as strtod does. Sets errno to ERANGE if the number is out of range. */
 domq_real quad_read(const char *text, char **end);
-
-#endif

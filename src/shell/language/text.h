@@ -2,8 +2,7 @@
 /* A line of input for the interpreter. Greek letters such as θ are replaced by their names, and typographic
  * signs such as × by ASCII. Other characters stay as they are. Users see only the line that they have typed,
  * so error messages count columns in that line. */
-#ifndef SHELL_TEXT_H
-#define SHELL_TEXT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -60,5 +59,3 @@ static inline int text_column(const struct text *text, const char *place)
 
 /* Converts a position in text->line to the corresponding position in the line as it was typed. */
 const char *text_typed(const struct text *text, const char *place);
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Quantities are numbers with units. Units are checked: a length is an error where an angle is needed. */
-#ifndef SHELL_UNITS_H
-#define SHELL_UNITS_H
+#pragma once
 
 #include "language/quad.h"
 #include <ctype.h>
@@ -86,5 +85,3 @@ const char *unit_scan(const char *text, struct quantity *quantity);
  * "", chooses m, cm or mm. */
 enum { LENGTH_TEXT = WIDE_TEXT + 12 };
 const char *length_write(domq_real m, const char *typed, char text[LENGTH_TEXT]);
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The variables and functions that 'let' defines. A function is stored as the text of its expression. */
-#ifndef SHELL_VARIABLES_H
-#define SHELL_VARIABLES_H
+#pragma once
 
 #include "language/units.h"
 
@@ -41,5 +40,3 @@ const char *variable_head_write(const struct variable *variable, char text[VARIA
 /* Writes the value of a variable as an expression, such as "0.048 m". Returns `text`. */
 enum { VARIABLE_VALUE = 128 };
 const char *variable_value(const struct variable *variable, char text[VARIABLE_VALUE]);
-
-#endif

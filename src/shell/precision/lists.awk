@@ -151,5 +151,5 @@ END {
     for (of in lists) print "#define DOM_" of "(X)" lists[of]
     print "#define DOM_STRUCTURES(X)" structures
     print "#define DOM_VISITORS(X)" visitors
-    print "#ifdef ASKS_NARROW\n" narrow "#elif defined ASKS_ANY\n" any "#elif defined ANY_H\n" prototypes "#endif"
+    print "#ifdef ASKS_NARROW\n" narrow "#elif defined ASKS_ANY\n" any "#elif defined ASKS_PROTOTYPES\n" prototypes "#endif"
 }

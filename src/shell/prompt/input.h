@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The prompt at a terminal, with history and completion. */
-#ifndef SHELL_INPUT_H
-#define SHELL_INPUT_H
+#pragma once
 
 #include "session/session.h"
 #include <signal.h>
@@ -19,5 +18,3 @@ char *line_edit(struct session *session, const char *prompt);
  * word. If `files` is true and the word can be the name of a file, the paths of files are also candidates. */
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
-
-#endif

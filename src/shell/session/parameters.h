@@ -2,8 +2,7 @@
 /* The parameters of the model, the settings of the calculator, and the effects. Completion, and commands such
  * as set, show and save, work from one list of them. If a parameter needs code of its own, its entry in the
  * list has a pointer to this code. */
-#ifndef SHELL_PARAMETERS_H
-#define SHELL_PARAMETERS_H
+#pragma once
 
 #include "language/names.h"
 #include "language/quad.h"
@@ -211,5 +210,3 @@ void effect_put(struct scene *scene, int effect, domq_real value, const domq_rea
 
 /* Returns the style of answers, including the members that depend on the precision and on tol. */
 struct answer_style state_style(const struct state *state);
-
-#endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors are values here. A function that fails stores a message in a struct problem, and returns false. The
  * caller decides what happens to the message. */
-#ifndef SHELL_PROBLEM_H
-#define SHELL_PROBLEM_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -41,5 +40,3 @@ bool problem_report(struct problem *problem, enum problem_kind kind, const char 
     __attribute__((format(printf, 3, 4)));
 #define problem_error(problem, ...)     problem_report(problem, PROBLEM_WRONG, __VA_ARGS__)
 #define problem_no_answer(problem, ...) problem_report(problem, PROBLEM_NO_ANSWER, __VA_ARGS__)
-
-#endif

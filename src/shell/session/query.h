@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The input of a command: the state, the arguments, the last answer, and the context in which the command
  * runs. */
-#ifndef SHELL_QUERY_H
-#define SHELL_QUERY_H
+#pragma once
 
 #include "answer/answer.h"
 #include "session/scene.h"
@@ -78,5 +77,3 @@ static inline bool query_status(const struct query *query, struct problem *probl
 /* Finds a file that a script names. If there is such a file beside the running script, returns its path.
  * Otherwise returns a copy of `name`. The caller frees the path. */
 char *path_beside(const struct run_context *run_context, const char *name);
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes the row of a scene and changes the measurements of its dominoes. */
-#ifndef SHELL_ROW_H
-#define SHELL_ROW_H
+#pragma once
 
 #include "precision/any.h"
 #include "session/scene.h"
@@ -128,5 +127,3 @@ static inline bool row_measure_is_size(enum row_measure measure)
 
 /* Allocates the changes for a row of `count` dominoes, if necessary. Returns false if memory runs out. */
 bool row_changes_open(struct listed_row *row, size_t count);
-
-#endif

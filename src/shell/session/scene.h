@@ -2,8 +2,7 @@
 /* The scene contains everything on which the numbers in an answer depend. The state contains the scene, the
  * settings, and the variables that 'let' has defined. The parameters in parameter_list.c are members of the
  * state. */
-#ifndef SHELL_SCENE_H
-#define SHELL_SCENE_H
+#pragma once
 
 #include "answer/cell.h"
 #include "language/variables.h"
@@ -213,5 +212,3 @@ bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message
 
 /* Returns true for DOM_OK. Reports any other status as a problem and returns false. */
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status);
-
-#endif

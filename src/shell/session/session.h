@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A session: its state, its input and output, and its messages. */
-#ifndef SHELL_SESSION_H
-#define SHELL_SESSION_H
+#pragma once
 
 #include "answer/answer.h"
 #include "io/output.h"
@@ -83,5 +82,3 @@ void undo_keep(struct undo **undo, const struct state *state, struct state *befo
 /* If `back` is true, undoes the last command. Otherwise redoes the command that was undone last. Returns the
  * text of the command, or NULL if there is no such command. */
 const char *undo_step(struct undo *undo, struct state *state, bool back);
-
-#endif

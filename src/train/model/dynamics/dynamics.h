@@ -18,8 +18,7 @@
  * Source: J. M. J. van Leeuwen, Domino Magnification.
  *
  */
-#ifndef DOM_DYNAMICS_H
-#define DOM_DYNAMICS_H
+#pragma once
 
 #include "geometry/chain.h"
 
@@ -179,5 +178,3 @@ KERNEL_SHARED void flow_at(const struct geometry *geometry, real theta, real *ln
 /* Returns an estimate of the error of required energies, which may be large compared with a small barrier. It
  * is 0 for the energy balance. */
 KERNEL real flow_required_error(const struct geometry *geometry);
-
-#endif

@@ -6,8 +6,7 @@
  * An effect of DOM_DYNAMICS has a file in this folder, which fills two tables, struct dom_effect and struct
  * terms; drag, the coefficient of the air, is in air.c. The other effects have a struct dom_effect in rows.c.
  */
-#ifndef DOM_EFFECTS_H
-#define DOM_EFFECTS_H
+#pragma once
 
 #include "dynamics/dynamics.h"
 
@@ -105,5 +104,3 @@ KERNEL inline real inertia_factor(real d, real width, const dom_real effect[DOM_
     return (walls != 0 ? walls_box(d, width, walls).inertia : 1) +
            (air != 0 ? air_entrained(d, width, air) : 0);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef DOM_BARRIER_H
-#define DOM_BARRIER_H
+#pragma once
 
 #include "effects/effects.h"
 #include "numerics/numerics.h"
@@ -61,5 +60,3 @@ KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel 
 /* Returns the relative tolerance to which two terms must be computed, so that their difference is known to
  * the relative tolerance tol. Both terms are about `whole`, and their difference is about `left`. */
 KERNEL real balance_tol(real tol, real left, real whole);
-
-#endif

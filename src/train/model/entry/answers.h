@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The functions that answer a question once its values have been checked. Each does what the function of
  * domino.h or domino_row.h with the same name does. */
-#ifndef DOM_ANSWERS_H
-#define DOM_ANSWERS_H
+#pragma once
 
 #include "geometry/request.h"
 #include "numerics/real.h"
@@ -26,5 +25,3 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
 KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit);
 KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best);
 KERNEL enum dom_status count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count);
-
-#endif

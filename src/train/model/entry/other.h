@@ -4,8 +4,7 @@
  * and double leave to quad what is open in their own arithmetic. This file must be included before api.h,
  * which renames the names of domino.h.
  */
-#ifndef DOM_OTHER_H
-#define DOM_OTHER_H
+#pragma once
 
 #include "domino_float.h"
 #include "domino_quad.h"
@@ -93,7 +92,5 @@ static inline enum dom_status limit_in_quad(const struct OWN(train) * train,
                                      .open = (OWN(real))found.open};
     return status;
 }
-
-#endif
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What searches and studies of rows ask of the model, in double. entry.c answers. */
-#ifndef DOM_ENTRY_STUDY_H
-#define DOM_ENTRY_STUDY_H
+#pragma once
 
 #include "geometry/request.h"
 #include "numerics/real.h"
@@ -15,5 +14,3 @@ KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const st
  */
 KERNEL_SHARED enum dom_status train_request_of(const struct dom_train *train,
                                                const struct dom_compute *compute, struct request *request);
-
-#endif

@@ -5,8 +5,7 @@
  * ends earlier at a domino whose follower has detached, or if a geometric series shows that the remaining
  * terms are negligible at the tolerance.
  */
-#ifndef DOM_CHAIN_H
-#define DOM_CHAIN_H
+#pragma once
 
 #include "geometry/link.h"
 #include "numerics/numerics.h"
@@ -196,5 +195,3 @@ static inline enum dom_status model_status(enum dom_status function, enum num_st
     };
     return function != DOM_OK ? function : of[solver];
 }
-
-#endif

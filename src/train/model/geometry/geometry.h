@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The geometry of a train, and of one domino: section 2 and appendix A of the paper. An angle theta is stored
  * as a struct tilt, so the loops down the train need no trigonometry. */
-#ifndef DOM_GEOMETRY_H
-#define DOM_GEOMETRY_H
+#pragma once
 
 #include "geometry/request.h"
 #include "numerics/real.h"
@@ -254,5 +253,3 @@ KERNEL struct tilt geometry_rest(const struct geometry *geometry)
 {
     return geometry->lean == 0 ? standing : tilt_make(sin(geometry->lean), cos(geometry->lean));
 }
-
-#endif

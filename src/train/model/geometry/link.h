@@ -4,8 +4,7 @@
  * along a chain consist of these steps. geometry_contact and link_next are the contact and the step with
  * sharp edges; rounded.c has those with rounded edges.
  */
-#ifndef DOM_LINK_H
-#define DOM_LINK_H
+#pragma once
 
 #include "geometry/geometry.h"
 
@@ -203,5 +202,3 @@ KERNEL_LOOP struct arms link_arms(const struct link *k, const bool rolls)
     /* without friction the ratio is the slope (14; b10) */
     return (struct arms){.a = a, .b = b, .b_plain = contact->Y, .ratio = mu != 0 ? a / b : contact->slope};
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The input of a kernel. */
-#ifndef DOM_REQUEST_H
-#define DOM_REQUEST_H
+#pragma once
 
 #include "numerics/api.h"
 #include "numerics/interrupt.h"
@@ -40,5 +39,3 @@ struct row_request {
 };
 
 #undef MEMBER
-
-#endif

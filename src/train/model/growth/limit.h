@@ -7,8 +7,7 @@
  * - limit.c finds r_max, and how uncertain it is.
  * - best.c finds the separation with the largest r_max.
  */
-#ifndef DOM_LIMIT_H
-#define DOM_LIMIT_H
+#pragma once
 
 #include "energy/barrier.h"
 
@@ -133,5 +132,3 @@ KERNEL enum dom_status limit_uncertainty(struct margin_context *c, const struct 
 
 /* Starts counting the work of a search. If the work exceeds the limit, the search ends with DOM_TOO_LONG. */
 KERNEL void limit_begin(struct margin_context *c);
-
-#endif

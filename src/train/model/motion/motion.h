@@ -3,8 +3,7 @@
  * The motion of a head, from one collision to the next: the parts in which no domino detaches, times, the
  * cycle of an endless train, and forces. A cycle ends with the next hit, or where the train comes to rest.
  */
-#ifndef DOM_MOTION_H
-#define DOM_MOTION_H
+#pragma once
 
 #include "energy/barrier.h"
 
@@ -167,5 +166,3 @@ KERNEL_SHARED enum dom_status peak_over(struct peak *peak, real lo, real hi);
 /* Searches the cycle of a train. The edges of its barrier divide the cycle into parts. Forces jump at the
  * edges, so the search of a part begins and ends just inside. */
 KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *peak, const struct motion *motion);
-
-#endif

@@ -5,8 +5,7 @@
  * DOMQ, the file domq_names.h replaces the names in domino.h with the names in domino_quad.h, by lines such
  * as "#define dom_train domq_train", and likewise with DOMF.
  */
-#ifndef DOM_API_H
-#define DOM_API_H
+#pragma once
 
 #if __has_include("domino_quad.h")
 #include "domino_float.h"
@@ -20,6 +19,4 @@ typedef long double domq_real;
 #include "domf_names.h"
 #elif defined DOMQ
 #include "domq_names.h"
-#endif
-
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rounding to decimals, so that results are short enough to type. */
-#ifndef DOM_DECIMAL_H
-#define DOM_DECIMAL_H
+#pragma once
 
 #include <math.h>
 
@@ -21,5 +20,3 @@ static inline double multiple_of(double units, double step)
         scale *= 10;
     return units * round(step * scale) / scale;
 }
-
-#endif

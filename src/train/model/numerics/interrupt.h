@@ -2,8 +2,7 @@
 /* The check for an interrupt. Every loop of the model that may take long calls this function at least once in
  * CHECK_EVERY dominoes. It is a function, not the inline dom_raised, so that a test can put its own in its
  * place and raise the flag at the k-th check. */
-#ifndef DOM_INTERRUPT_H
-#define DOM_INTERRUPT_H
+#pragma once
 
 #include <signal.h>
 #include <stdbool.h>
@@ -12,5 +11,3 @@ enum { CHECK_EVERY = 4096 };
 
 /* Returns true if the flag is raised. `flag` may be NULL. */
 bool dom_interrupted(const volatile sig_atomic_t *flag);
-
-#endif

@@ -7,8 +7,7 @@
  * GSL's functions compute only in double. In benchmarks they also took more evaluations: Brent's method for
  * roots, and rk8pd for the equation of motion.
  */
-#ifndef NUM_NUMERICS_H
-#define NUM_NUMERICS_H
+#pragma once
 
 #include "numerics/real.h"
 
@@ -98,5 +97,3 @@ KERNEL void num_linear_at(const struct num_linear *solution, real x, real *ln_G,
 
 /* Returns v(x) - v(x - by). The relative error does not grow if `by` is tiny. */
 KERNEL real num_linear_moved(const struct num_linear *solution, real x, real by);
-
-#endif

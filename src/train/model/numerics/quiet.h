@@ -4,10 +4,7 @@
  * of a process share one handler, so calls are counted: the first dom_quiet_begin switches the handler off,
  * and the last dom_quiet_end restores it.
  */
-#ifndef DOM_QUIET_H
-#define DOM_QUIET_H
+#pragma once
 
 void dom_quiet_begin(void);
 void dom_quiet_end(void);
-
-#endif

@@ -4,8 +4,7 @@
  * below take and return `real`, as with <tgmath.h>. The same source is compiled for each precision
  * (precision/). `real` is the same type as dom_real.
  */
-#ifndef DOM_REAL_H
-#define DOM_REAL_H
+#pragma once
 
 #include "numerics/api.h"
 #include <float.h>
@@ -106,5 +105,3 @@ KERNEL inline real real_smaller(real a, real b)
 #undef fmin
 #define fmax(x, y) real_larger(x, y)
 #define fmin(x, y) real_smaller(x, y)
-
-#endif

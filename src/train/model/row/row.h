@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A finite row: its joints (joint.c) and its runs (row.c). */
-#ifndef DOM_ROW_H
-#define DOM_ROW_H
+#pragma once
 
 #include "motion/motion.h"
 
@@ -140,5 +139,3 @@ KERNEL_SHARED struct run row_launch(struct row *row, const struct run_hooks *hoo
 
 /* Runs a row from head k on. */
 KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context);
-
-#endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds an edge: a value on whose one side all dominoes of a row fall, and on whose other side some do not.
  */
-#ifndef DOM_SEARCH_H
-#define DOM_SEARCH_H
+#pragma once
 
 #include "entry/study.h"
 
@@ -24,5 +23,3 @@ double edge_find(edge_test *test, void *context, double good, double *bad, doubl
  * the domino at which it stops if it stops for lack of energy, and NaN if the fall ends in another way. */
 bool row_has_spare(const struct dom_row *row, const struct dom_compute *compute, struct dom_verdict *verdict,
                    enum dom_status *status);
-
-#endif
