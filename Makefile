@@ -77,7 +77,7 @@ FOLDERS  := $(subst _,/,$(BUILT))
 # src/train/model/precision compiles the model of trains and rows once for each precision. All other sources of the
 # library are in double.
 TRAIN   := src/train/model
-MODEL   := $(addprefix $(TRAIN)/,texts.c many.c numerics/quiet.c numerics/interrupt.c $(addprefix precision/,float.c double.c quad.c)) \
+MODEL   := $(addprefix $(TRAIN)/,texts.c many.c numerics/interrupt.c $(addprefix precision/,float.c double.c quad.c)) \
            $(wildcard $(TRAIN)/search/*.c $(patsubst %,src/%/model/*.c,$(filter-out train,$(BUILT))))
 ENGINE_C := $(filter-out %/row_engine.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
 # The sources of a feature are in its folder, and in folders within it that are neither a model nor a feature.

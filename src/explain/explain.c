@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'explain', which shows where a number comes from. */
+#include "domino_methods.h"
 #include "explain/derivation.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
@@ -387,7 +388,7 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     return done;
 }
 
-const struct command explain_commands[] = {
+static const struct command explain_commands[] = {
     {.name = "explain",
      .synonyms = "derive derivation equation formula show steps proof lesson teacher",
      .train = true,
@@ -448,3 +449,12 @@ const struct command explain_commands[] = {
      ANSWER(paper)},
     {.name = NULL},
 };
+
+static const struct command_group groups[] = {
+    {"Where a number comes from", "limits", explain_commands},
+    {NULL, NULL, NULL},
+};
+
+static const struct method paper = {"paper", dom_paper_barrier, dom_paper_rmax};
+
+const struct feature explain_feature = {.name = "explain", .groups = groups, .method = &paper};

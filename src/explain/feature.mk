@@ -1,2 +1,1 @@
-# What this feature needs besides the shell and the train.
 NEEDS_explain :=

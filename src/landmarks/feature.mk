@@ -1,2 +1,1 @@
-# Names of heights need the shell alone.
 NEEDS_landmarks :=

@@ -2,7 +2,6 @@
 /* The command 'count H fewest': the gap and the growth together that need the fewest dominoes. */
 #include "language/quad.h"
 #include "rows/rows.h"
-#include "train/seek.h"
 #include "train/train.h"
 #include <stdlib.h>
 #include <string.h>

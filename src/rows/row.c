@@ -3,7 +3,6 @@
 #include "interpreter/command.h"
 #include "language/quad.h"
 #include "rows/rows.h"
-#include "train/seek.h"
 #include "train/train.h"
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command.h"
 #include "sweeps/sweeps.h"
-#include "train/train.h"
 
 /* The list is empty, because the columns depend on the arguments. */
 static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};

@@ -4,7 +4,6 @@
 #include "language/quad.h"
 #include "session/parameters.h"
 #include "sweeps/sweeps.h"
-#include "train/train.h"
 #include <string.h>
 
 /* The parsed arguments. An item that was not typed is zero. */

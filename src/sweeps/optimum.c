@@ -4,7 +4,6 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "sweeps/sweeps.h"
-#include "train/train.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

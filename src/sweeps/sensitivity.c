@@ -3,7 +3,6 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "sweeps/sweeps.h"
-#include "train/train.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "interpreter/question.h"
-#include "train/seek.h"
+#include "train/train.h"
 
 /* ---- Questions inside other commands (question.c) ---- */
 

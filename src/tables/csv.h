@@ -181,8 +181,7 @@ bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
 /* Opens a csv file and reads the first line of its table. The file may be beside the running script, or else
- * in the current directory. On failure, sets
- * *problem and returns NULL. */
+ * in the current directory. On failure, sets *problem and returns NULL. */
 struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
                             const char *name, const struct csv_kind *kind, struct problem *problem);
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/quad.h"
-#include "train/seek.h"
 #include "train/train.h"
 #include <float.h>
 #include <stdlib.h>

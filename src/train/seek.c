@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "train/seek.h"
+#include "train/train.h"
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>

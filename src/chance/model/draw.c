@@ -20,16 +20,18 @@
 
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
 {
-    *draw = (struct draw){.random = {gsl_rng_alloc(gsl_rng_taus2), gsl_rng_alloc(gsl_rng_mrg)},
-                          .domino = malloc(row->count * sizeof *draw->domino)};
-    return draw->random[0] && draw->random[1] && draw->domino ? DOM_OK : DOM_NO_MEMORY;
+    /* gsl_rng_alloc would end the program if memory runs out, unless GSL's error handler, which belongs to
+     * the whole process, is switched off. */
+    *draw = (struct draw){
+        .random = {{gsl_rng_taus2, malloc(gsl_rng_taus2->size)}, {gsl_rng_mrg, malloc(gsl_rng_mrg->size)}},
+        .domino = malloc(row->count * sizeof *draw->domino)};
+    return draw->random[0].state && draw->random[1].state && draw->domino ? DOM_OK : DOM_NO_MEMORY;
 }
 
 void draw_end(struct draw *draw)
 {
     for (int i = 0; i < 2; i++)
-        if (draw->random[i])
-            gsl_rng_free(draw->random[i]);
+        free(draw->random[i].state);
     free(draw->domino);
 }
 
@@ -49,8 +51,8 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
     unsigned long long seed = seed_of(p->seed, i);
     if (kind > 0)
         seed = seed_of(seed, (size_t)kind);
-    gsl_rng_set(draw->random[0], (unsigned long)(seed & 0xffffffffU));
-    gsl_rng_set(draw->random[1], (unsigned long)(seed >> 32));
+    gsl_rng_set(&draw->random[0], (unsigned long)(seed & 0xffffffffU));
+    gsl_rng_set(&draw->random[1], (unsigned long)(seed >> 32));
 }
 
 /* Returns the next random error. It is made from the numbers of two generators, because the seeds of GSL have
@@ -58,12 +60,12 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
  * and therefore the same errors. */
 static double error_next(const struct draw *draw, const struct dom_random_error *error)
 {
-    gsl_rng *const *random = draw->random;
+    const gsl_rng *random = draw->random;
     if (error->uniform) {
-        double u = gsl_rng_uniform(random[0]) + gsl_rng_uniform(random[1]);
+        double u = gsl_rng_uniform(&random[0]) + gsl_rng_uniform(&random[1]);
         return error->size * (2 * (u < 1 ? u : u - 1) - 1);
     }
-    double normal = gsl_ran_gaussian_ziggurat(random[0], 1) + gsl_ran_gaussian_ziggurat(random[1], 1);
+    double normal = gsl_ran_gaussian_ziggurat(&random[0], 1) + gsl_ran_gaussian_ziggurat(&random[1], 1);
     return error->size * (normal * M_SQRT1_2);
 }
 

@@ -6,7 +6,7 @@
 #include <gsl/gsl_rng.h>
 
 struct draw {
-    gsl_rng *random[2];
+    gsl_rng random[2];
     struct dom_domino *domino; /* the dominoes of the random row */
     struct dom_row row;        /* the random row; its friction, slope, floor and push may have errors too */
 };

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs many rows with random errors, in batches that may run in parallel. */
 #include "chance/model/draw.h"
-#include "numerics/quiet.h"
 #include "rows/model/study.h"
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -83,7 +82,6 @@ static enum dom_status study_check(const struct dom_row *row, const struct dom_c
 static enum dom_status study_run(struct shared *s, struct dom_study *study, size_t *stops)
 {
     const struct dom_placement *p = s->placement;
-    dom_quiet_begin();
     enum dom_status status = placement_run(p, batch_run, s);
     if (s->status != DOM_OK)
         status = (enum dom_status)s->status;
@@ -96,7 +94,6 @@ static enum dom_status study_run(struct shared *s, struct dom_study *study, size
         *study = found;
     for (size_t k = 0; stops && counted == DOM_OK && k < s->row->count; k++)
         stops[k] = s->stops[k];
-    dom_quiet_end();
     return partial ? status : counted;
 }
 

@@ -17,7 +17,8 @@ static bool end_seen(const struct dom_moment *moment, void *context)
     return true;
 }
 
-domq_real scene_row_tilt(const struct scene_row *row)
+/* Returns the tilt in rad of the first domino before the fall. */
+static domq_real row_tilt(const struct scene_row *row)
 {
     domq_real touch;
     if (isnan(row->row.push) || !(row->row.release > 0))
@@ -36,7 +37,7 @@ void falling_row_pose(struct falling_row *row, const struct dom_moment *moment)
     double at = 0, rho = (double)r->rho;
     for (size_t k = 0; k < row->stage.count; k++) {
         const struct domq_domino *domino = &row->run.scene.domino[k];
-        double lean = k == 0 ? (double)scene_row_tilt(&row->run.scene) : (double)domino->lean,
+        double lean = k == 0 ? (double)row_tilt(&row->run.scene) : (double)domino->lean,
                tilt = moment ? moment->tilt[k] : lean, height = (double)domino->height;
         at += k > 0 ? (double)domino->gap : 0;
         row->stage.domino[k] =

@@ -31,9 +31,6 @@ double falling_row_hit(const struct falling_row *row, size_t k);
 enum dom_status falling_row_watch(const struct falling_row *row, const double *times, size_t count,
                                   dom_moment_visit *visit, void *context);
 
-/* Returns the tilt in rad of the first domino before the fall. */
-domq_real scene_row_tilt(const struct scene_row *row);
-
 /* Draws the dominoes at a moment or, if `moment` is NULL, before the fall. */
 void falling_row_pose(struct falling_row *row, const struct dom_moment *moment);
 

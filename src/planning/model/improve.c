@@ -25,7 +25,6 @@
  * than the growths from domino to domino, BFGS leaves 5.4 % with errors of gaps.
  */
 #include "chance/model/draw.h"
-#include "numerics/quiet.h"
 #include "numerics/real.h"
 #include "planning/model/shape.h"
 #include "rows/model/study.h"
@@ -463,10 +462,8 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
             study[1] = study[0];
         shape_begin(&s.shape, s.x);
         const bool is_needed = n > 1 && !(s.given_allowed && study[0].fall == study[0].rows);
-        dom_quiet_begin();
         for (int i = 0; i < LEVELS && is_needed && s.status == DOM_OK; i++)
             level_run(&s, &levels[i]);
-        dom_quiet_end();
     } else
         s.status = DOM_NO_MEMORY;
     free(s.x);

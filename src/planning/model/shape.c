@@ -51,7 +51,9 @@ void shape_begin(const struct shape *s, double *x)
         *x++ = 0;
 }
 
-void shape_resize(const struct shape *s, struct dom_domino *d, double height, double thickness)
+/* Sets the height and the thickness of a domino. Its mass, its width and the radius of its edges change
+ * accordingly. */
+static void resize(const struct shape *s, struct dom_domino *d, double height, double thickness)
 {
     const struct dom_domino before = *d;
     const double x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q;
@@ -106,8 +108,7 @@ bool shape_dominoes(const struct shape *s, const double *x, bool final, struct d
         larger += x[count - 2 + k];
         const double wish = given[k].height * exp(fmin(fmax(larger, -log(FARTHEST)), log(FARTHEST))),
                      height = final ? on_grid(s, wish) : wish;
-        shape_resize(s, &d[k], height,
-                     board_near(s, height, given[k].thickness / given[k].height * height, final));
+        resize(s, &d[k], height, board_near(s, height, given[k].thickness / given[k].height * height, final));
     }
     for (size_t k = 0; k < count; k++)
         room -= d[k].thickness;
@@ -130,7 +131,7 @@ void shape_round(const struct shape *s, size_t count, struct dom_domino *d)
 {
     for (size_t k = 1; k < count; k++) {
         const double height = k + 1 < s->row->count ? on_grid(s, d[k].height) : d[k].height;
-        shape_resize(s, &d[k], height, board_near(s, height, d[k].thickness * (height / d[k].height), true));
+        resize(s, &d[k], height, board_near(s, height, d[k].thickness * (height / d[k].height), true));
     }
     gaps_round(s, d);
 }

@@ -19,10 +19,6 @@ size_t shape_variables(const struct shape *shape);
 /* Sets the variables x to the values that describe shape->row. */
 void shape_begin(const struct shape *shape, double *x);
 
-/* Sets the height and the thickness of a domino. Its mass, its width and the radius of its edges change
- * accordingly. */
-void shape_resize(const struct shape *shape, struct dom_domino *domino, double height, double thickness);
-
 /* Writes the dominoes that the variables x describe. If a domino cannot reach across the gap after it, this
  * gap is narrowed. If the row is too long for the hall, all gaps are narrowed. If `final` is true, lengths
  * are rounded to the grid. If the hall is too short even without gaps, returns false. */

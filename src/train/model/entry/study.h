@@ -10,7 +10,6 @@
 KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
                                              struct row_request *request);
 
-/* Finds the request for a train, and checks it.
- */
+/* Finds the request for a train, and checks it. */
 KERNEL_SHARED enum dom_status train_request_of(const struct dom_train *train,
                                                const struct dom_compute *compute, struct request *request);

@@ -3,7 +3,9 @@
  * table. */
 #include "motion/motion.h"
 
-KERNEL enum dom_status motion_begin(const struct request *train, struct motion *m)
+/* Finds the launch of a train, and its barrier over [0, theta_c]. Returns DOM_NO_FUEL if the train has no
+ * energy for a launch. Always call motion_end afterwards. */
+static enum dom_status motion_begin(const struct request *train, struct motion *m)
 {
     struct segment *st = &m->segment;
     const struct launch *launch = &m->launch;

@@ -92,9 +92,6 @@ struct motion {
     struct clock clock; /* set by motion_prepare, if it is asked for times */
 };
 
-/* Finds the launch of a train, and its barrier over [0, theta_c]. Returns DOM_NO_FUEL if the train has no
- * energy for a launch. Always call motion_end afterwards. */
-KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion);
 KERNEL_SHARED void motion_end(struct motion *motion);
 
 /* Begins a motion, and finds its end and, if `timed` is true, its clock. Returns DOM_NO_MARGIN if the margin
