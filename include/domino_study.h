@@ -77,9 +77,10 @@ struct dom_window {
  * - leans in both directions, until the domino falls over by itself.
  *
  * All dominoes fall at `low` and at `high`. In each direction, the search takes up to 40 steps of increasing
- * length, of which the first is 1/64,000 of the range. An interval that is narrower than a step can be missed,
- * within the window, too. With an engine, there are up to 10 steps, the first is 1/1,000 of the range, and
- * `low` and `high` have three digits. Calls progress for each window. The statuses are those of dom_row_run.
+ * length, of which the first is 1/64,000 of the range. An interval that is narrower than a step can be
+ * missed, within the window, too. With an engine, there are up to 10 steps, the first is 1/1,000 of the
+ * range, and `low` and `high` have three digits. Calls progress for each window. The statuses are those of
+ * dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -144,9 +145,9 @@ struct dom_design {
  * Finds a row, built like a train, that falls reliably: kinetic >= safety * barrier, in the endless train and
  * at each domino of the row after the first. train->s and train->r are not used.
  *
- * The row has the fewest dominoes, and r is such that the last one is exactly `height` tall. The separation is
- * a multiple of 0.001, as close to that of the largest growth as the hall and the start of the row allow. If
- * the row is too long for the hall, the shortest row is tried, which may have up to 30 more dominoes.
+ * The row has the fewest dominoes, and r is such that the last one is exactly `height` tall. The separation
+ * is a multiple of 0.001, as close to that of the largest growth as the hall and the start of the row allow.
+ * If the row is too long for the hall, the shortest row is tried, which may have up to 30 more dominoes.
  *
  * Unless `limits` is NULL, the row can be built: sizes and gaps are multiples of the grid, except the sizes
  * of the first domino and the height of the last, and every thickness is that of a board, if there are
@@ -286,9 +287,9 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
 /* ---- The most reliable row ---- */
 
 /*
- * Changes a row so that it falls as reliably as possible with the random errors of a placement, and writes the
- * row->count changed dominoes. study[0] counts how many rows of the placement fall before the changes, and
- * study[1] how many fall after them. The search uses other random rows, whose numbers follow those of the
+ * Changes a row so that it falls as reliably as possible with the random errors of a placement, and writes
+ * the row->count changed dominoes. study[0] counts how many rows of the placement fall before the changes,
+ * and study[1] how many fall after them. The search uses other random rows, whose numbers follow those of the
  * placement, and the model; an engine runs only the rows that are counted.
  *
  * If the given row is within the limits, it is the result unless a more reliable row is found. If it is not,
@@ -296,9 +297,9 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
  * result is the given row, and study[1].rows is 0.
  *
  * After an interrupt, the status is DOM_INTERRUPTED, and the result is the best row so far; if study[0].rows
- * is 0, the dominoes are not written. The status is DOM_BAD_HALL if the dominoes do not fit into the hall even
- * without gaps, and DOM_BAD_THICKNESS (a board), DOM_BAD_Q or DOM_BAD_GAP (the grid) if a member of the limits
- * is outside its range. Other statuses are those of dom_placement_study.
+ * is 0, the dominoes are not written. The status is DOM_BAD_HALL if the dominoes do not fit into the hall
+ * even without gaps, and DOM_BAD_THICKNESS (a board), DOM_BAD_Q or DOM_BAD_GAP (the grid) if a member of the
+ * limits is outside its range. Other statuses are those of dom_placement_study.
  */
 enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,
                                 const struct dom_placement *placement, const struct dom_limits *limits,
