@@ -154,6 +154,7 @@ within() { # WHAT EXPECTED OBTAINED CONDITION
 }
 
 # Checks that commands run without an error, and that their answer contains each text, however its lines are broken.
+# shellcheck disable=SC2154 # bats sets output
 says() { # COMMANDS TEXT...
     local text
     run -0 "$DOMINO" -n -e "$1"

@@ -116,7 +116,7 @@ void canvas_text(struct canvas *c, int column, int row, const char *text, enum i
 void canvas_write(const struct canvas *c, FILE *out)
 {
     for (int row = 0; row < c->height; row++) {
-        const struct canvas_cell *cell = &c->cell[row * c->width];
+        const struct canvas_cell *cell = &c->cell[(size_t)row * (size_t)c->width];
         int blanks = 0, now = 0; /* blanks that are not written yet, and the colour of the terminal */
         for (int k = 0; k < c->width; k++, cell++) {
             char glyph[GLYPH];

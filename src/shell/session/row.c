@@ -409,8 +409,10 @@ domq_real scene_release(const struct scene *scene)
 
 bool scene_has_lengths(const struct scene *scene)
 {
-    static const struct typed_length none[SHARE_COUNT];
-    return memcmp(scene->length, none, sizeof none) != 0;
+    bool has = false;
+    for (int k = 0; k < SHARE_COUNT; k++)
+        has = has || scene->length[k].m != 0;
+    return has;
 }
 
 void scene_apply_lengths(struct scene *scene)

@@ -189,9 +189,14 @@ static void steps_drop(struct undo *undo, int from, int to)
 static bool changes_equal(const struct listed_row *a, const struct listed_row *b)
 {
     bool equal = a->changes == b->changes;
-    for (size_t k = 0; k < a->changes && equal; k++)
-        equal = a->change[k].origin == b->change[k].origin &&
-                memcmp(&a->change[k].to, &b->change[k].to, sizeof a->change->to) == 0;
+    for (size_t k = 0; k < a->changes && equal; k++) {
+        equal = a->change[k].origin == b->change[k].origin;
+        for (enum row_measure m = 0; m < ROW_MEASURES && equal; m++) {
+            const domq_real x = *row_measure_at(&a->change[k].to, m),
+                            y = *row_measure_at(&b->change[k].to, m);
+            equal = x == y || (isnan(x) && isnan(y));
+        }
+    }
     return equal;
 }
 

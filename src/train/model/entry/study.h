@@ -5,11 +5,9 @@
 #include "geometry/request.h"
 #include "numerics/real.h"
 
-/* Finds the request for a row. Returns an error if the precision does not exist, or if the caller asks for
- * something that came with a later version. */
+/* Find the request for a row or a train, and check it. Return an error if the precision does not exist, or if
+ * the caller asks for something that came with a later version. */
 KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
                                              struct row_request *request);
-
-/* Finds the request for a train, and checks it. */
 KERNEL_SHARED enum dom_status train_request_of(const struct dom_train *train,
                                                const struct dom_compute *compute, struct request *request);
