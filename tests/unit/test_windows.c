@@ -14,6 +14,7 @@ static double find(struct run *run, enum dom_window_of of, struct dom_window *fo
     run->row.domino = run->domino;
     run->row.work = &work;
     assert_status(ask_row_windows(&run->row, of, NULL, NULL, found), DOM_OK);
+    run->row.work = NULL;
     return (double)work.passes;
 }
 

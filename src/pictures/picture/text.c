@@ -201,7 +201,7 @@ static int legend(struct frame *f, int row)
         canvas_sample(c, curve->ink, curve->dash, sample);
         if (c->display.braille && has_points(curve->kind))
             snprintf(sample, sizeof sample, "●");
-        snprintf(text, sizeof text, " %s", curve->title);
+        snprintf(text, sizeof text, " %.150s", curve->title);
         int first = utf8_columns(sample), wide = first + utf8_columns(text);
         if (rows == 0 || column + wide > c->width) {
             column = 2;

@@ -175,11 +175,13 @@ FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt)
 FILE *io_stdin(const volatile sig_atomic_t *interrupt)
 {
     static FILE *in;
+    static struct channel channel = {.file = STDIN_FILENO};
     struct stat status;
     if (!in) {
+        channel.interrupt = interrupt;
         /* When the program ends, stdin leaves the unread lines of a regular file to the next program. */
         bool is_regular = fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode);
-        in = is_regular ? stdin : channel_stream(STDIN_FILENO, "r", interrupt, NULL);
+        in = is_regular ? stdin : fopencookie(&channel, "r", (cookie_io_functions_t){.read = channel_read});
     }
     if (in)
         clearerr(in); /* after ^D on a terminal, the next command can read again */
