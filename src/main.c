@@ -217,8 +217,11 @@ int main(int argc, char **argv)
         fputs("domino: out of memory\n", stderr);
         return EXIT_FAILURE;
     }
-    if (!options_read(argc, argv, &session, &plan))
+    if (!options_read(argc, argv, &session, &plan)) {
+        free(plan.typed);
+        fclose(session.standard.out);
         return EXIT_USAGE;
+    }
     plan.prompt = plan.reads && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
     sigint_ends = !plan.prompt;
     signals_begin();
