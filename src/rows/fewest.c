@@ -202,27 +202,6 @@ static bool row_answer(const struct query *query, struct answer *a, struct searc
     return answer_row(a, row, answer_for_people(a) ? NULL : "");
 }
 
-enum { KINDS_MOST = 8 };
-
-/* Fills in the q of the train, and of the other kinds of domino that have a name. Returns their number. */
-static size_t kinds_find(const struct query *query, const struct domq_train *train,
-                         domq_real kind[KINDS_MOST])
-{
-    size_t count = 0;
-    struct domq_train other = *train;
-    for (const struct word *w = parameter_find("q")->words;; other.q = w++->value) {
-        /* Several words can have the same value, and trains in air may not be self-similar. */
-        struct domq_angles angles;
-        bool is_new = any_angles_find(&other, query_compute(query), &angles) != DOM_NO_AIR;
-        for (size_t k = 0; k < count; k++)
-            is_new = is_new && kind[k] != other.q;
-        if (is_new && count < KINDS_MOST)
-            kind[count++] = other.q;
-        if (!w->name)
-            return count;
-    }
-}
-
 bool run_fewest(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct domq_train *train = &query->scene->train;

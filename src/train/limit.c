@@ -213,16 +213,33 @@ static bool tower_find(const struct query *query, struct tower *t, struct proble
     return true;
 }
 
+size_t kinds_find(const struct query *query, const struct domq_train *train, domq_real kind[KINDS_MOST])
+{
+    size_t count = 0;
+    struct domq_train other = *train;
+    for (const struct word *w = parameter_find("q")->words;; other.q = w++->value) {
+        /* Several words can have the same value, and trains in air may not be self-similar. */
+        struct domq_angles angles;
+        bool is_new = any_angles_find(&other, query_compute(query), &angles) != DOM_NO_AIR;
+        for (size_t k = 0; k < count; k++)
+            is_new = is_new && kind[k] != other.q;
+        if (is_new && count < KINDS_MOST)
+            kind[count++] = other.q;
+        if (!w->name)
+            return count;
+    }
+}
+
 /* Replaces the dominoes by those of the kind that has a name and can grow most, with their growth. */
 static bool kind_choose(const struct query *query, struct tower *best, struct problem *problem)
 {
     const struct tower t = *best;
-    for (const struct word *w = parameter_find("q")->words; w->name; w++) {
+    domq_real kind[KINDS_MOST];
+    const size_t kinds = kinds_find(query, &t.train, kind);
+    for (size_t k = 0; k < kinds; k++) {
         struct tower other = t;
-        struct domq_angles angles;
-        other.train.q = w->value;
-        if (w->value == t.train.q ||
-            any_angles_find(&other.train, query_compute(query), &angles) == DOM_NO_AIR)
+        other.train.q = kind[k];
+        if (kind[k] == t.train.q)
             continue;
         if (!growth_find(query, &other, problem))
             return false;

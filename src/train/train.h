@@ -169,6 +169,10 @@ struct start_growths {
     bool is_too_slow;      /* true if r_max is NaN because the engine would take too long */
 };
 
+/* Fills in the q of the train, and of the other kinds of domino that have a name. Returns their number. */
+enum { KINDS_MOST = 8 };
+size_t kinds_find(const struct query *query, const struct domq_train *train, domq_real kind[KINDS_MOST]);
+
 /* Finds the largest growth, up to `highest`, at which a row of the train's dominoes starts. */
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
                         struct start_growths *growths, struct problem *problem);
