@@ -136,13 +136,8 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     struct peak peak = peak_of(&s);
     struct request request;
     enum dom_status status = train_request_of(train, compute, &request);
-    if (status != DOM_OK)
-        return status;
-    status = motion_prepare(&request, false, &m);
-    m.segment.geometry.tol = fmax(m.segment.geometry.tol, FORCES_TOL);
     if (status == DOM_OK)
-        status = peak_of_cycle(&peak, &m);
-    motion_end(&m);
+        status = peak_of_cycle(&peak, &request, &m);
     if (status == DOM_OK)
         *floor = s.most;
     return status;

@@ -148,15 +148,17 @@ KERNEL_SHARED enum dom_status peak_over(struct peak *p, real lo, real hi)
     return status;
 }
 
-KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *p, const struct motion *m)
+KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *p, const struct request *train, struct motion *m)
 {
+    enum dom_status status = motion_prepare(train, false, m);
+    m->segment.geometry.tol = fmax(m->segment.geometry.tol, FORCES_TOL);
     const real *edge = m->segment.barrier.edge, inside = 16 * REAL_EPSILON;
-    enum dom_status status = DOM_OK;
     for (int i = 1; status == DOM_OK && i < m->segment.barrier.edges; i++) {
         const real lo = i == 1 ? 0 : edge[i - 1] * (1 + inside), hi = fmin(edge[i] * (1 - inside), m->end);
         if (lo < hi)
             status = peak_over(p, lo, hi);
     }
+    motion_end(m);
     return status;
 }
 
@@ -222,11 +224,7 @@ KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom
     struct motion m;
     struct least least = {.segment = &m.segment, .force = (real)INFINITY, .impulse = (real)INFINITY};
     struct peak peak = {PEAK_MOST / 3, least_at, &least, -(real)INFINITY, FORCES_TOL, LEAST_OFF};
-    enum dom_status status = motion_prepare(train, false, &m);
-    m.segment.geometry.tol = fmax(m.segment.geometry.tol, FORCES_TOL);
-    if (status == DOM_OK)
-        status = peak_of_cycle(&peak, &m);
-    motion_end(&m);
+    const enum dom_status status = peak_of_cycle(&peak, train, &m);
     if (status == DOM_OK)
         *found = (struct dom_least_force){least.force, least.theta, least.domino, least.impulse};
     return status;

@@ -160,6 +160,8 @@ struct peak {
 /* Searches [lo, hi], in which the value must not jump. */
 KERNEL_SHARED enum dom_status peak_over(struct peak *peak, real lo, real hi);
 
-/* Searches the cycle of a train. The edges of its barrier divide the cycle into parts. Forces jump at the
- * edges, so the search of a part begins and ends just inside. */
-KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *peak, const struct motion *motion);
+/* Searches the cycle of a train, whose motion is in *motion while `at` is called. The edges of its barrier
+ * divide the cycle into parts. Forces jump at the edges, so the search of a part begins and ends just inside.
+ */
+KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *peak, const struct request *train,
+                                            struct motion *motion);
