@@ -179,3 +179,12 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
 const char *assert_names(const void *context, int k); /* a names_list of the commands with a verdict */
+
+/* The arguments of a command that varies parameters in a range, and asks for a number or a verdict. */
+#define A_RANGE_AND_ANSWER(varied, parse_range, parse_answer)                                                \
+    .argument = {{.name = (varied), .kind = ARGUMENT_GRID, .parse = (parse_range), .choices = varied_names}, \
+                 {.name = ": ANSWER",                                                                        \
+                  .kind = ARGUMENT_COMMAND,                                                                  \
+                  .parse = (parse_answer),                                                                   \
+                  .bind = sweep_bind,                                                                        \
+                  .choices = question_names}}

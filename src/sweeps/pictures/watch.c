@@ -149,12 +149,7 @@ static bool run_watch(struct session *session, const struct arguments *given, st
 static const struct command watch_commands[] = {
     {.name = "watch",
      .synonyms = "interactive slider live keys explore",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = range_parse_one, .choices = varied_names},
-                  {.name = ": ANSWER",
-                   .kind = ARGUMENT_COMMAND,
-                   .parse = answer_parse_number,
-                   .bind = sweep_bind,
-                   .choices = question_names}},
+     A_RANGE_AND_ANSWER("NAME", range_parse_one, answer_parse_number),
      .summary = "vary a parameter with the arrow keys, and see ANSWER on a curve",
      .help =
          "An example is 'watch s 0.1 0.9 : rmax'. The left and right arrow keys make large steps, and the up "
