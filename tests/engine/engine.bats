@@ -50,6 +50,7 @@ poses_agree() { # SCENE
     done
 }
 
+# bats test_tags=errors
 @test "feet slide: the table says how far, and the details how accurate this is" {
     run -0 "$DOMINO" -n -e "$scene; effect feet 0.2; fall details"
     [[ $output == *' slid'* ]]

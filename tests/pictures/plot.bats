@@ -104,7 +104,7 @@ END
         stopped { after++ } END { exit bad || !after }'
 }
 
-# bats test_tags=rows,sweeps
+# bats test_tags=rows,sweeps,errors
 @test "plot growth: the data agree with curve, for solid and hollow dominoes" {
     csv 'plot growth' >growth
     same keys s,solid,hollow,solid_pair,hollow_pair,reach "$(head -n 1 growth)"

@@ -137,6 +137,7 @@ END
     grep -qxF 'The lean of domino 2 has the tightest limits: -1.7 mm to 1.03 cm; it is -1 mm now.' <<<"$said"
 }
 
+# bats test_tags=errors
 @test "'row > FILE' and then 'set row FILE' give the same row, digit for digit" {
     for scene in 'effect row 7' 'set q hollow; effect row 4; set mass 1; place 3 25 mm >/dev/null' 'set errors on; effect row 3'; do
         "$DOMINO" -e "$scene; row > out.csv; effect row out.csv; row > again.csv"

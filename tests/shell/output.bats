@@ -156,6 +156,7 @@ END
     same 'and in its own file' 'fuel set' "$("$DOMINO" -e 'source inner > all.json' && sed -E 's/^\{"command":"([a-z]*)".*/\1/' all.json | paste -sd ' ' -)"
 }
 
+# bats test_tags=errors
 @test "csv: a new header only if the columns change, and none with 'set header off'" {
     same 'a run' 's,r_max,ends_by 0.3 0.5 fuel,fuel_exact,fuel_paper 0.17 s,r_max,ends_by 0.3' \
         "$("$DOMINO" -e 'set output csv; pair 0.3; pair 0.5; fuel; pair 0.3' | sed -E 's/^(0\.[0-9]{2}).*/\1/; s/^(0\.[35])0*,.*/\1/; s/^(0\.[35]),.*/\1/' | sed -E 's/^(0\.[0-9]*),.*/\1/' | paste -sd ' ' -)"
@@ -180,7 +181,7 @@ END
     done
 }
 
-# bats test_tags=rows,chance,pictures,sweeps
+# bats test_tags=rows,chance,pictures,sweeps,errors
 @test "all commands in all outputs and precisions: every number is finite or null" {
     local scene precision style status errors sessions=0
     calls >calls.dom

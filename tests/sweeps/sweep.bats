@@ -5,7 +5,7 @@
 load ../shell/common
 
 # Workers share data that the first of them makes: functions, rows, the engine, leans, studies, designs.
-# bats test_tags=rows,chance,engine,planning
+# bats test_tags=rows,chance,engine,planning,errors
 @test "the output is the same on any number of threads, in csv, json and tables" {
     cat >sweeps <<'END'
 sweep s 0.1 0.9 81 d 0.05 0.3 6 : rmax
@@ -83,7 +83,7 @@ END
         "$(csv 'sweep precision float, double, quad : print tol' | tail -n +2 | cut -d , -f 2 | paste -sd ' ' -)"
 }
 
-# bats test_tags=rows,explain
+# bats test_tags=rows,explain,errors
 @test "columns: none occurs twice, and columns that repeat a parameter are left out" {
     same rmax s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax' | head -n 1)"
     same 'rmax S' s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax s/2' | head -n 1)"

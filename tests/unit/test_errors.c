@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: errors */
 /*
- * The errors that the calculator shows (src/shell/answer/cell.h), compared with the tables of 40 digits
+ * The errors that the calculator shows (src/errors), compared with the tables of 40 digits
  * in tests/reference. The parameters are the decimal numbers of the tables, so the errors also contain what
  * is lost when they are rounded to double. tests/hard/test_sweep.c does the same for random trains.
  */

@@ -196,7 +196,7 @@ static void rest_copy(const struct answer *a, struct rest *rest)
     rest->answer->kept = NULL;
     rest->answer->details.brief = NULL;
     rest->answer->details.rest = NULL;
-    rest->answer->errors.reference = NULL; /* the cells have been compared already */
+    rest->answer->errors.see = NULL; /* it has seen the cells already */
     rest->answer->progress.is_open = true;
     rest->answer->layout.letters = false; /* 'details > FILE' is plain text */
     rest->answer->progress.has_rows = false;
@@ -249,11 +249,8 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
         row[i].in_double = true;
     if (a->kept)
         memcpy(a->kept, row, (size_t)count * sizeof *row);
-    if (a->errors.recorder)
-        reference_add(a->errors.recorder, row, (size_t)count);
-    if (a->errors.reference)
-        reference_compare(a->errors.reference, a->errors.row, &a->style, row, (size_t)count);
-    a->errors.row++;
+    if (a->errors.see)
+        a->errors.see(a, row, (size_t)count);
     const bool is_brief = a->details.brief && *a->details.brief != '*' && answer_for_people(a);
     if (is_brief && !a->details.has_rows) { /* the rest has all columns, and the answer those of `brief` */
         a->details.has_rows = true;

@@ -105,11 +105,10 @@ struct answer {
         size_t point; /* the number of the point, counted from 0 */
     } sink;
     struct {
-        size_t row; /* the index of the next row */
-        /* The same answer, computed with 30 digits. NULL if errors are not shown, or not known. */
-        const struct reference *reference;
-        struct reference *recorder; /* receives the rows of an answer that is itself the reference */
-        bool has_unknown;           /* a number was shown without its error, although errors are on */
+        /* The feature 'errors' sees each row of all cells, and may set their errors. NULL if it does not. */
+        void (*see)(const struct answer *answer, struct cell *cells, size_t count);
+        void *context;
+        bool has_unknown; /* a number was shown without its error, although errors are on */
     } errors;
 };
 

@@ -20,7 +20,7 @@ struct answer_style {
     enum precision precision;
     double tol;      /* the tolerance to which numbers are computed */
     int all_digits;  /* the number of digits needed for an exact round trip at this precision */
-    unsigned errors; /* show errors: see struct reference */
+    unsigned errors; /* show errors, which the feature of this name finds */
 };
 
 struct cell {
@@ -116,33 +116,3 @@ struct measured measured(domq_real value, const char *unit, int digits);
 
 /* Returns a fraction in percent, with enough digits to differ from 100 %, as in "99.97 %". */
 struct measured measured_share(domq_real value, int digits);
-
-/* ---- Errors ---- */
-
-/*
- * The errors of an answer. If 'errors' is on, an answer is computed twice: as the session asks, and with the
- * digits of quad precision. The error of a number is the difference, plus the rounding error of the number,
- * plus the uncertainty that the search for it has left (cell_uncertain). This is not a proof: if both
- * computations make the same mistake, the difference does not show it.
- */
-
-/* The rows of the same answer in quad precision. */
-struct reference {
-    struct cell *cell; /* the cells of all rows */
-    size_t columns;    /* the number of cells in a row */
-    size_t rows, room;
-    /* True if nothing can be compared with these rows: the computation failed, or a part of it has only one
-     * precision. */
-    bool is_void;
-};
-
-/* Adds a row. */
-void reference_add(struct reference *reference, const struct cell *cells, size_t columns);
-
-/* Sets the errors of the numbers in the row with the index `at`. If a word, a count or a yes-or-no cell of
- * this row differs from the reference, no error of the row is known: the two computations have come to
- * different conclusions. */
-void reference_compare(const struct reference *reference, size_t at, const struct answer_style *style,
-                       struct cell *cells, size_t columns);
-
-void reference_free(struct reference *reference);

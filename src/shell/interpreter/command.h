@@ -169,11 +169,14 @@ struct method;
 struct plot;
 
 struct feature {
-    const char *name;                            /* its folder; a_b for a folder b in a folder a */
-    const struct command_group *groups;          /* its commands; the last title is NULL */
-    const struct plot *const *plots;             /* tables of charts for 'plot'; the last one is NULL */
-    const struct engine_driver *engine;          /* a rigid-body engine */
-    const struct method *method;                 /* what 'cost' compares with */
+    const char *name;                   /* its folder; a_b for a folder b in a folder a */
+    const struct command_group *groups; /* its commands; the last title is NULL */
+    const struct plot *const *plots;    /* tables of charts for 'plot'; the last one is NULL */
+    const struct engine_driver *engine; /* a rigid-body engine */
+    const struct method *method;        /* what 'cost' compares with */
+    /* Runs a command in place of command_answer, which it calls; at most one feature does */
+    bool (*compute)(const struct command *command, const struct query *query, struct answer *answer,
+                    struct problem *problem);
     const struct parameter *(*parameter)(int k); /* its effects, from k = 0; NULL after the last one */
     /* Names that have values in expressions, unless 'let' defines the same name. The function returns the
      * longest of them with which a text begins, its end in the text and its value, or NULL. The command with
@@ -263,6 +266,10 @@ struct answer answer_kept(const struct query *query, const struct command *comma
  * *problem and returns false. */
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
+
+/* Runs a command and whatever a feature does with its answer (feature.compute). */
+bool command_compute(const struct command *command, const struct query *query, struct answer *answer,
+                     struct problem *problem);
 
 /* Returns omega. Omega is computed from its square: omegasq is tau^2 omega^2. */
 struct cell cell_omega(domq_real omegasq, domq_real tau);

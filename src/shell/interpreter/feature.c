@@ -16,6 +16,15 @@ static int named_count;
 static const struct feature *const no_feature[] = {NULL};
 static const struct feature *const *features = no_feature;
 
+/* What runs a command. */
+static bool (*computes)(const struct command *, const struct query *, struct answer *, struct problem *);
+
+bool command_compute(const struct command *c, const struct query *query, struct answer *answer,
+                     struct problem *problem)
+{
+    return computes(c, query, answer, problem);
+}
+
 static bool feature_has(const char *name)
 {
     for (int k = 0; features[k]; k++)
@@ -30,12 +39,15 @@ void features_register(const struct feature *const *list)
     size_t count = 0;
     features = list;
     every_count = named_count = 0;
+    computes = command_answer;
     parameters_of_features(feature_has);
     for (const struct feature *const *f = features; *f; f++) {
         for (int k = 0; (*f)->parameter && (p = (*f)->parameter(k)) != NULL; k++)
             parameters_add(p, feature_has);
         for (int k = 0; (*f)->names && named_count < NAMED_MOST && (*f)->names(NULL, k); k++)
             named[named_count++] = (*f)->names(NULL, k);
+        if ((*f)->compute)
+            computes = (*f)->compute;
         if ((*f)->engine)
             row_engine = (*f)->engine;
         for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++) {

@@ -382,7 +382,7 @@ bool question_bind(const struct question *question, const struct query *query, s
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 
-/* Runs a command. If errors are on, runs it a second time in quad precision, to find the errors of its
- * numbers (answer/cell.h). */
-bool command_compute(const struct command *command, const struct query *query, struct answer *answer,
-                     struct problem *problem);
+/* Runs a command, in double if it computes in double only. Fails if the verdict is no and the search wants
+ * only answers whose verdict is yes. */
+bool command_answer(const struct command *command, const struct query *query, struct answer *answer,
+                    struct problem *problem);

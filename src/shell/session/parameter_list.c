@@ -175,7 +175,7 @@ static const struct parameter every_parameter[] = {
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
     {ENTRY("errors", settings.style.errors, "", "whether each number is followed by its difference from a computation with 30 digits", .usual = 0),
-     .synonyms = "accuracy uncertainty precision difference",
+     .feature = "errors", .synonyms = "accuracy uncertainty precision difference",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
     DOM_DYNAMICS(DYNAMICS)
     DOM_EFFECTS(EFFECT)

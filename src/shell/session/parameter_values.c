@@ -81,7 +81,7 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
     int k = names_find(list, NULL, what, word, message);
     const char *feature = k < 0 && !parameter_find(word) ? parameter_missing(word) : NULL;
     if (feature) {
-        snprintf(message, NAMES_MESSAGE, "'%s' belongs to '%s', which this build of the program leaves out",
+        snprintf(message, NAMES_MESSAGE, "'%s' belongs to the feature '%s', which this build leaves out",
                  word, feature);
         return NAMES_UNKNOWN;
     }

@@ -58,8 +58,8 @@ struct query {
     const struct run_context *run_context;
     struct walk *walk;
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
-    /* Receives the rows of an answer in quad precision, to which the same answer is compared. Otherwise
-     * NULL. */
+    /* The answer in quad that this one is a part of, with which the feature 'errors' compares another answer.
+     * Otherwise NULL. */
     struct reference *reference;
 };
 
