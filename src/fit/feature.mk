@@ -1,1 +1,1 @@
-NEEDS_fit := sweeps tables
+NEEDS_fit := rows sweeps tables

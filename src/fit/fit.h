@@ -14,7 +14,7 @@
 #pragma once
 
 #include "interpreter/question.h"
-#include "train/train.h"
+#include "rows/rows.h"
 
 enum { FIT_UNKNOWNS = 4 };
 

@@ -1,1 +1,2 @@
-NEEDS_pictures :=
+# Half of the pictures are of rows.
+NEEDS_pictures := rows

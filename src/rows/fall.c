@@ -40,6 +40,73 @@ const struct column verdict_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* ---- A run of the row ---- */
+
+bool row_run_begin(const struct query *query, struct problem *problem, struct row_run *run)
+{
+    struct scene_row *scene = &run->scene;
+    *run = (struct row_run){.hits = 0};
+    if (!scene_row_make(query->scene, scene, problem))
+        return false;
+    if (!scene->row.engine)
+        return true;
+    scene->engine.report = &scene->report;
+    scene->report.slid = malloc(scene->row.count * sizeof *scene->report.slid);
+    if (scene->report.slid)
+        return true;
+    row_run_free(run);
+    (void)query_status(query, problem, DOM_NO_MEMORY);
+    return false;
+}
+
+static bool fall_keep(const struct domq_fall *fall, void *context)
+{
+    struct row_run *run = context;
+    run->fall[run->hits++] = *fall;
+    return true;
+}
+
+bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run)
+{
+    if (!row_run_begin(query, problem, run))
+        return false;
+    run->fall = calloc(run->scene.row.count, sizeof *run->fall);
+    enum dom_status status =
+        run->fall ? any_row_run(&run->scene.row, &run->scene.compute, timed, fall_keep, run, &run->verdict)
+                  : DOM_NO_MEMORY;
+    run->timeless = timed && status == DOM_NO_MARGIN; /* the verdict is known, but some times are not */
+    if (status == DOM_OK || run->timeless)
+        return true;
+    row_run_free(run);
+    return row_status(query, problem, status);
+}
+
+void row_run_free(struct row_run *run)
+{
+    free(run->scene.report.slid);
+    free(run->scene.domino);
+    free(run->fall);
+}
+
+bool row_run_tipped(const struct row_run *run, size_t k)
+{
+    return k == 0 && isnan(run->scene.row.push);
+}
+
+struct words all_fall_words(size_t count)
+{
+    struct words words;
+    snprintf(words.text, sizeof words.text, "%s", count == 2 ? "Both fall" : "It falls");
+    if (count > 2)
+        snprintf(words.text, sizeof words.text, "All %zu fall", count);
+    return words;
+}
+
+domq_real fall_share(const struct domq_fall *f)
+{
+    return f->barrier > 0 && isfinite(f->barrier) ? f->kinetic / f->barrier : DOMQ_NAN;
+}
+
 /* ---- The friction that feet need ---- */
 
 static const char foot_lifted[] = "a domino is lifted off the floor, and no friction can prevent this";

@@ -27,6 +27,35 @@ bool run_change(const struct query *query, struct answer *a, struct problem *pro
 bool run_remove(const struct query *query, struct answer *a, struct problem *problem);
 bool run_insert(const struct query *query, struct answer *a, struct problem *problem);
 
+/* ---- A run of the row ---- */
+
+/* The row of the scene and the result of its run. Do not copy this struct: the engine points into it. */
+struct row_run {
+    struct scene_row scene;
+    struct domq_verdict verdict;
+    struct domq_fall *fall; /* row_run stores an element for each domino that is hit, in order */
+    size_t hits;
+    bool timeless; /* a domino almost stops, so later times cannot be computed */
+};
+
+/* Makes the row of the scene without running it. After a failure nothing needs to be freed. */
+bool row_run_begin(const struct query *query, struct problem *problem, struct row_run *run);
+void row_run_free(struct row_run *run);
+
+/* Makes the row of the scene, runs it, and stores every hit. The hits have times only if `timed` is true. The
+ * friction that the floor needs is not computed. After a failure nothing needs to be freed. */
+bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
+
+/* In a row without a push, the first domino is tilted until it tips over. Returns true if domino k, counted
+ * from 0, is this domino. */
+bool row_run_tipped(const struct row_run *run, size_t k);
+
+/* Returns a phrase such as "All 8 fall", "Both fall" or "It falls". */
+struct words all_fall_words(size_t count);
+
+/* Returns kinetic / barrier, or NaN if the barrier is not a positive finite number. */
+domq_real fall_share(const struct domq_fall *fall);
+
 /* Prints which domino has the least energy to spare, if this is known; with as_detail, among the details. */
 void weakest_say(struct answer *answer, const struct domq_verdict *verdict, bool as_detail);
 

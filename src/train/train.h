@@ -64,29 +64,6 @@ void walk_columns_in(const struct query *query, struct answer *answer);
 /* Formats an angle in the session's unit for a sentence, for example as "28.65 deg" or "0.5 rad". */
 struct measured angle_text(const struct query *query, domq_real theta, int digits);
 
-/* ---- A run of the row ---- */
-
-/* The row of the scene and the result of its run. Do not copy this struct: the engine points into it. */
-struct row_run {
-    struct scene_row scene;
-    struct domq_verdict verdict;
-    struct domq_fall *fall; /* row_run stores an element for each domino that is hit, in order */
-    size_t hits;
-    bool timeless; /* a domino almost stops, so later times cannot be computed */
-};
-
-/* Makes the row of the scene without running it. After a failure nothing needs to be freed. */
-bool row_run_begin(const struct query *query, struct problem *problem, struct row_run *run);
-void row_run_free(struct row_run *run);
-
-/* Makes the row of the scene, runs it, and stores every hit. The hits have times only if `timed` is true. The
- * friction that the floor needs is not computed. After a failure nothing needs to be freed. */
-bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
-
-/* In a row without a push, the first domino is tilted until it tips over. Returns true if domino k, counted
- * from 0, is this domino. */
-bool row_run_tipped(const struct row_run *run, size_t k);
-
 /* Fills in the dominoes that the row of `scene` would have if the growth were
  * r. Keeps the changes that 'change' made to single dominoes. */
 void row_grow(domq_real r, struct domq_domino *domino, size_t count, const struct scene *scene);
@@ -119,12 +96,6 @@ struct words limit_words(domq_real limit, int digits);
 /* Returns where a first domino is released: "at 20 deg", "against the second" or, if it starts upright, "".
  * The tilt is that of struct domq_row. */
 struct words release_words(domq_real release);
-
-/* Returns a phrase such as "All 8 fall", "Both fall" or "It falls". */
-struct words all_fall_words(size_t count);
-
-/* Returns kinetic / barrier, or NaN if the barrier is not a positive finite number. */
-domq_real fall_share(const struct domq_fall *fall);
 
 /* Returns true for DOM_OK. For other statuses, reports why a computation about the row failed. */
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status);

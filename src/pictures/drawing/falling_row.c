@@ -3,8 +3,6 @@
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "session/row.h"
-#include "train/train.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>

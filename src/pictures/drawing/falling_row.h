@@ -3,7 +3,7 @@
 #pragma once
 
 #include "pictures/picture/stage.h"
-#include "train/train.h"
+#include "rows/rows.h"
 
 /* A row that has been run, and the stage on which it is drawn. Lengths are in m. Times are in s, as in struct
  * domq_fall. */

@@ -102,7 +102,7 @@ static bool plot_speed(const struct query *query, struct answer *a, struct chart
     return done;
 }
 
-static const struct column fall_columns[] = {
+static const struct column plot_fall_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
     {"kinetic", "mgh/2", "kinetic energy of all moving dominoes just after the hit", 0},
     {"barrier", "mgh/2", "energy that is needed to tip this domino over", 0},
@@ -118,7 +118,7 @@ static const struct column speed_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 static const struct plot row_plots[] = {
-    {"fall", plot_fall, "how much energy each domino of the row has to spare", fall_columns,
+    {"fall", plot_fall, "how much energy each domino of the row has to spare", plot_fall_columns,
      .title = "Energy to spare, domino by domino", .x = {"domino", "domino"},
      .y = {NULL, "spare energy / energy needed,", .percent = true},
      .curve = {{"spare", "", CHART_POINTS, INK_BLUE}}},
