@@ -5,7 +5,7 @@
  * the tilt at a given time.
  */
 #include "dynamics/dynamics.h"
-#include "entry/study.h"
+#include "geometry/request.h"
 #include "row/row.h"
 #include <stdlib.h>
 
@@ -206,23 +206,19 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
 enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
                                  double theta, dom_force_visit *visit, void *context)
 {
-    struct request request;
     struct motion m;
-    struct kinematics kinematics = {.n = 0};
-    const struct geometry *geometry = &m.segment.geometry;
-    enum dom_status status = train_request_of(train, compute, &request);
-    if (status != DOM_OK)
-        return status;
-    status = motion_prepare(&request, false, &m);
+    struct kinematics motion;
+    struct tilt head;
+    struct loaded *list = NULL;
+    size_t n = 0;
+    enum dom_status status = motion_prepare(train, compute, false, &m);
     if (status == DOM_OK)
-        status = geometry_tilt(geometry, theta, &kinematics.head);
+        status = geometry_tilt(&m.segment.geometry, theta, &head);
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
         status = DOM_STOPS;
     if (status == DOM_OK)
-        status = forces_motion(&m.segment, fmin(theta, m.end), &kinematics);
-    size_t n = status == DOM_OK ? kinematics.n : 0;
-    struct loaded *list = status == DOM_OK ? forces_find(geometry, &kinematics, &n) : NULL;
-    for (size_t i = 0; list && i < n; i++) {
+        status = forces_at(&m.segment, fmin(theta, m.end), 0, &motion, &list, &n);
+    for (size_t i = 0; i < n; i++) {
         const struct dom_force force = {.i = i,
                                         .force = list[i].force,
                                         .per_weight = list[i].force * list[i].size / list[i].link.weight,
@@ -232,5 +228,5 @@ enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom
     }
     motion_end(&m);
     free(list);
-    return status == DOM_OK && !list ? DOM_NO_MEMORY : status;
+    return status;
 }

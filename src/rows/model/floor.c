@@ -2,7 +2,7 @@
 /* The friction that the floor needs so that no foot slips: the largest |R_x| / R_z over all feet. During the
  * motion, R is the force of the floor on a foot, and in the collision its impulse. x points forward and z
  * up. */
-#include "entry/study.h"
+#include "geometry/request.h"
 #include "row/row.h"
 #include <stdlib.h>
 
@@ -85,23 +85,23 @@ static enum dom_status floor_at(real theta, void *context, real *value)
 {
     struct search *s = context;
     const struct geometry *head = &s->segment->geometry;
-    struct kinematics kinematics = {.n = 0};
+    struct kinematics kinematics;
     struct loaded *list = NULL;
-    size_t n = 0, shown = 0, most = 0;
-    enum dom_status status = forces_motion(s->segment, theta, &kinematics);
+    size_t n, listed, most = 0;
+    enum dom_status status;
+    bool more;
     /* More dominoes may move than count for the energy, because light ones do not count. */
-    for (size_t next = kinematics.n > s->shown ? kinematics.n : s->shown;
-         status == DOM_OK && n == shown && shown < FLOOR_SHOWN; next *= 2) {
-        size_t listed = shown = next;
+    do {
         free(list);
-        list = forces_find(head, &kinematics, &listed);
-        status = list ? DOM_OK : DOM_NO_MEMORY;
-        for (n = 0; list && n < listed && (n == 0 || list[n - 1].link.slope > FLOOR_SHARE);)
+        status = forces_at(s->segment, theta, s->shown, &kinematics, &list, &listed);
+        for (n = 0; n < listed && (n == 0 || list[n - 1].link.slope > FLOOR_SHARE);)
             n++;
-    }
-    s->shown = shown;
+        s->shown = kinematics.n > s->shown ? kinematics.n : s->shown;
+        more = n == s->shown && n < FLOOR_SHOWN && status == DOM_OK;
+        s->shown *= more ? 2 : 1;
+    } while (more);
     *value = -1;
-    for (size_t i = 0; i < n && list; i++) {
+    for (size_t i = 0; i < n; i++) {
         const struct loaded *leader = i > 0 ? &list[i - 1] : NULL;
         const real motion = foot_needs(&list[i], leader, head, &kinematics, false),
                    hit = kinematics.hit ? foot_needs(&list[i], leader, head, &kinematics, true) : 0;
@@ -134,10 +134,7 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     struct motion m;
     struct search s = {.segment = &m.segment};
     struct peak peak = peak_of(&s);
-    struct request request;
-    enum dom_status status = train_request_of(train, compute, &request);
-    if (status == DOM_OK)
-        status = peak_of_cycle(&peak, &request, &m);
+    const enum dom_status status = peak_of_cycle(&peak, train, compute, &m);
     if (status == DOM_OK)
         *floor = s.most;
     return status;

@@ -40,6 +40,8 @@ KERNEL enum dom_status dynamics_read(const struct request *train, struct geometr
 /* Checks a train and prepares its geometry and its law of motion. Call dynamics_begin before the law is
  * used. */
 KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry);
+KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
+                                  struct geometry *geometry);
 
 /* Returns DOM_OK, or the status of the first effect whose value is outside its range. 0 (off) is always
  * allowed. */

@@ -56,6 +56,15 @@ KERNEL enum dom_status dynamics_make(const struct request *train, struct geometr
     return status;
 }
 
+KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
+                                  struct geometry *geometry)
+{
+    struct request request;
+    const enum dom_status status = train_request_of(train, compute, &request);
+    *geometry = (struct geometry){.flow = NULL}; /* for dynamics_end */
+    return status == DOM_OK ? dynamics_make(&request, geometry) : status;
+}
+
 KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
 {
 #define STATUS(effect, member, status) status,

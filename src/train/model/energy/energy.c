@@ -2,10 +2,11 @@
 /* Computes the angles, the energies, the fuel and the launch of a train. */
 #include "effects/effects.h"
 
-KERNEL enum dom_status angles_find(const struct request *train, struct dom_angles *angles)
+enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_angles *angles)
 {
     struct geometry geometry;
-    enum dom_status status = dynamics_make(train, &geometry);
+    enum dom_status status = train_make(train, compute, &geometry);
     if (status != DOM_OK)
         return status;
     *angles = (struct dom_angles){
@@ -19,11 +20,12 @@ KERNEL enum dom_status angles_find(const struct request *train, struct dom_angle
     return DOM_OK;
 }
 
-KERNEL enum dom_status fuel_find(const struct request *train, struct dom_fuels *fuels)
+enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
+                              struct dom_fuels *fuels)
 {
     struct geometry geometry;
     struct fuel fuel;
-    enum dom_status status = dynamics_make(train, &geometry);
+    enum dom_status status = train_make(train, compute, &geometry);
     if (status == DOM_OK)
         status = energy_fuel(&geometry, &fuel);
     if (status != DOM_OK)
@@ -32,12 +34,13 @@ KERNEL enum dom_status fuel_find(const struct request *train, struct dom_fuels *
     return DOM_OK;
 }
 
-KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, struct dom_energy *energy)
+enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
+                                dom_real theta, struct dom_energy *energy)
 {
     struct geometry geometry;
     struct sums at;
     struct fuel fuel;
-    enum dom_status status = dynamics_make(train, &geometry);
+    enum dom_status status = train_make(train, compute, &geometry);
     if (status == DOM_OK)
         status = chain_energy_at(&geometry, (real)theta, &at);
     if (status == DOM_OK)
@@ -49,11 +52,12 @@ KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, 
     return DOM_OK;
 }
 
-KERNEL enum dom_status launch_find(const struct request *train, struct dom_launch *launch)
+enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_launch *launch)
 {
     struct geometry geometry;
     struct launch l;
-    enum dom_status status = dynamics_make(train, &geometry);
+    enum dom_status status = train_make(train, compute, &geometry);
     if (status == DOM_OK)
         status = dynamics_begin(&geometry);
     if (status == DOM_OK)

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Public entry points: check the arguments, then call the function that answers. */
+/* The checks of the values of a question, and the public functions that ask more than one precision or an
+ * engine. The other public functions are where the mathematics is. */
 #include "entry/other.h" /* first */
 
-#include "effects/effects.h"
-#include "entry/answers.h"
-#include "entry/study.h"
+#include "growth/limit.h"
 #include "row/row.h"
 
 /* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */
@@ -79,49 +78,6 @@ KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const st
                                                  : DOM_OK;
 }
 
-/* ANSWER defines a public function that checks a train and then calls the function that answers. */
-#define LIST(...) __VA_ARGS__
-#define ANSWER(find, parameters, ...)                                                                        \
-    enum dom_status dom_##find(const struct dom_train *train, const struct dom_compute *compute,             \
-                               LIST parameters)                                                              \
-    {                                                                                                        \
-        struct request request;                                                                              \
-        const enum dom_status status = train_request_of(train, compute, &request);                           \
-        return status == DOM_OK ? find(&request, __VA_ARGS__) : status;                                      \
-    }
-ANSWER(angles_find, (struct dom_angles * angles), angles)
-ANSWER(contact_find, (dom_real theta, struct dom_contact *contact), theta, contact)
-ANSWER(chain_walk, (dom_real theta, dom_visit *visit, void *context), theta, visit, context)
-ANSWER(energy_find, (dom_real theta, struct dom_energy *energy), theta, energy)
-ANSWER(fuel_find, (struct dom_fuels * fuels), fuels)
-ANSWER(launch_find, (struct dom_launch * launch), launch)
-ANSWER(barrier_find, (struct dom_barrier * barrier), barrier)
-ANSWER(cycle_duration, (dom_real * duration), duration)
-ANSWER(cycle_state, (dom_real theta, struct dom_state *state), theta, state)
-ANSWER(cycle_walk, (size_t count, enum dom_spacing by, dom_state_visit *visit, void *context), count, by,
-       visit, context)
-ANSWER(cycle_least_force, (struct dom_least_force * least), least)
-#undef ANSWER
-#undef LIST
-
-enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
-                                  dom_real theta, dom_real *omegasq)
-{
-    struct request request;
-    const enum dom_status status = train_request_of(train, compute, &request);
-    *omegasq = DOM_NAN;
-    return status == DOM_OK ? cycle_omegasq(&request, theta, omegasq) : status;
-}
-
-enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
-                                 struct dom_event *events, int *count)
-{
-    struct request request;
-    const enum dom_status status = train_request_of(train, compute, &request);
-    *count = 0;
-    return status == DOM_OK ? cycle_events(&request, events, count) : status;
-}
-
 /* ---- Limits, which more than one precision may find ---- */
 
 enum dom_status OWN(_limit_alone)(const struct dom_train *train, const struct dom_compute *compute, bool pair,
@@ -132,7 +88,7 @@ enum dom_status OWN(_limit_alone)(const struct dom_train *train, const struct do
     t.r = 1; /* the search chooses r, so train->r need not be valid */
     const enum dom_status status = train_request_of(&t, compute, &request);
     request.near = near;
-    return status != DOM_OK ? status : pair ? limit_pair(&request, limit) : limit_rmax(&request, limit);
+    return status == DOM_OK ? limit_answer(&request, pair, limit) : status;
 }
 
 /* Finds a limit. In quad, a search for r_max starts from that in double. A limit that is open in float or
@@ -177,7 +133,7 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
     return status == DOM_OK ? limit_best(&request, best) : status;
 }
 
-/* ---- Rows and counts ---- */
+/* ---- Rows ---- */
 
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *given, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
@@ -220,11 +176,6 @@ enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_comput
     two.push = 0;
     two.release = (dom_real)HUGE_VAL;
     return dom_row_run(&two, compute, false, tilt_seen, tilt, &verdict);
-}
-
-enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count)
-{
-    return dom_arithmetic()->bits == 0 ? DOM_NO_PRECISION : count_find(first, height, r, count);
 }
 
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q)

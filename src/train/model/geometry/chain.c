@@ -64,12 +64,14 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 /* ---- Public ---- */
 
 /* Makes the geometry of a train and converts the angle theta of its head to a tilt. */
-static enum dom_status train_tilted(const struct request *train, dom_real theta, struct geometry *geometry,
-                                    struct tilt *head)
+static enum dom_status train_tilted(const struct dom_train *train, const struct dom_compute *compute,
+                                    dom_real theta, struct geometry *geometry, struct tilt *head)
 {
-    const real rho = (real)train->effect[DOM_EFFECT_edges];
-    *geometry = geometry_read(train);
-    enum dom_status status = rho != 0 ? rounded_make(geometry, rho) : DOM_OK;
+    struct request request;
+    enum dom_status status = train_request_of(train, compute, &request);
+    *geometry = geometry_read(&request);
+    if (status == DOM_OK && train->rho != 0)
+        status = rounded_make(geometry, (real)train->rho);
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
     return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
@@ -87,12 +89,12 @@ static struct dom_link link_public(const struct geometry *geometry, const struct
     };
 }
 
-KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, dom_visit *visit,
-                                  void *context)
+enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real theta, dom_visit *visit, void *context)
 {
     struct geometry geometry;
     struct tilt head;
-    enum dom_status status = train_tilted(train, theta, &geometry, &head);
+    enum dom_status status = train_tilted(train, compute, theta, &geometry, &head);
     struct sums sums = {0};
     if (status == DOM_OK)
         status = chain_sum(&geometry, head, false, &sums);
@@ -109,11 +111,12 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     }
 }
 
-KERNEL enum dom_status contact_find(const struct request *train, dom_real theta, struct dom_contact *contact)
+enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
+                                 dom_real theta, struct dom_contact *contact)
 {
     struct geometry geometry;
     struct tilt head;
-    enum dom_status status = train_tilted(train, theta, &geometry, &head);
+    enum dom_status status = train_tilted(train, compute, theta, &geometry, &head);
     if (status != DOM_OK)
         return status;
     struct link k = link_head(&geometry, head, geometry.rolls);

@@ -2,8 +2,8 @@
 /* The input of a kernel. */
 #pragma once
 
-#include "numerics/api.h"
 #include "numerics/interrupt.h"
+#include "numerics/real.h"
 
 static inline struct dom_compute compute_or_default(const struct dom_compute *compute)
 {
@@ -39,3 +39,10 @@ struct row_request {
 };
 
 #undef MEMBER
+
+/* Find the request for a train or a row, and check it (entry.c). Return an error if the precision does not
+ * exist, or if the caller asks for something that came with a later version. */
+KERNEL_SHARED enum dom_status train_request_of(const struct dom_train *train,
+                                               const struct dom_compute *compute, struct request *request);
+KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
+                                             struct row_request *request);

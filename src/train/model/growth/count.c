@@ -35,8 +35,10 @@ static bool count_reaches(real first, real height, real r, real ln_r, real n)
     return (power_real)first * power_of((power_real)r, n) >= (power_real)height * (1 - (power_real)slack);
 }
 
-KERNEL enum dom_status count_find(real first, real height, real r, struct dom_count *count)
+enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count)
 {
+    if (dom_arithmetic()->bits == 0)
+        return DOM_NO_PRECISION;
     if (!(first > 0 && height > 0 && isfinite(first) && isfinite(height)))
         return DOM_BAD_HEIGHT;
     if (!(r >= 1 && isfinite(r)))

@@ -111,8 +111,9 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     return status;
 }
 
-static enum dom_status limit_answer(struct margin_context c, bool pair, struct dom_limit *limit)
+KERNEL enum dom_status limit_answer(const struct request *train, bool pair, struct dom_limit *limit)
 {
+    struct margin_context c = pair ? margin_of_pair(train) : margin_of_train(train);
     struct limit found;
     real uncertainty = REAL_NAN;
     limit_begin(&c);
@@ -130,14 +131,4 @@ static enum dom_status limit_answer(struct margin_context c, bool pair, struct d
                                 .uncertainty = uncertainty,
                                 .open = open ? found.open : REAL_NAN};
     return status == DOM_OK && open ? DOM_OPEN : status;
-}
-
-KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit)
-{
-    return limit_answer(margin_of_train(train), false, limit);
-}
-
-KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit)
-{
-    return limit_answer(margin_of_pair(train), true, limit);
 }

@@ -130,5 +130,9 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 KERNEL enum dom_status limit_uncertainty(struct margin_context *c, const struct limit *limit,
                                          real *uncertainty);
 
+/* Find the answers of dom_limit_rmax, of dom_limit_pair if `pair` is true, and of dom_limit_best. */
+KERNEL enum dom_status limit_answer(const struct request *train, bool pair, struct dom_limit *limit);
+KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best);
+
 /* Starts counting the work of a search. If the work exceeds the limit, the search ends with DOM_TOO_LONG. */
 KERNEL void limit_begin(struct margin_context *c);

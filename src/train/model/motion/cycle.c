@@ -3,17 +3,24 @@
  * table. */
 #include "motion/motion.h"
 
-/* Finds the launch of a train, and its barrier over [0, theta_c]. Returns DOM_NO_FUEL if the train has no
- * energy for a launch. Always call motion_end afterwards. */
-static enum dom_status motion_begin(const struct request *train, struct motion *m)
+/* Finds the launch of a train, its barrier over [0, theta_c] and its end, to the tolerance `tol`, or if that
+ * is 0 to the tolerance of the caller. Returns DOM_NO_FUEL if the train has no energy for a launch. Always
+ * call motion_end afterwards. */
+static enum dom_status motion_begin(const struct dom_train *train, const struct dom_compute *compute,
+                                    real tol, struct motion *m)
 {
     struct segment *st = &m->segment;
     const struct launch *launch = &m->launch;
+    struct request request;
+    enum dom_status status = train_request_of(train, compute, &request);
     *m = (struct motion){.launch.fuel = REAL_NAN};
-    enum dom_status status = dynamics_make(train, &st->geometry);
+    request.tol = tol > 0 ? tol : request.tol;
+    m->tol = (real)request.tol;
+    if (status == DOM_OK)
+        status = dynamics_make(&request, &st->geometry);
     if (status == DOM_OK)
         status = dynamics_begin(&st->geometry);
-    st->hi = tilt_angle(st->geometry.c);
+    m->end = st->hi = tilt_angle(st->geometry.c);
     if (status == DOM_OK)
         status = barrier_balance(&st->geometry, train->fuel, st->hi, &m->launch, &st->barrier);
     if (status != DOM_OK)
@@ -27,7 +34,7 @@ static enum dom_status motion_begin(const struct request *train, struct motion *
     /* (26; c8), corrected: the paper leaves out the factor J(0). The search for r_max compares the same
      * energies (growth/limit.h). */
     m->stops = !(launch->kinetic >= st->barrier.height);
-    return DOM_OK;
+    return m->stops ? segment_rest(st, &m->end) : DOM_OK;
 }
 
 KERNEL_SHARED void motion_end(struct motion *m)
@@ -36,22 +43,13 @@ KERNEL_SHARED void motion_end(struct motion *m)
     clock_free(&m->clock);
 }
 
-static enum dom_status motion_find_end(struct motion *m)
+KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, const struct dom_compute *compute,
+                                             bool timed, struct motion *m)
 {
-    m->end = m->segment.hi;
-    return m->stops ? segment_rest(&m->segment, &m->end) : DOM_OK;
-}
-
-KERNEL_SHARED enum dom_status motion_prepare(const struct request *train, bool timed, struct motion *m)
-{
-    enum dom_status status = motion_begin(train, m);
+    const enum dom_status status = motion_begin(train, compute, 0, m);
     if (status == DOM_OK && !(segment_noise(&m->segment) < (real)0.125))
-        /* times grow like ln(1/margin), so they need an accurate margin */
-        return DOM_NO_MARGIN;
-    if (status == DOM_OK)
-        status = motion_find_end(m);
-    return status == DOM_OK && timed ? clock_begin(&m->clock, &m->segment, m->end, m->stops, (real)train->tol)
-                                     : status;
+        return DOM_NO_MARGIN; /* times grow like ln(1/margin), so they need an accurate margin */
+    return status == DOM_OK && timed ? clock_begin(&m->clock, &m->segment, m->end, m->stops, m->tol) : status;
 }
 
 /* Finds tau^2 omega^2 at theta. Returns DOM_STOPS if the train does not reach theta. Where the train comes to
@@ -66,65 +64,59 @@ static enum dom_status motion_speed(const struct motion *m, real theta, real *om
     return status;
 }
 
-KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier)
+enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_barrier *barrier)
 {
     struct motion m;
     const struct barrier *b = &m.segment.barrier;
-    enum dom_status status = motion_begin(train, &m);
-    const bool fuelled = status == DOM_OK;
-    m.end = REAL_NAN;
-    if (m.stops)
-        status = motion_find_end(&m);
+    const enum dom_status status = motion_begin(train, compute, 0, &m);
+    const real kinetic = status == DOM_OK ? m.launch.kinetic : REAL_NAN;
     motion_end(&m);
     if (status != DOM_OK && status != DOM_NO_FUEL)
         return status;
-    *barrier = (struct dom_barrier){
-        .theta_m = b->theta_m,
-        .barrier = b->height,
-        .kinetic = fuelled ? m.launch.kinetic : REAL_NAN,
-        .margin = fuelled ? m.launch.kinetic - b->height : REAL_NAN,
-        .stop = m.end,
-    };
+    *barrier = (struct dom_barrier){.theta_m = b->theta_m,
+                                    .barrier = b->height,
+                                    .kinetic = kinetic,
+                                    .margin = kinetic - b->height,
+                                    .stop = m.stops ? m.end : REAL_NAN};
     return m.stops ? DOM_STOPS : status;
 }
 
-KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta, dom_real *omegasq)
+enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
+                                  dom_real theta, dom_real *omegasq)
 {
-    struct request finer = *train;
-    real w = 0;
-    for (;;) {
+    real w = 0, tol = 0, finer = 0;
+    *omegasq = DOM_NAN;
+    /* Near a stop, the remaining energy is the small difference of two large terms. Then both terms are
+     * computed again with a finer tolerance. */
+    do {
         struct motion m;
         struct tilt head;
-        enum dom_status status = motion_begin(&finer, &m), tilt_status = DOM_OK;
+        enum dom_status status = motion_begin(train, compute, finer, &m), tilt_status = DOM_OK;
         if (status == DOM_OK || status == DOM_NO_FUEL)
             tilt_status = geometry_tilt(&m.segment.geometry, theta, &head);
         if (tilt_status != DOM_OK)
             status = tilt_status;
         if (status == DOM_OK)
-            status = motion_find_end(&m);
-        if (status == DOM_OK)
             status = motion_speed(&m, theta, &w);
         motion_end(&m);
         if (status != DOM_OK)
             return status;
-        /* Near a stop, the remaining energy is the small difference of two large terms. Then both terms are
-         * computed again with a finer tolerance. */
-        real tol = m.segment.geometry.tol, needed = balance_tol(tol, w, m.launch.omegasq);
-        if (w == 0 || !(needed < tol / 4))
-            break;
-        finer.tol = needed;
-    }
+        tol = m.segment.geometry.tol;
+        finer = balance_tol(tol, w, m.launch.omegasq);
+    } while (w != 0 && finer < tol / 4);
     *omegasq = w;
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *duration)
+enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
+                                   dom_real *duration)
 {
     struct motion m;
     real time = REAL_NAN;
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, compute, 0, &m);
     if (status == DOM_OK)
-        status = m.stops ? DOM_STOPS : segment_time(&m.segment, (real)train->tol, &time);
+        status = m.stops ? DOM_STOPS : segment_time(&m.segment, m.tol, &time);
     motion_end(&m);
     if (status == DOM_OK)
         *duration = time;
@@ -132,12 +124,6 @@ KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *dur
 }
 
 /* ---- Events ---- */
-
-static void event_add(const struct motion *m, enum dom_event_kind kind, real theta, size_t domino,
-                      struct dom_event *event)
-{
-    *event = (struct dom_event){kind, theta, clock_time(&m->clock, theta), domino};
-}
 
 /* Lists the events of the motion in the order in which they happen. There are at most DOM_EVENTS_MAX. */
 static enum dom_status motion_events(const struct motion *m, struct dom_event *events, int *count)
@@ -148,25 +134,28 @@ static enum dom_status motion_events(const struct motion *m, struct dom_event *e
     enum dom_status status = chain_leave(&m->segment.geometry, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
-    const real top = m->segment.barrier.theta_m, fall = leaves ? tilt_angle(leave) : m->end;
-    const bool passes = top > 0 && top < m->end, first = fall < top;
+    const real top = m->segment.barrier.theta_m > 0 ? m->segment.barrier.theta_m : m->end,
+               fall = leaves ? tilt_angle(leave) : m->end;
+    const struct dom_event passed[] = {{.kind = DOM_EVENT_TOP, .theta = top},
+                                       {.kind = DOM_EVENT_DETACH, .theta = fall, .domino = domino}};
     int n = 0;
-    event_add(m, DOM_EVENT_LAUNCH, 0, 0, &events[n++]);
-    if (passes && !first)
-        event_add(m, DOM_EVENT_TOP, top, 0, &events[n++]);
-    if (fall < m->end)
-        event_add(m, DOM_EVENT_DETACH, fall, domino, &events[n++]);
-    if (passes && first)
-        event_add(m, DOM_EVENT_TOP, top, 0, &events[n++]);
-    event_add(m, m->stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, m->end, 0, &events[n++]);
+    events[n++] = (struct dom_event){.kind = DOM_EVENT_LAUNCH};
+    for (int i = 0; i < 2; i++) {
+        events[n] = passed[fall < top ? 1 - i : i];
+        n += events[n].theta < m->end;
+    }
+    events[n++] = (struct dom_event){.kind = m->stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, .theta = m->end};
+    for (int i = 0; i < n; i++)
+        events[i].time = clock_time(&m->clock, events[i].theta);
     *count = n;
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_events(const struct request *train, struct dom_event *events, int *count)
+enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_event *events, int *count)
 {
     struct motion m;
-    enum dom_status status = motion_prepare(train, true, &m);
+    enum dom_status status = motion_prepare(train, compute, true, &m);
     *count = 0;
     if (status == DOM_OK)
         status = motion_events(&m, events, count);
@@ -232,10 +221,11 @@ static enum dom_status motion_state(struct motion *m, real theta, struct dom_sta
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state)
+enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
+                                dom_real theta, struct dom_state *state)
 {
     struct motion m;
-    enum dom_status status = motion_prepare(train, true, &m);
+    enum dom_status status = motion_prepare(train, compute, true, &m);
     if (status == DOM_OK)
         status = motion_state(&m, theta, state);
     motion_end(&m);
@@ -244,14 +234,14 @@ KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, 
 
 /* ---- The cycle as a table ---- */
 
-KERNEL enum dom_status cycle_walk(const struct request *train, size_t states, enum dom_spacing by,
-                                  dom_state_visit *visit, void *context)
+enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute,
+                               size_t states, enum dom_spacing by, dom_state_visit *visit, void *context)
 {
     struct motion m;
     struct dom_event events[DOM_EVENTS_MAX];
     int count = 0, next = 0;
     bool more = true;
-    enum dom_status status = motion_prepare(train, true, &m);
+    enum dom_status status = motion_prepare(train, compute, true, &m);
     if (status == DOM_OK)
         status = motion_events(&m, events, &count);
     for (size_t k = 0; k < states && status == DOM_OK && more; k++) {

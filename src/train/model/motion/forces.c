@@ -7,29 +7,10 @@
 #include "motion/motion.h"
 #include <stdlib.h>
 
-/* The force on the last domino shown depends on all dominoes behind it. If n dominoes are shown, forces_find
- * lists n + 64 more dominoes behind them, but at most about FORCES_MORE. The dominoes behind the end of the
- * list all move alike, so forces_push replaces them by a geometric series. */
+/* The force on a domino depends on all dominoes behind it. If n dominoes are wanted, forces_at lists n + 64
+ * more dominoes behind them, but at most about FORCES_MORE. The dominoes behind the end of the list all move
+ * alike, so forces_push replaces them by a geometric series. */
 #define FORCES_MORE 4096
-
-/* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
-static size_t forces_list(const struct geometry *geometry, struct tilt head, struct loaded *k, size_t room)
-{
-    struct link link = link_head(geometry, head, geometry->rolls);
-    real size = 1;
-    for (size_t n = 0;; k++) {
-        k->link = link;
-        k->size = size;
-        k->leaned = false;
-        k->force = k->impulse = REAL_NAN;
-        k->arms = link.leads ? link_arms(&link, geometry->rolls) : (struct arms){.a = 0};
-        if (++n == room || n == geometry->n || !k->link.leads)
-            return n;
-        k->leaned = true;
-        size /= k->link.geometry->r;
-        link_on(&link);
-    }
-}
 
 static real geometric(real first, real ratio)
 {
@@ -37,71 +18,86 @@ static real geometric(real first, real ratio)
 }
 
 /* Finds the forces and impulses of all contacts. */
-static void forces_push(const struct geometry *geometry, const struct kinematics *kinematics,
-                        struct loaded *k, size_t n)
+static void forces_push(const struct geometry *geometry, const struct kinematics *motion, struct loaded *k,
+                        size_t n)
 {
     /* `rest` is the torque on domino j that the contact with its leader must balance. `push` is the angular
      * momentum that this contact must supply in the collision. */
     real rest = 0, push = 0;
-    bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
+    const bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *self = &k[j].link, *leader = &k[j - 1].link;
-        real theta_2 =
-            self->slope * kinematics->acceleration + k[j].link.second_derivative * kinematics->omegasq;
-        real gravity = -self->weight * geometry_lift(self->geometry, self->tilt) / 2;
-        real torque_share = self->leads ? k[j].arms.ratio : 0;
-        real inertia = self->inertia * geometry_inertia(self->geometry, self->tilt),
-             grows = self->inertia * geometry_inertia_slope(self->geometry, self->tilt),
-             omegasq = self->slope * self->slope * kinematics->omegasq;
+        const real theta_2 = self->slope * motion->acceleration + self->second_derivative * motion->omegasq,
+                   gravity = -self->weight * geometry_lift(self->geometry, self->tilt) / 2,
+                   torque_share = self->leads ? k[j].arms.ratio : 0,
+                   inertia = self->inertia * geometry_inertia(self->geometry, self->tilt),
+                   grows = self->inertia * geometry_inertia_slope(self->geometry, self->tilt),
+                   omegasq = self->slope * self->slope * motion->omegasq;
         rest = gravity - inertia * theta_2 - (grows / 2 + self->inertia * self->geometry->drag) * omegasq +
                torque_share * rest;
-        push = inertia * self->slope * kinematics->omega_lost + torque_share * push;
-        /* the dominoes past the end of the list all move alike, so their torques form a geometric series */
+        push = inertia * self->slope * motion->omega_lost + torque_share * push;
         if (j + 1 == n && endless) {
             rest = geometric(rest, geometry->weight * torque_share);
             push = geometric(push, geometry->inertia * self->contact.slope * torque_share);
         }
-        real arm_b = k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
         /* At r s = 1, the tip hits the leader's hinge, and the force has no lever arm. */
-        if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
-            arm_b = 0;
+        const bool at_hinge = j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON;
+        const real arm_b = at_hinge ? 0 : k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
         k[j - 1].force = arm_b > 0 ? rest / arm_b : REAL_NAN;
-        k[j - 1].impulse = kinematics->hit && arm_b > 0 ? push / arm_b : REAL_NAN;
+        k[j - 1].impulse = motion->hit && arm_b > 0 ? push / arm_b : REAL_NAN;
     }
 }
 
-KERNEL_SHARED enum dom_status forces_motion(const struct segment *st, real theta,
-                                            struct kinematics *kinematics)
+/* Finds the motion of a chain at a tilt of its head. */
+static enum dom_status forces_motion(const struct segment *st, real theta, struct kinematics *motion)
 {
     const struct geometry *geometry = &st->geometry;
     real omegasq = 0;
-    enum dom_status status = geometry_tilt(geometry, theta, &kinematics->head);
+    *motion = (struct kinematics){.n = 0};
+    enum dom_status status = geometry_tilt(geometry, theta, &motion->head);
     if (status == DOM_OK)
         status = segment_speed(st, theta, &omegasq);
-    kinematics->omegasq = fmax(omegasq, 0);
+    motion->omegasq = fmax(omegasq, 0);
     if (status == DOM_OK)
-        status = chain_acceleration(geometry, kinematics->head, kinematics->omegasq,
-                                    &kinematics->acceleration, &kinematics->n);
-    kinematics->hit = theta == geometry->lean && st->inertia_ratio > 0;
-    kinematics->omega = sqrt(st->start.omegasq);
+        status =
+            chain_acceleration(geometry, motion->head, motion->omegasq, &motion->acceleration, &motion->n);
+    motion->hit = theta == geometry->lean && st->inertia_ratio > 0;
+    motion->omega = sqrt(st->start.omegasq);
     /* The collision multiplies all angular velocities by T / (1 + T). So the lost angular velocity is 1 / T
      * times the angular velocity that remains. */
-    kinematics->omega_lost = kinematics->hit ? kinematics->omega / st->inertia_ratio : 0;
+    motion->omega_lost = motion->hit ? motion->omega / st->inertia_ratio : 0;
     return status;
 }
 
-KERNEL_SHARED struct loaded *forces_find(const struct geometry *geometry, const struct kinematics *kinematics,
-                                         size_t *shown)
+KERNEL_SHARED enum dom_status forces_at(const struct segment *st, real theta, size_t least,
+                                        struct kinematics *motion, struct loaded **list, size_t *count)
 {
-    size_t more = *shown < FORCES_MORE ? *shown + 64 : FORCES_MORE,
-           room = geometry->n < *shown || geometry->n - *shown < more ? geometry->n : *shown + more;
-    struct loaded *list = malloc(room * sizeof *list);
-    if (!list)
-        return NULL;
-    const size_t n = forces_list(geometry, kinematics->head, list, room);
-    forces_push(geometry, kinematics, list, n);
-    *shown = n < *shown ? n : *shown;
-    return list;
+    const struct geometry *geometry = &st->geometry;
+    const enum dom_status status = forces_motion(st, theta, motion);
+    const size_t wanted = motion->n > least ? motion->n : least,
+                 more = wanted < FORCES_MORE ? wanted + 64 : FORCES_MORE,
+                 room = geometry->n < wanted || geometry->n - wanted < more ? geometry->n : wanted + more;
+    *list = status == DOM_OK ? malloc(room * sizeof **list) : NULL;
+    *count = 0;
+    if (!*list)
+        return status == DOM_OK ? DOM_NO_MEMORY : status;
+    struct link link = link_head(geometry, motion->head, geometry->rolls);
+    real size = 1;
+    for (size_t n = 0;; size /= link.geometry->r, link_on(&link)) {
+        const bool last = !link.leads || n + 1 == room;
+        (*list)[n++] =
+            (struct loaded){.link = link,
+                            .size = size,
+                            .arms = link.leads ? link_arms(&link, geometry->rolls) : (struct arms){.a = 0},
+                            .leaned = !last,
+                            .force = REAL_NAN,
+                            .impulse = REAL_NAN};
+        if (last) {
+            forces_push(geometry, motion, *list, n);
+            *count = n < wanted ? n : wanted;
+            return DOM_OK;
+        }
+    }
 }
 
 /* ---- The largest value over a motion ---- */
@@ -148,9 +144,10 @@ KERNEL_SHARED enum dom_status peak_over(struct peak *p, real lo, real hi)
     return status;
 }
 
-KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *p, const struct request *train, struct motion *m)
+KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *p, const struct dom_train *train,
+                                            const struct dom_compute *compute, struct motion *m)
 {
-    enum dom_status status = motion_prepare(train, false, m);
+    enum dom_status status = motion_prepare(train, compute, false, m);
     m->segment.geometry.tol = fmax(m->segment.geometry.tol, FORCES_TOL);
     const real *edge = m->segment.barrier.edge, inside = 16 * REAL_EPSILON;
     for (int i = 1; status == DOM_OK && i < m->segment.barrier.edges; i++) {
@@ -177,15 +174,11 @@ struct least {
 static enum dom_status least_at(real theta, void *context, real *value)
 {
     struct least *least = context;
-    struct kinematics kinematics = {.n = 0};
-    enum dom_status status = forces_motion(least->segment, theta, &kinematics);
+    struct kinematics motion;
+    struct loaded *list;
+    size_t n;
+    const enum dom_status status = forces_at(least->segment, theta, 0, &motion, &list, &n);
     *value = -(real)INFINITY;
-    if (status != DOM_OK)
-        return status;
-    size_t n = kinematics.n;
-    struct loaded *list = forces_find(&least->segment->geometry, &kinematics, &n);
-    if (!list)
-        return DOM_NO_MEMORY;
     for (size_t i = 0; i < n && list[i].leaned; i++) {
         const real force = list[i].force * list[i].size / list[i].link.weight;
         *value = fmax(-force, *value);
@@ -198,7 +191,7 @@ static enum dom_status least_at(real theta, void *context, real *value)
             least->impulse = fmin(list[i].impulse, least->impulse);
     }
     free(list);
-    return DOM_OK;
+    return status;
 }
 
 enum { CONTACT_SAMPLES = 3 };
@@ -219,12 +212,13 @@ KERNEL_SHARED enum dom_status segment_contact(const struct segment *st, real to,
 /* The absolute error of the smallest force is at most an eighth of this. */
 #define LEAST_OFF ((real)1e-6)
 
-KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom_least_force *found)
+enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
+                                      struct dom_least_force *found)
 {
     struct motion m;
     struct least least = {.segment = &m.segment, .force = (real)INFINITY, .impulse = (real)INFINITY};
     struct peak peak = {PEAK_MOST / 3, least_at, &least, -(real)INFINITY, FORCES_TOL, LEAST_OFF};
-    const enum dom_status status = peak_of_cycle(&peak, train, &m);
+    const enum dom_status status = peak_of_cycle(&peak, train, compute, &m);
     if (status == DOM_OK)
         *found = (struct dom_least_force){least.force, least.theta, least.domino, least.impulse};
     return status;

@@ -88,15 +88,17 @@ struct motion {
     struct segment segment; /* from the upright position to theta_c */
     struct launch launch;
     bool stops;         /* true if the train does not get over the barrier */
-    real end;           /* the last tilt: theta_c, or the tilt of rest; set by motion_prepare */
+    real end;           /* the last tilt: theta_c, or the tilt of rest */
+    real tol;           /* the tolerance of the caller */
     struct clock clock; /* set by motion_prepare, if it is asked for times */
 };
 
 KERNEL_SHARED void motion_end(struct motion *motion);
 
-/* Begins a motion, and finds its end and, if `timed` is true, its clock. Returns DOM_NO_MARGIN if the margin
- * is too small to compute times. Always call motion_end afterwards. */
-KERNEL_SHARED enum dom_status motion_prepare(const struct request *train, bool timed, struct motion *motion);
+/* Checks a train, begins its motion, and finds its end and, if `timed` is true, its clock. Returns
+ * DOM_NO_MARGIN if the margin is too small to compute times. Always call motion_end afterwards. */
+KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, const struct dom_compute *compute,
+                                             bool timed, struct motion *motion);
 
 /* ---- Forces (forces.c) ---- */
 
@@ -133,14 +135,11 @@ struct loaded {
     real force, impulse; /* of the follower, normal to the back face; NaN if none leans on this domino */
 };
 
-/* Finds the motion of a chain at a tilt of its head. */
-KERNEL_SHARED enum dom_status forces_motion(const struct segment *segment, real theta,
-                                            struct kinematics *kinematics);
-
-/* Finds the forces of the contacts of the first *shown dominoes, or of all if there are fewer. Sets *shown to
- * their number. Returns their list, which the caller frees, or NULL if memory runs out. */
-KERNEL_SHARED struct loaded *forces_find(const struct geometry *geometry, const struct kinematics *kinematics,
-                                         size_t *shown);
+/* Finds the motion of a chain at a tilt of its head, and the forces of the contacts of all dominoes that
+ * contribute to its sums, and of at least the first `least`, if there are as many. Sets *count to their
+ * number, and *list to their list, which the caller frees. */
+KERNEL_SHARED enum dom_status forces_at(const struct segment *segment, real theta, size_t least,
+                                        struct kinematics *motion, struct loaded **list, size_t *count);
 
 /* ---- The largest value over a motion (forces.c) ---- */
 
@@ -163,5 +162,5 @@ KERNEL_SHARED enum dom_status peak_over(struct peak *peak, real lo, real hi);
 /* Searches the cycle of a train, whose motion is in *motion while `at` is called. The edges of its barrier
  * divide the cycle into parts. Forces jump at the edges, so the search of a part begins and ends just inside.
  */
-KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *peak, const struct request *train,
-                                            struct motion *motion);
+KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *peak, const struct dom_train *train,
+                                            const struct dom_compute *compute, struct motion *motion);
