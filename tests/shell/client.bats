@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Programs that control domino through pipes; log and echo.
+# Programs that control domino through pipes; echo.
 # bats file_tags=whole
 
 load common
@@ -96,27 +96,6 @@ long='print 41 + 1; effect row 13; effect placement 8 mm; placement 9000000'
     same 'a pipe' 42 "$said"
     kill -KILL $!
     exec 5<&-
-}
-
-@test "log writes a script of the commands, with answers as comments" {
-    printf 'set s 0.3\nfuel\n' >script
-    printf '%s\n' 'log l.dom' 'set q hollow; pair 0.2' 'foo' 'source script' 'log off' 'fuel' |
-        "$DOMINO" >out 2>err || true
-    same 'commands' 'set q hollow pair 0.2 foo source script log off' "$(grep -v '^#\|^$' l.dom | paste -sd ' ' -)"
-    same 'errors' 1 "$(grep -c '^# stdin:3:1: unknown command' l.dom)"
-    grep -q '^# fuel_exact' l.dom
-    same 'answers' "$(grep . out | head -n -3)" "$(sed -n 's/^# //p' l.dom | grep -v '^A log\|^stdin')"
-    same 'after them' "$("$DOMINO" -e 'set q hollow; set s 0.3; fuel')" "$(tail -n 5 out | grep . | tail -n 3)"
-    same 'it runs again' "$(grep . out | head -n -3)" "$("$DOMINO" --keep-going l.dom 2>/dev/null | grep .)"
-    "$DOMINO" -e 'log l.dom; fuel' >/dev/null
-    same 'the rest of its line' fuel "$(grep -v '^#\|^$' l.dom | tail -n 1)"
-    same 'a log is appended to' 2 "$(grep -c '^# A log' l.dom)"
-    wrong 'log none/l' "cannot write 'none/l': No such file or directory"
-    wrong 'log' 'FILE is missing; usage: log FILE'
-    run -1 --separate-stderr "$DOMINO" --safe -e 'log t'
-    [[ $stderr == *'a safe session cannot read or write files'* ]]
-    printf 'log x\n' >inner
-    wrong 'source inner > y' "'log' does not work while answers go to 'y'; first enter 'log', then enter the command again with '>'"
 }
 
 @test "echo, and source of standard input" {

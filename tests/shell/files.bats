@@ -213,38 +213,9 @@ END
     same 'one head' "$("$DOMINO" -e 'set output csv; pair 0.3; pair 0.5')" "$(cat rows.csv)"
 }
 
-@test "'>>' and log begin a new line after a last line without an end" {
+@test "'>>' begins a new line after a last line without an end" {
     printf 's,r_max\n0.3,1' >a.csv
     "$DOMINO" -e 'print 2 >> a.csv; print 3 >> a.csv'
     same csv $'s,r_max\n0.3,1\nvalue,unit\n2,\n3,' "$(cat a.csv)"
-    printf 'print 1' >l.dom
-    "$DOMINO" -e 'log l.dom; fuel' >/dev/null
-    same 'a log' 'print 1' "$(head -n 1 l.dom)"
 }
 
-@test "a file that the session is writing is refused under any of its names, and is not changed" {
-    answer=$("$DOMINO" -e fuel)
-    echo old >twice && ln -s twice soft
-    while IFS='|' read -r begin then name; do
-        run --separate-stderr "$DOMINO" --keep-going -e "$begin" -e "$then" -e 'log off; fuel'
-        [[ $stderr == *"cannot write '$name': this session is already writing to it; choose another file" ]] ||
-            same "$begin; $then" refused "$stderr"
-        same "$begin; $then: goes on" "$answer" "$(tail -n 3 <<<"$output")"
-        [ ! -s new ] || same "$begin; $then: the log" 1 "$(grep -c '^# A log' new)"
-        same "$begin; $then: the other file" old "$(head -n 1 twice)"
-        rm -f new
-        echo old >twice
-    done <<'END'
-log new|rmax > new|new
-log new|save ../work/new|../work/new
-log twice; fuel > /dev/null|rmax > soft|soft
-log soft|fuel >> twice|twice
-END
-    "$DOMINO" -e 'log new; fuel; log new; log off' >/dev/null # opening the same log again is allowed
-    same 'log anew' 2 "$(grep -c '^# A log' new)"
-    run -1 --separate-stderr bash -c '"$DOMINO" -e "fuel; log out" >out'
-    same 'standard output' "-e:1: log: cannot write 'out': this session is already writing to it; choose another file" "$stderr"
-    same 'its answer' "$answer" "$(cat out)"
-    echo 'fuel > /dev/null; save /dev/null' >script
-    same 'devices take more than one' "$answer" "$("$DOMINO" -e 'log /dev/null; source script; fuel' | tail -n 3)"
-}

@@ -51,7 +51,7 @@ extern const struct command session_commands[], value_commands[], script_command
 
 static const struct command_group groups[] = {
     {"The session", "settings", session_commands},       {"Values and names", "settings", value_commands},
-    {"Scripts and records", "scripts", script_commands}, {"Help", "scripts", help_commands},
+    {"Scripts", "scripts", script_commands}, {"Help", "scripts", help_commands},
     {"This program", "scripts", version_commands},       {NULL, NULL, NULL},
 };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands for scripts and records: source, echo and log. */
+/* Commands for scripts: source and echo. */
 #include "interpreter/interpret.h"
 #include "interpreter/question.h"
 #include "io/escape.h"
@@ -74,28 +74,6 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
     return shown || query_status(query, problem, DOM_NO_MEMORY);
 }
 
-/* ---- Log ---- */
-
-/* Begins a log of the session, or ends it with 'off'. */
-static bool run_log(struct session *session, const struct arguments *given, struct answer *a,
-                    struct problem *problem)
-{
-    const char *wrong = NULL, *path = given->word[0];
-    if (session->output->path)
-        return problem_error(problem,
-                             "'%s' does not work while answers go to '%s'; first enter '%s', then enter the "
-                             "command again with '>'",
-                             a->command, names_shown(session->output->path), a->command);
-    if (strcmp(path, "off") != 0) {
-        wrong = log_begin(path, session->state.scene.compute.interrupt);
-        session->has_log = session->has_log || !wrong;
-    } else {
-        log_end();
-        session->has_log = false;
-    }
-    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
-}
-
 const struct command script_commands[] = {
     {.name = "source",
      .synonyms = "script load open read batch import file",
@@ -115,14 +93,5 @@ const struct command script_commands[] = {
      .see = "print",
      .sweep.refusal = "it computes nothing",
      ANSWER(echo)},
-    {.name = "log",
-     .synonyms = "record transcript protocol journal file tee copy output",
-     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "append all commands and answers to FILE until 'log off'",
-     .help = "'source FILE' can run the commands again, because answers and errors are written as "
-             "comments. Write './off' for a file named off.",
-     .see = "save",
-     .access.files = true,
-     .act = run_log},
     {.name = NULL},
 };

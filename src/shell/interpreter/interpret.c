@@ -262,8 +262,8 @@ static void run_commands(struct session *session, const struct text *text)
         const char *begin = skip_blanks(r.at), *end = text_end(begin, ";");
         if (begin < end) {
             const char *typed = text_typed(text, begin);
-            if (session->has_log && session->source.depth == 0)
-                log_command(typed, (size_t)(text_typed(text, end) - typed));
+            if (session->log && session->source.depth == 0)
+                session->log->typed(typed, (size_t)(text_typed(text, end) - typed));
             r.at = begin;
             run_command_at(session, &r);
             arena_free(&arena);
@@ -290,11 +290,11 @@ static void run_line(struct session *session, const char *line, size_t length)
         return;
     }
     run_commands(session, &text);
-    /* The log is flushed after each line, in case of a crash. */
-    const char *wrong = session->has_log ? log_flush() : NULL;
-    session->has_log = session->has_log && !wrong;
-    if (wrong)
+    const char *wrong = session->log ? session->log->flush() : NULL;
+    if (wrong) {
+        session->log = NULL;
         session_error(session, "recording stops here, because the file cannot be written: %s", wrong);
+    }
     text_free(&text);
 }
 

@@ -6,7 +6,6 @@
  *   rename(2). Other hard links to the old file keep the old text. Only SIGKILL at this moment can leave a
  *   file ".domino.XXXXXX".
  * - After '>>', the target is locked, and the text is added at its end.
- * The log gets a copy of all that goes to standard output.
  */
 #define _GNU_SOURCE /* asprintf, mkostemp */
 #include "io/output.h"
@@ -20,19 +19,12 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-static struct {
-    FILE *file;       /* NULL if there is no log */
-    char *target;     /* as in struct output */
-    bool in_line;     /* the last line in the file is incomplete so far */
-    bool in_sequence; /* the last character belongs to a control sequence: ESC, '[', numbers and a letter */
-} session_log;
+char *output_reserved;
+const char output_in_use[] = "this session is already writing to it; choose another file";
 
 /* ---- Files ---- */
 
-/* Stores the path of a file without symbolic links in *target, which the caller frees, and the status of the
- * file in *status. If there is no such file yet, *status is zero. Returns NULL, or the reason why the file
- * cannot be written. */
-static const char *target_find(const char *path, char **target, struct stat *status)
+const char *output_target(const char *path, char **target, struct stat *status)
 {
     struct stat link;
     *target = NULL;
@@ -56,14 +48,12 @@ static const char *target_find(const char *path, char **target, struct stat *sta
     return *target ? NULL : strerror(errno);
 }
 
-static bool is_standard(const struct stat *status)
+bool output_is_standard(const struct stat *status)
 {
     struct stat out;
     return status->st_mode && fstat(STDOUT_FILENO, &out) == 0 && out.st_dev == status->st_dev &&
            out.st_ino == status->st_ino;
 }
-
-static const char in_use[] = "this session is already writing to it; choose another file";
 
 /* ---- The output ---- */
 
@@ -82,13 +72,13 @@ char *output_folder(const struct output *o)
 /* Opens the stream of an output whose target is known. Returns NULL, or the reason why there is none. */
 static const char *output_open(struct output *o)
 {
-    const bool exists = o->status.st_mode, to_standard = is_standard(&o->status);
+    const bool exists = o->status.st_mode, to_standard = output_is_standard(&o->status);
     o->is_regular = !to_standard && (!exists || S_ISREG(o->status.st_mode));
-    bool is_used = o->is_regular && session_log.file && strcmp(session_log.target, o->target) == 0;
+    bool is_used = o->is_regular && output_reserved && strcmp(output_reserved, o->target) == 0;
     for (const struct output *outer = o->below; outer && o->is_regular; outer = outer->below)
         is_used = is_used || (outer->target && strcmp(outer->target, o->target) == 0);
     if (is_used)
-        return in_use;
+        return output_in_use;
     char *folder = output_folder(o);
     const bool is_allowed = (!exists || access(o->target, W_OK) == 0) &&
                             (!folder || (exists && o->append) || access(folder, W_OK) == 0);
@@ -120,7 +110,7 @@ const char *output_push(struct output **top, const char *path, bool append,
     if (!o)
         return strerror(ENOMEM);
     *o = (struct output){.below = *top, .path = path, .append = append, .interrupt = interrupt};
-    const char *wrong = target_find(path, &o->target, &o->status);
+    const char *wrong = output_target(path, &o->target, &o->status);
     wrong = wrong ? wrong : output_open(o);
     if (wrong)
         output_free(o);
@@ -236,80 +226,4 @@ const char *output_pop(struct output **top, bool keep)
                                                 : strerror(reason);
     output_free(o);
     return wrong;
-}
-
-/* ---- The log ---- */
-
-/* Writes text without the control sequences of a terminal. Each line becomes a comment, so that the log can
- * be run as a script. */
-static void log_copy(const char *bytes, size_t count)
-{
-    for (const char *c = bytes; c < bytes + count; c++) {
-        const bool is_control = session_log.in_sequence || *c == '\033' || *c == '\r';
-        session_log.in_sequence = *c == '\033' || (session_log.in_sequence && (*c < '@' || *c == '['));
-        if (is_control)
-            continue;
-        if (!session_log.in_line && *c != '\n')
-            fputs("# ", session_log.file);
-        session_log.in_line = *c != '\n';
-        putc(*c, session_log.file);
-    }
-}
-
-const char *log_begin(const char *path, const volatile sig_atomic_t *interrupt)
-{
-    struct stat status;
-    char *target;
-    const char *wrong = target_find(path, &target, &status);
-    if (!wrong && is_standard(&status))
-        wrong = in_use;
-    log_flush(); /* the answers before this command do not belong in the log */
-    const bool in_line = !wrong && io_ends_in_line(path);
-    const int opened = wrong ? -1 : io_open(path, O_WRONLY | O_CREAT | O_APPEND, 0666, interrupt);
-    FILE *file = opened < 0 ? NULL : io_stream(opened, "a", interrupt);
-    if (!file) {
-        wrong = wrong ? wrong : strerror(errno);
-        free(target);
-        return wrong;
-    }
-    log_end();
-    session_log.file = file;
-    session_log.target = target;
-    session_log.in_line = session_log.in_sequence = false;
-    io_copy = log_copy;
-    fprintf(file, "%s# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n",
-            in_line ? "\n" : "");
-    return NULL;
-}
-
-const char *log_flush(void)
-{
-    io_stdout_flush();
-    if (!session_log.file || (fflush(session_log.file) == 0 && !ferror(session_log.file)))
-        return NULL;
-    return log_end();
-}
-
-const char *log_end(void)
-{
-    if (!session_log.file)
-        return NULL;
-    io_stdout_flush();
-    const char *wrong = fclose(session_log.file) == 0 ? NULL : strerror(errno);
-    free(session_log.target);
-    session_log.file = NULL;
-    io_copy = NULL;
-    return wrong;
-}
-
-void log_command(const char *text, size_t length)
-{
-    io_stdout_flush(); /* the answers before it */
-    fprintf(session_log.file, "%.*s\n", (int)length, text);
-}
-
-void log_message(const char *text)
-{
-    if (session_log.file)
-        fprintf(session_log.file, "# %s\n", text);
 }

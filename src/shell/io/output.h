@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Where the answers go: to standard output or, while a command with '>' runs, into its file. Such commands
- * can be nested, so the outputs form a stack with standard output at the bottom. A log can get a copy of the
- * text for standard output.
+ * can be nested, so the outputs form a stack with standard output at the bottom.
  */
 #pragma once
 
@@ -51,21 +50,17 @@ char *output_folder(const struct output *output);
 /* Writes the buffered text of this output and of standard output. */
 void output_flush(struct output *output);
 
-/* ---- The log ---- */
+/* ---- For a log of the session ---- */
 
-/* Begins a log, which is appended to its file. If there is already a log, it ends. If the file cannot be
- * written, returns the reason. Otherwise returns NULL. */
-const char *log_begin(const char *path, const volatile sig_atomic_t *interrupt);
+/* The path of the log without symbolic links, or NULL. No output can be pushed that writes to this file. */
+extern char *output_reserved;
 
-/* Writes the buffered text of the log into its file. If the file cannot be written, ends the log and returns
- * the reason. Otherwise returns NULL. */
-const char *log_flush(void);
+/* Stores the path of a file without symbolic links in *target, which the caller frees, and the status of the
+ * file in *status. If there is no such file yet, *status is zero. Returns NULL, or the reason why the file
+ * cannot be written. */
+const char *output_target(const char *path, char **target, struct stat *status);
 
-/* Ends the log, if there is one. Returns NULL, or the reason why the file could not be written. */
-const char *log_end(void);
+/* Returns true if this file is standard output. */
+bool output_is_standard(const struct stat *status);
 
-/* Writes a command into the log, which must be open. */
-void log_command(const char *text, size_t length);
-
-/* Writes an error or a note into the log, if there is one, as a comment. */
-void log_message(const char *text);
+extern const char output_in_use[]; /* the reason that a file is one of those that the session writes */

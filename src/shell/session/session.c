@@ -79,8 +79,8 @@ static void session_write(struct session *session, const struct problem *problem
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
     escape_text(line, text, sizeof text);
-    if (session->has_log)
-        log_message(text);
+    if (session->log)
+        session->log->message(text);
     /* A script's error message also stands among the answers, if the output format can represent errors. */
     const struct format *format = formats[session->state.settings.style.output];
     if (is_error && format->failed && session->source.name) {
@@ -248,8 +248,8 @@ void session_close(struct session *session)
 {
     while (session->output->below)
         output_pop(&session->output, true);
-    if (session->has_log)
-        log_end();
+    if (session->log)
+        session->log->close();
     state_close(&session->state);
     if (session->undo)
         steps_drop(session->undo, 0, session->undo->count);

@@ -8,6 +8,16 @@
 
 enum { SOURCE_DEPTH = 16 };
 
+/* A log of the session. It gets the answers from io_copy. */
+struct session_log {
+    void (*typed)(const char *text, size_t length); /* logs a command, before it runs */
+    void (*message)(const char *text);              /* logs an error or a note */
+    /* Is called after each line, in case of a crash. If the log cannot be written, ends it and returns the
+     * reason; otherwise returns NULL. */
+    const char *(*flush)(void);
+    void (*close)(void);
+};
+
 struct session {
     struct state state;
     struct last_answer ans;
@@ -18,7 +28,8 @@ struct session {
 
     struct output *output; /* the top of the stack of outputs, which receives the answers */
     struct output standard;
-    bool has_log; /* 'log' copies the answers of this session, not of one that 'lesson' or 'help' opens */
+    /* NULL if there is no log. Sessions that 'lesson' or 'help' open have none. */
+    const struct session_log *log;
 
     struct source {
         const char *name; /* the name of the running script, for messages; NULL at the prompt */
