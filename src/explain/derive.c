@@ -117,7 +117,7 @@ static domq_real equation_value(struct derivation *d, const struct step *s)
 {
     struct quantity result;
     struct problem ignored = {.kind = PROBLEM_NONE};
-    struct evaluation e = {.problem = &ignored, .symbol = name_value, .context = d, .angle = 1};
+    struct evaluation e = {.problem = &ignored, .context = d, .angle = 1};
     return expression_evaluate(&e, s->tree, &result) ? result.value : DOMQ_NAN;
 }
 
@@ -150,9 +150,9 @@ static struct step *step_add(struct derivation *d, const char *name, int depth);
 /* Adds a step for every name in an equation and makes the names refer to these steps. */
 static bool names_add(struct derivation *d, struct step *s, struct tree *t)
 {
-    if (t->kind == TREE_NAME) {
+    if (!t->compute) {
         struct step *needed = step_add(d, t->name, s->depth + 1);
-        t->kind = TREE_SYMBOL;
+        t->compute = name_value;
         t->refers = needed;
         bool is_new = needed != NULL;
         for (int k = 0; k < s->count; k++)

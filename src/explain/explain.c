@@ -55,13 +55,14 @@ static bool is_label(const char *word, size_t length)
  * be in parentheses. */
 static bool what_parse(struct reader *r, struct question *q)
 {
-    static const struct argument what = {.name = "WHAT", .noun = "question", .choices = explained_names};
+    static const struct argument what = {
+        .name = "WHAT", .kind = ARGUMENT_CHOICE, .noun = "question", .choices = explained_names};
     struct item *item = &q->item[0];
     const bool opens = *r->at == '(';
     const char *begin = r->at + opens;
     const size_t length = strcspn(begin, " \t\r\f\v);>#");
     if (r->offer || !is_label(begin, length)) {
-        if (item_parse_choice(r, &what, item))
+        if (item_parse(r, &what, item))
             return true;
         if (strstr(r->problem->text, "use one of"))
             text_add(r->problem->text, sizeof r->problem->text,
@@ -97,7 +98,8 @@ static const struct argument *value_argument(const struct explained *e)
 
 static bool explain_parse(struct reader *r, struct question *q)
 {
-    static const struct argument deep = {.name = "deep", .noun = "word", .choices = deep_names};
+    static const struct argument deep = {
+        .name = "deep", .kind = ARGUMENT_CHOICE, .noun = "word", .choices = deep_names};
     const struct explained *e = &explained_list[(int)q->item[0].number];
     struct explain_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     struct item word;
@@ -112,7 +114,7 @@ static bool explain_parse(struct reader *r, struct question *q)
     if (reader_ends(r))
         return true;
     p->deep = true;
-    return item_parse_choice(r, &deep, &word);
+    return item_parse(r, &deep, &word);
 }
 
 static bool explain_bind(const struct question *q, const struct query *query, struct arguments *given,
@@ -258,7 +260,7 @@ static void step_say(struct answer *a, const struct derivation *d, const struct 
                                 : "sum over i of ",
                equation, *s->reference ? "    (" : "", s->reference, *s->reference ? ")" : "");
     numbers_add(numbers, s, letters, (int)a->style.digits);
-    if (s->tree->kind != TREE_SYMBOL) /* the number of a symbol is the value */
+    if (!s->tree->name || s->tree->count > 0) /* the number of a symbol is the value */
         answer_say(a, "      = %s", numbers);
     answer_say(a, "      = %s", value);
 }

@@ -107,14 +107,14 @@ bool wishes_parse(struct reader *r, struct question *q)
                                                    {.name = "safety", .kind = ARGUMENT_ANY},
                                                    {.name = "hall", .kind = ARGUMENT_HEIGHT},
                                                    {.name = "grid", .kind = ARGUMENT_HEIGHT}};
-    const struct argument wish = {.name = "WISHES", .noun = "wish", .choices = list};
+    const struct argument wish = {.name = "WISHES", .kind = ARGUMENT_CHOICE, .noun = "wish", .choices = list};
     struct wishes_parsed *w = q->parsed = reader_memory(r, sizeof *w);
     if (!w)
         return false;
     while (!reader_ends(r)) {
         struct item name;
         reader_place(r, r->at);
-        if (!item_parse_choice(r, &wish, &name))
+        if (!item_parse(r, &wish, &name))
             return false;
         const int k = (int)name.number + (list == improve_wishes ? HALL : 0);
         const bool ends = k != SIZES && reader_ends(r);

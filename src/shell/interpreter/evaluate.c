@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Evaluates trees. The value of a comparison is 1 if it is true, and 0 if it is false. As a condition, every
- * number except 0 is true. */
+/* Evaluates expressions. The value of a comparison is 1 if it is true, and 0 if it is false. As a condition,
+ * every number except 0 is true. */
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include <stdlib.h>
@@ -19,7 +19,29 @@ static bool is_valid(struct evaluation *e, const char *at, const struct quantity
     return expression_no_value(e->problem, at, "the value is not a finite number");
 }
 
-/* ---- Functions ---- */
+bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    if (!t->compute)
+        return expression_wrong(e->problem, t->at, "'%s' has no value in a csv file", t->name);
+    return t->compute(e, t, q) && is_valid(e, t->at, q);
+}
+
+bool arguments_evaluate(struct evaluation *e, const struct tree *t,
+                        struct quantity argument[EXPRESSION_ARGUMENTS])
+{
+    const struct tree *child = t->child;
+    for (int i = 0; i < t->count; i++, child = child->next)
+        if (!expression_evaluate(e, child, &argument[i]))
+            return false;
+    return true;
+}
+
+bool number_value(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    (void)e;
+    *q = t->value;
+    return true;
+}
 
 /* The units of a function's arguments and result. */
 enum function_kind {
@@ -30,6 +52,7 @@ enum function_kind {
     HALVES, /* the result has the square root of the argument's unit */
 };
 
+/* A function of one or two values, or 'if', which has three. */
 struct function {
     const char *name;
     enum function_kind kind;
@@ -47,35 +70,34 @@ static const struct function functions[] = {
     {"floor", OF_NUMBER, quad(floor), NULL}, {"ceil", OF_NUMBER, quad(ceil), NULL},
     {"round", OF_NUMBER, quad(round), NULL}, {"hypot", KEEPS, NULL, quad(hypot)},
     {"min", KEEPS, NULL, quad(fmin)},        {"max", KEEPS, NULL, quad(fmax)},
-    {"sqrt", HALVES, quad(sqrt), NULL},      {NULL, OF_NUMBER, NULL, NULL},
+    {"sqrt", HALVES, quad(sqrt), NULL},      {"if", KEEPS, NULL, NULL},
 };
+
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
+
+const char *expression_names(const void *context, int k)
+{
+    (void)context;
+    return k < FUNCTIONS ? functions[k].name : k == FUNCTIONS ? "pi" : NULL;
+}
 
 const struct function *function_find(const char *name, int *arguments)
 {
     const struct function *f = functions;
-    while (f->name && strcmp(f->name, name) != 0)
+    while (f < functions + FUNCTIONS && strcmp(f->name, name) != 0)
         f++;
-    *arguments = f->one ? 1 : 2;
-    return f->name ? f : NULL;
+    if (f == functions + FUNCTIONS)
+        return NULL;
+    *arguments = f->one ? 1 : f->two ? 2 : 3;
+    return f;
 }
 
-const char *expression_names(const void *context, int k)
+bool function_value(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
-    /* built-in names that are not in the table of functions, because the parser handles them itself */
-    static const char *const more[] = {"if", "pi", NULL};
-    const int count = sizeof functions / sizeof *functions - 1;
-    (void)context;
-    return k < count ? functions[k].name : more[k - count];
-}
-
-static bool evaluate_function(struct evaluation *e, const struct tree *t, struct quantity *q)
-{
-    struct quantity a[2] = {{.value = 0}, {.value = 0}};
-    const struct function *f = t->function;
-    const struct tree *child = t->child;
-    for (int i = 0; i < t->count; i++, child = child->next)
-        if (!expression_evaluate(e, child, &a[i]))
-            return false;
+    struct quantity a[EXPRESSION_ARGUMENTS] = {{.value = 0}};
+    const struct function *f = t->refers;
+    if (!arguments_evaluate(e, t, a))
+        return false;
     bool number = quantity_is_dimensionless(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
     if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2 || a[0].mass % 2))
         return expression_wrong(e->problem, t->at, "%s of a value with this unit is not defined", f->name);
@@ -90,15 +112,10 @@ static bool evaluate_function(struct evaluation *e, const struct tree *t, struct
          : f->kind == HALVES
              ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2, a[0].mass / 2}
              : (struct quantity){.angle = f->kind == TO_ANGLE};
-    domq_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
-    if (f->two)
-        q->value = f->two(a[0].value, a[1].value);
-    else if (f->one)
-        q->value = f->one(one);
+    const domq_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
+    q->value = f->two ? f->two(a[0].value, a[1].value) : f->one(one);
     return true;
 }
-
-/* ---- Trees ---- */
 
 /* Prepares two values for a sum or a comparison. If one of them is an angle and the other is a number without
  * a unit, as in "thetac - 1", the number becomes an angle in the session's unit. Returns true if both values
@@ -152,66 +169,46 @@ static bool apply(struct evaluation *e, const struct tree *t, const struct tree 
     return is_valid(e, op == '^' ? t->at : value->op_at, q);
 }
 
-static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool *is_true)
+/* Evaluates a condition. As a quantity, it is 1 or 0. */
+static bool condition_value(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
-    struct quantity q;
-    if (!expression_evaluate(e, t, &q))
+    if (!expression_evaluate(e, t, q))
         return false;
-    *is_true = q.value != 0;
-    return quantity_is_number(q) ||
-           expression_wrong(e->problem, t->at, "%s is not a condition; write, for example, 'r > 1.5'",
-                            expression_kind(q));
-}
-
-static bool evaluate_chain(struct evaluation *e, const struct tree *t, struct quantity *q)
-{
-    const struct tree *child = t->child;
-    const char op = child->next->op;
-    bool is_true = false;
-    if (op != '&' && op != '|') {
-        bool good = expression_evaluate(e, child, q);
-        while (good && (child = child->next) != NULL)
-            good = apply(e, t, child, q);
-        return good;
-    }
-    /* Conditions are evaluated from left to right, and only until one of them decides the result. */
-    do {
-        if (!evaluate_condition(e, child, &is_true))
-            return false;
-        child = child->next;
-    } while (child && is_true != (op == '|'));
-    *q = (struct quantity){.value = is_true};
+    if (!quantity_is_number(*q))
+        return expression_wrong(e->problem, t->at, "%s is not a condition; write, for example, 'r > 1.5'",
+                                expression_kind(*q));
+    q->value = q->value != 0;
     return true;
 }
 
-bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quantity *q)
+bool chain_value(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
-    bool is_true;
-    switch (t->kind) {
-    case TREE_NUMBER:
-        *q = t->value;
-        return true;
-    case TREE_MINUS:
-        if (!expression_evaluate(e, t->child, q))
-            return false;
-        q->value = -q->value;
-        return true;
-    case TREE_NOT:
-        if (!evaluate_condition(e, t->child, &is_true))
-            return false;
-        *q = (struct quantity){.value = !is_true};
-        return true;
-    case TREE_CHAIN:
-        return evaluate_chain(e, t, q);
-    case TREE_IF:
-        return evaluate_condition(e, t->child, &is_true) &&
-               expression_evaluate(e, is_true ? t->child->next : t->child->next->next, q);
-    case TREE_FUNCTION:
-        return evaluate_function(e, t, q) && is_valid(e, t->at, q);
-    case TREE_SYMBOL:
-        return e->symbol(e, t, q) && is_valid(e, t->at, q);
-    case TREE_NAME:
-        break;
-    }
-    return expression_wrong(e->problem, t->at, "'%s' has no value in a csv file", t->name);
+    const struct tree *child = t->child;
+    const char op = child->next->op;
+    const bool has_conditions = op == '&' || op == '|';
+    bool good = has_conditions ? condition_value(e, child, q) : expression_evaluate(e, child, q);
+    /* Conditions are evaluated from left to right, and only until one of them decides the result. */
+    while (good && (child = child->next) != NULL && !(has_conditions && q->value == (op == '|')))
+        good = has_conditions ? condition_value(e, child, q) : apply(e, t, child, q);
+    return good;
+}
+
+bool minus_value(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    const bool good = expression_evaluate(e, t->child, q);
+    q->value = -q->value;
+    return good;
+}
+
+bool not_value(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    const bool good = condition_value(e, t->child, q);
+    q->value = 1 - q->value;
+    return good;
+}
+
+bool if_value(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    const struct tree *yes = t->child->next;
+    return condition_value(e, t->child, q) && expression_evaluate(e, q->value != 0 ? yes : yes->next, q);
 }

@@ -165,6 +165,11 @@ const char *value_names(const void *context, int k)
     return k == 0 ? "ans" : topic_names(NULL, k - 1);
 }
 
+bool is_value_name(const struct state *state, const char *name)
+{
+    return names_exact(value_names, state, name) >= 0;
+}
+
 const char *answer_keys(const void *command, int k)
 {
     const struct column *columns = ((const struct command *)command)->columns;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Values in the arguments of commands: expressions, words that stand for values, and values of parameters. */
 #include "interpreter/question.h"
 #include "session/parameters.h"
 #include <ctype.h>
@@ -19,57 +20,80 @@ static bool end_check(struct reader *r, const char *name, const char *end)
                                        : "an operator or a blank is missing");
 }
 
-bool item_parse(struct reader *r, const struct argument *a, struct item *item)
+/* Records what may be typed at the cursor: a value, the rest of an expression, or a unit after a number. The
+ * expression from r->at to `end` has just been parsed; `is_good` is false if it has an error. */
+static void value_offer(const struct reader *r, const struct argument *a, const char *end, bool is_good)
+{
+    struct reader behind = *r;
+    behind.at = is_good ? skip_blanks(end) : end;
+    struct offer *o = reader_offer(r), *inside = !is_good && end > r->at ? reader_offer(&behind) : NULL;
+    o = inside ? inside : o;
+    if (o) {
+        o->value = *a;
+        o->is_inside = inside != NULL;
+    }
+    if (is_good && (isdigit((unsigned char)end[-1]) || end[-1] == '.'))
+        offer_kind(&behind, OFFER_UNIT);
+}
+
+bool item_wrong(struct problem *problem, const struct text *text, const char *name)
+{
+    char word[NAMES_SHOWN], reason[PROBLEM_TEXT / 4];
+    const char *at = problem->at;
+    if (!at)
+        return false; /* a command in the expression has no answer */
+    if (text)
+        problem->column = text_column(text, at);
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(at, " \t;"), at);
+    snprintf(reason, sizeof reason, "%.255s", problem->text);
+    snprintf(problem->text, sizeof problem->text, *word ? "%s at '%s': %s" : "%s%s: %s", name,
+             names_shown(word), reason);
+    problem->at = NULL;
+    return false;
+}
+
+bool item_bind(const struct item *item, const struct text *text, const struct query *query,
+               struct quantity *quantity, domq_real *number, struct problem *problem)
+{
+    struct evaluation e = query_evaluation(query, problem);
+    struct quantity own, *q = quantity ? quantity : &own;
+    *q = (struct quantity){.value = item->number};
+    if (item->at)
+        problem->place = text_column(text, item->at);
+    if (item->value && !expression_evaluate(&e, item->value, q))
+        return item_wrong(problem, text, item->argument->name);
+    *number = q->value;
+    return !item->value || argument_check(query, item->argument, *q, number, problem);
+}
+
+static bool expression_item(struct reader *r, const struct argument *a, struct item *item)
 {
     const char *begin = r->at;
+    domq_real number;
     /* completion must read on after a name that is not known */
     r->names = r->unresolved || r->offer ? NULL : name_resolve;
-    struct tree *tree = expression_parse(r);
+    item->value = expression_parse(r);
     const char *end = r->at;
     r->at = begin;
-    *item = (struct item){.argument = a, .value = tree, .at = begin};
-    if (r->offer) { /* a value, the rest of an expression, or a unit after a number */
-        struct reader behind = *r;
-        behind.at = tree ? skip_blanks(end) : end;
-        struct offer *o = reader_offer(r), *inside = !tree && end > begin ? reader_offer(&behind) : NULL;
-        o = inside ? inside : o;
-        if (o) {
-            o->value = *a;
-            o->is_inside = inside != NULL;
-        }
-        if (tree && (isdigit((unsigned char)end[-1]) || end[-1] == '.'))
-            offer_kind(&behind, OFFER_UNIT);
-    }
-    if (!tree || (r->names && !is_single(r->problem, tree)))
+    if (r->offer)
+        value_offer(r, a, end, item->value != NULL);
+    if (!item->value || (r->names && !is_single(r->problem, item->value)))
         return item_wrong(r->problem, r->text, a->name);
     if (!end_check(r, a->name, end))
         return false;
     r->at = end;
-    domq_real number;
     return !r->evaluates || r->unresolved || item_bind(item, r->text, r->query, NULL, &number, r->problem);
 }
 
-/* ---- Words for values ---- */
+/* ---- Words ---- */
 
-/*
- * Returns the index of the next word in a list. The word may be abbreviated, unless it could also be an
- * expression, like h in 'set q h'. If the list does not have the word, returns a negative number and does not
- * move the reader. `message` then explains the failure, but is empty if the word may be an expression.
- */
-static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
-                     bool is_word_only, char message[NAMES_MESSAGE])
-{
-    const char *begin = r->at, *word = read_word(r, WORD_BARE);
-    message[0] = '\0';
-    if (!word)
-        return NAMES_UNKNOWN;
-    bool is_word = is_word_only || (*word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' &&
-                                    !is_value_name(r->query->state, word));
-    int k = is_word ? names_find(list, context, what, word, message) : names_exact(list, context, word);
-    if (k < 0)
-        r->at = begin;
-    return k;
-}
+/* The words that an argument takes. */
+struct words {
+    names_list *list, *offered; /* all words, and those that completion and messages mention */
+    const void *context;
+    const char *what; /* the noun in messages */
+    bool only;        /* the argument takes no expression */
+};
 
 /* A names_list (see names.h) of the words that an argument of an effect accepts. */
 static const char *argument_words(const void *argument, int k)
@@ -77,68 +101,71 @@ static const char *argument_words(const void *argument, int k)
     return ((const struct domq_effect_argument *)argument)->words[k];
 }
 
-bool item_parse_value(struct reader *r, const struct parameter *p, int i, const char *name, struct item *item)
-{
-    const char *begin = r->at;
-    char message[NAMES_MESSAGE], what[32];
-    const char *const *words = i > 0 ? p->value[i].words : NULL;
-    if (words) {
-        offer_names(r, argument_words, &p->value[i]);
-        int k = word_find(r, argument_words, &p->value[i], name, true, message);
-        *item = (struct item){.number = k, .at = begin};
-        return k >= 0 || problem_error(r->problem, "%s (%s is %s or %s)", message, name, words[0], words[1]);
-    }
-    if (p->words && i == 0) {
-        offer_names(r, parameter_offered, p);
-        snprintf(what, sizeof what, "value of %s", p->name);
-        int k = word_find(r, parameter_words, p, what, p->words_only, message);
-        if (k >= 0) {
-            *item = (struct item){.number = p->words[k].value, .at = begin};
-            return true;
-        }
-        if (*message)
-            return problem_error(
-                r->problem, p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in the range %s)",
-                message, p->name, parameter_range(r->query->state, p, 0));
-    }
-    struct argument *a = reader_memory(r, sizeof *a);
-    if (!a)
-        return false;
-    *a = (struct argument){.name = name, .kind = ARGUMENT_VALUE_OF, .parameter = p->name, .which = i};
-    return item_parse(r, a, item);
-}
-
-bool item_parse_choice(struct reader *r, const struct argument *a, struct item *item)
+/*
+ * Finds the next word in a list, and moves the reader behind it. The word may be abbreviated, unless it could
+ * also be an expression, like h in 'set q h'. Returns the index of the word. Returns a negative number if
+ * there is none, and reports the word if it cannot be an expression.
+ */
+static int word_parse(struct reader *r, const struct words *w, struct item *item)
 {
     char message[NAMES_MESSAGE], all[NAMES_ALL];
-    offer_names(r, a->choices, NULL);
-    *item = (struct item){.at = r->at};
-    const char *word = item->word = read_word(r, WORD_BARE);
+    const char *begin = r->at, *word = read_word(r, WORD_BARE);
     if (!word)
-        return false;
-    int k = parameter_search(a->choices, a->noun, word, message);
-    item->number = k;
+        return NAMES_UNKNOWN;
+    const bool is_word = w->only || (*word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' &&
+                                     !is_value_name(r->query->state, word));
+    const int k = !is_word     ? names_exact(w->list, w->context, word)
+                  : w->context ? names_find(w->list, w->context, w->what, word, message)
+                               : parameter_search(w->list, w->what, word, message);
+    item->word = k >= 0 && !w->context ? word : NULL;
+    r->at = k >= 0 ? r->at : begin;
     if (k >= 0)
-        return true;
-    if (k == NAMES_CLOSE)
-        return problem_error(r->problem, "%s", message);
-    return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->noun, names_shown(word),
-                         names_join(a->choices, NULL, "", all));
+        return k;
+    if (is_word && k != NAMES_UNKNOWN)
+        problem_error(r->problem, "%s", message);
+    else if (is_word)
+        problem_error(r->problem, "unknown %s '%s'; use one of: %s%s%s", w->what, names_shown(word),
+                      names_join(w->offered, w->context, "", all), w->only ? "" : " or ",
+                      w->only                      ? ""
+                      : w->list == parameter_words ? parameter_range(r->query->state, w->context, 0)
+                                                   : "an angle");
+    return k;
 }
 
-bool item_parse_place(struct reader *r, const struct argument *a, struct item *item)
+bool item_parse(struct reader *r, const struct argument *a, struct item *item)
 {
-    char message[NAMES_MESSAGE];
-    const char *begin = r->at;
-    offer_names(r, a->choices, NULL);
-    int k = word_find(r, a->choices, NULL, a->noun, false, message);
+    const struct parameter *p = a->kind == ARGUMENT_VALUE_OF ? parameter_find(a->parameter) : NULL;
+    struct words w = {.list = NULL};
+    char what[40];
+    *item = (struct item){.argument = a, .at = r->at};
+    if (p && a->which > 0 && p->value[a->which].words)
+        w = (struct words){argument_words, argument_words, &p->value[a->which], a->name, true};
+    else if (p && a->which == 0 && p->words) {
+        snprintf(what, sizeof what, "value of %s", p->name);
+        w = (struct words){parameter_words, parameter_offered, p, what, p->words_only};
+    } else if (a->kind == ARGUMENT_CHOICE || a->kind == ARGUMENT_PLACE)
+        w = (struct words){a->choices, a->choices, NULL, a->noun, a->kind == ARGUMENT_CHOICE};
+    if (!w.list)
+        return expression_item(r, a, item);
+    offer_names(r, w.offered, w.context);
+    const int k = word_parse(r, &w, item);
     if (k < 0)
-        return *message ? item_parse_choice(r, a, item) : item_parse(r, a, item);
-    *item = (struct item){.number = -1 - k, .at = begin};
+        return !w.only && r->problem->kind == PROBLEM_NONE && expression_item(r, a, item);
+    item->number = w.list == parameter_words ? p->words[k].value : a->kind == ARGUMENT_PLACE ? -1 - k : k;
     return true;
 }
 
 /* ---- Parameters and their values ---- */
+
+bool item_parse_value(struct reader *r, const struct parameter *p, int i, struct item *item)
+{
+    struct argument *a = reader_memory(r, sizeof *a);
+    if (!a)
+        return false;
+    *a = (struct argument){
+        .name = p->value[i].name, .kind = ARGUMENT_VALUE_OF, .parameter = p->name, .which = i};
+    return item_parse(r, a, item);
+}
 
 /* A names_list (see names.h) of the parameters of the model and, after them, the effects. */
 static const char *model_names(const void *context, int k)
@@ -179,13 +206,12 @@ bool item_parse_listed(struct reader *r, const struct parameter *p, struct item 
 {
     const char *no_unit = r->no_unit;
     struct offer *o = reader_offer(r);
-    bool has_mass = expression_unit(p->value->unit).mass != 0;
     if (o)
         o->parameter = p;
     /* In "r 2 s 0.3 g 1.6", s and g are the names of parameters, not seconds and grams. Only after a mass, g
      * means grams. */
-    r->no_unit = has_mass ? "s" : "sg";
-    bool good = item_parse_value(r, p, 0, p->value->name, item);
+    r->no_unit = expression_unit(p->value->unit).mass != 0 ? "s" : "sg";
+    bool good = item_parse_value(r, p, 0, item);
     r->no_unit = no_unit;
     if (good && p->effect && !item->value && item->number == EFFECT_ON)
         item->number = p->value->usual;
@@ -207,10 +233,7 @@ const struct assignment *assignments_parse(struct reader *r)
         r->at = skip_blanks(r->at + (*r->at == '='));
         reader_place(r, r->at);
         if (reader_ends(r)) {
-            problem_error(
-                r->problem,
-                "the value of %s after 'with' is missing; enter, for example, 'rmax with q hollow d 0.1'",
-                p->name);
+            problem_error(r->problem, "the value of %s after 'with' is missing; %s", p->name, form);
             return NULL;
         }
         a->parameter = p;

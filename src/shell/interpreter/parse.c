@@ -13,22 +13,22 @@ enum { NODES_MAX = 1000000, NAME_SIZE = 32 };
 /* Reports a syntax error at r->at. The value of the macro is NULL. */
 #define parse_fail(r, ...) (expression_wrong((r)->problem, (r)->at, __VA_ARGS__) ? (struct tree *)NULL : NULL)
 
-static struct tree *make_node(struct reader *r, enum tree_kind kind, const char *at)
+static struct tree *make_node(struct reader *r, evaluator *compute, const char *at)
 {
     if (++r->nodes > NODES_MAX)
         return parse_fail(r, "the expression has more than %d values", NODES_MAX);
     struct tree *t = reader_memory(r, sizeof *t);
     if (!t)
         return NULL;
-    t->kind = kind;
+    t->compute = compute;
     t->at = at;
     return t;
 }
 
 /* Makes a node with one child. If the child is NULL because of an error, returns NULL as well. */
-static struct tree *make_parent(struct reader *r, enum tree_kind kind, const char *at, struct tree *child)
+static struct tree *make_parent(struct reader *r, evaluator *compute, const char *at, struct tree *child)
 {
-    struct tree *t = child ? make_node(r, kind, at) : NULL;
+    struct tree *t = child ? make_node(r, compute, at) : NULL;
     if (!t)
         return NULL;
     t->child = child;
@@ -46,6 +46,16 @@ static void append(struct tree *chain, struct tree *last, char op, const char *a
     chain->count++;
 }
 
+/* Makes a chain of two values. If one of them is NULL because of an error, returns NULL as well. */
+static struct tree *join(struct reader *r, const char *at, struct tree *left, char op, const char *op_at,
+                         struct tree *right)
+{
+    struct tree *t = right ? make_parent(r, chain_value, at, left) : NULL;
+    if (t)
+        append(t, left, op, op_at, right);
+    return t;
+}
+
 /* Returns true if the text begins with `word`, and not with a longer word. */
 static bool is_word(const char *at, const char *word)
 {
@@ -53,7 +63,12 @@ static bool is_word(const char *at, const char *word)
     return strncmp(at, word, length) == 0 && name_length(at) == length;
 }
 
-/* ---- Values ---- */
+static bool is_plain_number(const struct tree *t)
+{
+    return t->compute == number_value && quantity_is_number(t->value);
+}
+
+/* ---- Parsing values ---- */
 
 /* The levels of precedence. Operators of the first level bind most loosely. */
 enum level { LEVEL_OR, LEVEL_AND, LEVEL_COMPARE, LEVEL_SUM, LEVEL_PRODUCT, LEVEL_POWER };
@@ -65,33 +80,29 @@ static struct tree *parse_chain(struct reader *r, enum level least);
 static struct tree *parse_unit(struct reader *r, struct tree *value)
 {
     const char *c = skip_blanks(r->at);
-    if (c > r->at && r->no_unit && name_length(c) == 1 && strchr(r->no_unit, *c))
-        return value;
-    if (c > r->at && r->no_unit && is_word(c, "feet"))
-        return value;
-    if (*c == '%' && value->kind == TREE_NUMBER && quantity_is_number(value->value)) {
+    const bool is_apart = c > r->at,
+               is_name = is_apart && r->no_unit &&
+                         ((name_length(c) == 1 && strchr(r->no_unit, *c)) || is_word(c, "feet"));
+    struct quantity unit = {.value = 1};
+    if (*c == '%' && is_plain_number(value)) {
         value->value.value /= 100;
         r->at = c + 1;
         return value;
     }
-    if (!name_start(*c))
+    if (!name_start(*c) || is_name)
         return value;
-    struct quantity unit = {.value = 1};
     const char *stop = unit_scan(c, &unit);
     if (!stop)
-        return c > r->at ? value : parse_fail(r, "'%.*s' is not a unit", (int)name_length(c), c);
+        return is_apart ? value : parse_fail(r, "'%.*s' is not a unit", (int)name_length(c), c);
     r->at = stop;
-    if (value->kind == TREE_NUMBER && quantity_is_number(value->value)) {
+    if (is_plain_number(value)) {
         unit_scan(c, &value->value);
         return value;
     }
-    struct tree *chain = make_parent(r, TREE_CHAIN, c, value),
-                *factor = chain ? make_node(r, TREE_NUMBER, c) : NULL;
-    if (!factor)
-        return NULL;
-    factor->value = unit;
-    append(chain, value, '*', c, factor);
-    return chain;
+    struct tree *factor = make_node(r, number_value, c);
+    if (factor)
+        factor->value = unit;
+    return join(r, c, value, '*', c, factor);
 }
 
 static struct tree *parse_number(struct reader *r)
@@ -99,7 +110,7 @@ static struct tree *parse_number(struct reader *r)
     const char *begin = r->at;
     if (begin[0] == '0' && (begin[1] == 'x' || begin[1] == 'X'))
         return parse_fail(r, "this is not a decimal number");
-    struct tree *t = make_node(r, TREE_NUMBER, begin);
+    struct tree *t = make_node(r, number_value, begin);
     if (!t)
         return NULL;
     char *stop;
@@ -119,27 +130,48 @@ static bool parse_arguments(struct reader *r, struct tree *name)
     name->called = true;
     r->nested++;
     r->at = skip_blanks(r->at + 1);
-    while (*r->at != ')') {
+    for (bool more = *r->at != ')'; more; name->count++) {
         if (name->count == EXPRESSION_ARGUMENTS)
             return parse_fail(r, "too many values") != NULL;
-        struct tree *value = parse_chain(r, LEVEL_OR);
+        struct tree *value = *last = parse_chain(r, LEVEL_OR);
         if (!value)
             return false;
-        *last = value;
         last = &value->next;
-        name->count++;
         r->at = skip_blanks(r->at);
-        if (*r->at == ')')
-            break;
-        if (*r->at != ',')
+        more = *r->at == ',';
+        if (!more && *r->at != ')')
             return parse_fail(r, "',' or ')' is missing") != NULL;
-        r->at = skip_blanks(r->at + 1);
-        if (*r->at == ')')
-            return parse_fail(r, "a value is missing after ','") != NULL;
+        r->at = skip_blanks(r->at + more);
     }
     r->nested--;
     r->at++;
     return true;
+}
+
+/* Resolves the name of a built-in value or function. Returns false after an error. Other names stay as they
+ * are. */
+static bool built_in_resolve(struct reader *r, struct tree *t)
+{
+    int wanted = 0;
+    const struct function *f = t->called ? function_find(t->name, &wanted) : NULL;
+    if (!t->called && strcmp(t->name, "pi") == 0) {
+        t->compute = number_value;
+        t->value.value = QUAD_PI;
+    }
+    if (f && t->count == wanted) {
+        t->compute = wanted == 3 ? if_value : function_value;
+        t->refers = f;
+    }
+    /* perhaps of a column, as in max(chain(0).weight) */
+    const bool is_aggregate = t->count == 1 && (strcmp(t->name, "min") == 0 || strcmp(t->name, "max") == 0);
+    if (!f || t->count == wanted || is_aggregate)
+        return true;
+    r->at = t->at;
+    if (wanted == 3)
+        (void)parse_fail(r, "'if' takes a condition and two values, as in 'if(r > 1.5, 1, 0)'");
+    else
+        (void)parse_fail(r, "%s takes %d value%s", t->name, wanted, wanted == 1 ? "" : "s");
+    return false;
 }
 
 static struct tree *parse_name(struct reader *r)
@@ -154,36 +186,14 @@ static struct tree *parse_name(struct reader *r)
     const bool has_blanks = r->query && feature_value(at, &name, &end, &value) && end > at + length &&
                             !variable_find(&r->query->state->variables, first);
     length = has_blanks ? (size_t)(end - at) : length;
-    struct tree *t = make_node(r, TREE_NAME, at);
+    struct tree *t = make_node(r, NULL, at);
     if (!t || !(t->name = has_blanks ? name : reader_copy(r, at, length)))
         return NULL;
     r->at += length;
-    if (*r->at == '(' && !parse_arguments(r, t))
+    if ((*r->at == '(' && !parse_arguments(r, t)) || !built_in_resolve(r, t))
         return NULL;
-    if (t->called && strcmp(t->name, "if") == 0) {
-        if (t->count != 3) {
-            r->at = at;
-            return parse_fail(r, "'if' takes a condition and two values, as in 'if(r > 1.5, 1, 0)'");
-        }
-        t->kind = TREE_IF;
+    if (t->compute)
         return t;
-    }
-    int wanted;
-    if (t->called && (t->function = function_find(t->name, &wanted)) != NULL) {
-        t->kind = TREE_FUNCTION;
-        if (t->count == wanted)
-            return t;
-        t->kind = TREE_NAME; /* perhaps of a column, as in max(chain(0).weight) */
-        if (t->count != 1 || (strcmp(t->name, "min") != 0 && strcmp(t->name, "max") != 0)) {
-            r->at = at;
-            return parse_fail(r, "%s takes %d value%s", t->name, wanted, wanted == 1 ? "" : "s");
-        }
-    }
-    if (!t->called && strcmp(t->name, "pi") == 0) {
-        t->kind = TREE_NUMBER;
-        t->value.value = QUAD_PI;
-        return t;
-    }
     if (r->at[0] == '.' && name_start(r->at[1])) {
         size_t n = name_length(r->at + 1);
         if (!(t->key = reader_copy(r, r->at + 1, n)))
@@ -193,13 +203,18 @@ static struct tree *parse_name(struct reader *r)
     return !r->names || r->names(r, t) ? t : NULL;
 }
 
-static struct tree *parse_parentheses(struct reader *r)
+static struct tree *parse_primary(struct reader *r)
 {
-    const char *open = r->at++;
+    const char c = *r->at, *open = r->at;
+    if (isdigit((unsigned char)c) || (c == '.' && isdigit((unsigned char)r->at[1])))
+        return parse_number(r);
+    if (name_start(c))
+        return parse_name(r);
+    if (c != '(')
+        return parse_fail(r, c ? "a value is missing" : "a value is missing at the end");
     r->nested++;
-    r->at = skip_blanks(r->at);
+    r->at = skip_blanks(r->at + 1);
     struct tree *t = parse_chain(r, LEVEL_OR);
-    r->at = t ? skip_blanks(r->at) : r->at;
     if (!t)
         return NULL;
     r->nested--;
@@ -212,19 +227,7 @@ static struct tree *parse_parentheses(struct reader *r)
     return parse_unit(r, t);
 }
 
-static struct tree *parse_primary(struct reader *r)
-{
-    char c = *r->at;
-    if (isdigit((unsigned char)c) || (c == '.' && isdigit((unsigned char)r->at[1])))
-        return parse_number(r);
-    if (name_start(c))
-        return parse_name(r);
-    if (c == '(')
-        return parse_parentheses(r);
-    return parse_fail(r, c ? "a value is missing" : "a value is missing at the end");
-}
-
-/* ---- Operators ---- */
+/* ---- Parsing operators ---- */
 
 /* "<=" comes before its prefix "<". parse_factor handles '^'. */
 static const struct op {
@@ -269,27 +272,22 @@ static struct tree *parse_factor(struct reader *r)
 {
     const char *at = r->at;
     if (++r->depth > NESTING_MOST)
-        return parse_fail(r, NESTED_TOO_DEEPLY);
-    r->deepest = r->depth > r->deepest ? r->depth : r->deepest;
+        return parse_fail(r, "the expression is nested too deeply");
     struct tree *t;
     if (*at == '-' || *at == '+') {
         r->at = skip_blanks(at + 1);
         t = parse_factor(r);
         if (*at == '-')
-            t = make_parent(r, TREE_MINUS, at, t);
+            t = make_parent(r, minus_value, at, t);
     } else if (*at == 'n' && is_word(at, "not")) {
         r->at = skip_blanks(at + strlen("not"));
-        t = make_parent(r, TREE_NOT, at, parse_chain(r, LEVEL_COMPARE));
+        t = make_parent(r, not_value, at, parse_chain(r, LEVEL_COMPARE));
     } else
         t = parse_primary(r);
     const char *power = t ? skip_blanks(r->at) : "";
     if (*power == '^') {
-        r->at = skip_blanks(power + 1);
-        const char *exponent_at = r->at;
-        struct tree *exponent = parse_factor(r), *base = t;
-        t = exponent ? make_parent(r, TREE_CHAIN, power, base) : NULL;
-        if (t)
-            append(t, base, '^', exponent_at, exponent);
+        const char *exponent = r->at = skip_blanks(power + 1);
+        t = join(r, power, t, '^', exponent, parse_factor(r));
     }
     r->depth--;
     return t;
@@ -299,9 +297,8 @@ static struct tree *parse_factor(struct reader *r)
 static void unit_move(struct tree *top, struct tree *over)
 {
     char *end;
-    struct tree *number = top->kind == TREE_MINUS ? top->child : top;
-    if (number->kind != TREE_NUMBER || over->kind != TREE_NUMBER || !quantity_is_number(number->value) ||
-        !isdigit((unsigned char)*over->at))
+    struct tree *number = top->compute == minus_value ? top->child : top;
+    if (!is_plain_number(number) || over->compute != number_value || !isdigit((unsigned char)*over->at))
         return;
     const struct quantity plain = {.value = quad_read(over->at, &end)};
     const char *unit = skip_blanks(end);
@@ -318,7 +315,7 @@ static void unit_move(struct tree *top, struct tree *over)
  * levels bind more tightly. */
 static struct tree *parse_chain(struct reader *r, enum level least)
 {
-    struct tree *left = parse_factor(r), *last = NULL;
+    struct tree *left = parse_factor(r), *last = left;
     /* the last operator of the chain `left`, or NULL if `left` is not a chain yet */
     const struct op *before = NULL;
     while (left) {
@@ -336,22 +333,19 @@ static struct tree *parse_chain(struct reader *r, enum level least)
         if (!right)
             return NULL;
         if (op->op == '/' && !(before && before->op == '/'))
-            unit_move(before ? last : left, right);
-        if (!before || before->level != op->level) {
-            last = left;
-            left = make_parent(r, TREE_CHAIN, left->at, left);
-        }
-        before = op;
-        if (left) {
+            unit_move(last, right);
+        if (before && before->level == op->level)
             append(left, last, op->op, at, right);
-            last = right;
-        }
+        else
+            left = join(r, left->at, left, op->op, at, right);
+        last = right;
+        before = op;
     }
     return left;
 }
 
 struct tree *expression_parse(struct reader *r)
 {
-    r->nested = r->nodes = 0;
+    r->nested = 0;
     return parse_chain(r, LEVEL_OR);
 }

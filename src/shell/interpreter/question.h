@@ -32,47 +32,37 @@
 
 /*
  * How deeply values may be nested. Parsing and evaluating are recursive, and the parser counts the levels: a
- * parenthesis, a sign, an exponent and a call take one level each. A function that 'let' defines adds the
- * levels of its body.
+ * parenthesis, a sign, an exponent and a call take one level each. The body of a 'let' function is parsed at
+ * the level of its call.
  */
 enum { NESTING_MOST = 200 };
-#define NESTED_TOO_DEEPLY "the expression is nested too deeply"
 
-/* The parser makes a TREE_NAME for each name that is not built in. The callback reader.names then resolves
- * the name and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its
- * names have been resolved. */
-enum tree_kind {
-    TREE_NUMBER,
-    TREE_NAME,
-    TREE_SYMBOL,
-    TREE_FUNCTION,
-    TREE_MINUS,
-    TREE_CHAIN,
-    TREE_NOT,
-    TREE_IF
-};
-
-struct function;
+struct evaluation;
 struct reader;
+struct tree;
+
+/* Computes the value of a node. After an error, sets evaluation->problem and returns false. */
+typedef bool evaluator(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
 
 struct tree {
-    enum tree_kind kind;
+    /* The parser knows numbers, operators and built-in functions. For all other names, this is NULL until the
+     * callback reader.names resolves the name. */
+    evaluator *compute;
     /* For an operand of a chain: the operator before the operand, as one character. '<=' is 'l', '>=' is 'g',
      * '==' is '=', '!=' is '!', 'and' is '&', 'or' is '|'. */
     char op;
     /* Where an error in the operation `op` is reported: at the operator or, for '^', at the exponent. */
     const char *op_at;
-    const char *at;        /* where an error in this node is reported */
-    struct quantity value; /* TREE_NUMBER: the number; TREE_SYMBOL: the unit, if the name has one */
-    /* TREE_NAME: in "ans.margin", the name is "ans" and the key is "margin". Without '.', the key is NULL. */
-    const char *name, *key;
-    bool called;               /* TREE_NAME: the name is followed by arguments in parentheses */
-    int count;                 /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */
+    const char *at; /* where an error in this node is reported */
+    const char *name,
+        *key;    /* of a name: in "ans.margin", the name is "ans" and the key is "margin", or NULL */
+    bool called; /* the name is followed by arguments in parentheses */
+    int count;   /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */
     struct tree *child, *next; /* the first child and the next sibling of this node */
-    const struct function *function; /* TREE_FUNCTION: the function */
-    /* TREE_SYMBOL: the next three members are set by the code that resolves names */
-    int symbol, index;
-    const void *refers;
+    struct quantity value;     /* of a number; for other names, the unit */
+    const void *refers; /* what the name stands for: a function, a parameter, a variable or a command */
+    int index;          /* of the argument of a function, of the column of an answer, or of an aggregate */
+    const struct tree *body; /* the body of a 'let' function */
 };
 
 /* Report an error in an expression: one in the expression itself, or one that depends on the values of
@@ -97,15 +87,19 @@ struct evaluation {
     const struct query *query;
     const struct quantity *argument; /* the arguments of the 'let' function that is being evaluated */
     struct rows *rows;               /* the table of the aggregate that is being evaluated */
-    /* Computes the value of a TREE_SYMBOL. Returns false after an error. */
-    bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
-    void *context; /* for `symbol` */
+    void *context;                   /* for evaluators of features */
     /* the number of radians in the session's angle unit, which applies to angles typed without a unit */
     domq_real angle;
 };
 
-/* After an error, sets evaluation->problem and returns false. */
-bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
+evaluator expression_evaluate;
+
+/* The evaluators of what the parser itself resolves. */
+evaluator number_value, function_value, chain_value, minus_value, not_value, if_value;
+
+/* Evaluates the children of a node. */
+bool arguments_evaluate(struct evaluation *evaluation, const struct tree *tree,
+                        struct quantity argument[EXPRESSION_ARGUMENTS]);
 
 /* Returns the built-in function with this name, or NULL. Stores the number of arguments of the function in
  * *arguments. */
@@ -113,6 +107,19 @@ const struct function *function_find(const char *name, int *arguments);
 
 /* A names_list (see names.h) of the built-in names. */
 const char *expression_names(const void *context, int k);
+
+/* Resolves a name. Is the callback reader.names. A name can stand for a parameter, a variable, a 'let'
+ * function, a command or the last answer. The functions sum, min, max and count take a column of a table. To
+ * choose one column of an answer, the user appends a dot and the key of the column, as in 'rmax.r' or
+ * 'ans.margin'. */
+bool name_resolve(struct reader *reader, struct tree *name);
+
+/* Returns false, with an error in *problem, if the value of a tree depends on the row of a table. */
+bool is_single(struct problem *problem, const struct tree *tree);
+
+/* Returns what is needed to evaluate trees in the state of a query. An error has a position if it is one of
+ * the expression (problem.at), and none if a command in it has no answer. */
+struct evaluation query_evaluation(const struct query *query, struct problem *problem);
 
 /* ---- The reader (reader.c) ---- */
 
@@ -140,7 +147,11 @@ struct offer {
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
 };
 
-struct routine;
+/* The 'let' functions whose bodies are being parsed: each of them has called the one before it. */
+struct scope {
+    const struct variable *function;
+    const struct scope *outer;
+};
 
 struct reader {
     /* The query whose state determines which names are known. NULL if no names are, as in a csv file. */
@@ -155,13 +166,12 @@ struct reader {
      * "sg", then the s in "r 2 s 0.3" is the parameter s, not seconds. If this member is not NULL, the word
      * "feet" after a blank is also a name, because there is an effect called feet. */
     const char *no_unit;
-    int depth, deepest; /* the level of the next value, counted up to NESTING_MOST, and the largest so far */
-    int nested, nodes;  /* the numbers of open parentheses and of nodes in the expression */
+    int depth;         /* the level of the next value, counted up to NESTING_MOST */
+    int nested, nodes; /* the numbers of open parentheses, and of nodes in the command */
     /* Resolves a name whose arguments have been parsed. On failure, sets the problem and returns false. If
      * the pointer is NULL, names stay as they are. */
     bool (*names)(struct reader *reader, struct tree *name);
-    const struct variable *scope; /* the function whose body is being parsed, or NULL */
-    struct routine *routines;     /* the 'let' functions that the command has used so far */
+    const struct scope *scope; /* NULL outside the bodies of functions */
     bool unresolved;     /* names in expressions are left unresolved, as in the definition of a function */
     bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
     bool details;        /* the word 'details' may end the command */
@@ -256,23 +266,16 @@ struct assignment {
     const struct assignment *next;
 };
 
-/* Parses an expression for an argument. The item keeps a pointer to the argument. */
+/* Parses a value of an argument: an expression, or one of the words that the argument takes. The item keeps a
+ * pointer to the argument. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses value number i of a parameter: a word or an expression. Messages call the value `name`. */
-bool item_parse_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
-                      struct item *item);
+/* Parses value number i of a parameter. */
+bool item_parse_value(struct reader *reader, const struct parameter *parameter, int i, struct item *item);
 
 /* Parses one value of a list such as "r 1.5 s 0.3". If the value of an effect is the word "on", the effect
  * gets its usual value. */
 bool item_parse_listed(struct reader *reader, const struct parameter *parameter, struct item *item);
-
-/* Parses one of the argument's choices. The item's number is the index of the choice. */
-bool item_parse_choice(struct reader *reader, const struct argument *argument, struct item *item);
-
-/* Parses an angle or one of the argument's choices. For an angle, the item holds an expression. For choice k,
- * it holds the number -1 - k, which cannot be mistaken for an angle. */
-bool item_parse_place(struct reader *reader, const struct argument *argument, struct item *item);
 
 /* Parses the name of a parameter of the model or of an effect. If the next word is not a name at all, the
  * error message ends with the text `form`, which shows what the command expects. */
@@ -290,61 +293,11 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 /* Returns true if the name is known in expressions (see value_names). */
 bool is_value_name(const struct state *state, const char *name);
 
-/* ---- Names in expressions (resolve.c, lookup.c) ---- */
-
-/*
- * A name can stand for a parameter, a variable, a 'let' function, a command or the last answer. The functions
- * sum, min, max and count take a column of a table. To choose one column of an answer, the user appends a dot
- * and the key of the column, as in 'rmax.r' or 'ans.margin'. To resolve a name means to find what it stands
- * for: a node of kind TREE_SYMBOL. The comment of each symbol says what the member `refers` of the node
- * points to. For a SYMBOL_PARAMETER, SYMBOL_COMMAND or SYMBOL_ANS, the member `value` of the node is its
- * unit.
- */
-enum symbol {
-    SYMBOL_PARAMETER, /* a struct parameter */
-    SYMBOL_ARGUMENT,  /* NULL; the symbol is argument `index` of the function that is being evaluated */
-    SYMBOL_ROUTINE,   /* a struct routine */
-    SYMBOL_COMMAND,   /* a struct command; the value is column `index` of its answer */
-    /* Column `index` of the last answer. `refers` points to the struct command that gave this answer. If
-     * `refers` is NULL, the symbol stands for the last value that 'print' has shown. */
-    SYMBOL_ANS,
-    SYMBOL_COLUMN,    /* a struct command whose answer is a table; the value is column `index` in one row */
-    SYMBOL_AGGREGATE, /* NULL; `index` is an enum aggregate of the child node over the rows of a table */
-};
-
-enum aggregate { AGGREGATE_SUM, AGGREGATE_MIN, AGGREGATE_MAX, AGGREGATE_COUNT };
-
-/* A 'let' function in an expression. Each expression has a copy of its own. */
-struct routine {
-    const struct variable *function;
-    const struct tree *body;
-    int height;   /* the number of nested levels in the body, including those of the functions that it uses */
-    bool is_open; /* the body is being parsed, to detect a function that uses itself */
-    struct routine *next;
-};
-
-/* Resolves a name. Is the callback reader.names. */
-bool name_resolve(struct reader *reader, struct tree *name);
-
-/* Returns the first column of a table in a tree that no aggregate takes, or NULL. */
-const struct tree *column_in(const struct tree *tree);
-
-/* Returns false, with an error in *problem, if the value of a tree depends on the row of a table. */
-bool is_single(struct problem *problem, const struct tree *tree);
-
-/* Adds the name of a 'let' function to the message of an error that has occurred in its body. `at` is the
- * place where the function is called. Returns false. */
-bool routine_wrong(struct problem *problem, const char *at, const struct variable *function);
-
-/* Returns what is needed to evaluate trees in the state of a query. An error has a position if it is one of
- * the expression (problem.at), and none if a command in it has no answer. */
-struct evaluation query_evaluation(const struct query *query, struct problem *problem);
-
 /* Adds the name of a value to an error in its expression, and finds the column of the error if `text` is not
  * NULL. Returns false. */
 bool item_wrong(struct problem *problem, const struct text *text, const char *name);
 
-/* ---- Questions (question_parse.c, lookup.c) ---- */
+/* ---- Questions (question_parse.c) ---- */
 
 struct question {
     const struct command *command;

@@ -69,7 +69,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;
     }
-    return item_parse_value(r, p, i - 1, value->name, item);
+    return item_parse_value(r, p, i - 1, item);
 }
 
 /* Parses the name of a parameter. Variables are accepted if no value follows. */
@@ -105,16 +105,10 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     reader_place(r, r->at);
     item->at = r->at;
     switch (a->kind) {
-    case ARGUMENT_VALUE_OF:
-        return item_parse_value(r, parameter_find(a->parameter), 0, a->name, item);
     case ARGUMENT_VALUE:
         return setting_parse(r, q, i);
     case ARGUMENT_PARAMETER:
         return name_parse(r, a, q, i);
-    case ARGUMENT_CHOICE:
-        return item_parse_choice(r, a, item);
-    case ARGUMENT_PLACE:
-        return item_parse_place(r, a, item);
     case ARGUMENT_FILE:
         offer_kind(r, OFFER_FILE);
         item->word = read_file(r);
@@ -211,4 +205,45 @@ bool command_parse(struct reader *r, struct question *q)
         return true;
     r->at = skip_blanks(r->at + strlen("details"));
     return end_check(r, q);
+}
+/* ---- Questions ---- */
+
+bool question_bind(const struct question *q, const struct query *query, struct call *call,
+                   struct problem *problem)
+{
+    struct assigned assigned[ASSIGNED_MAX];
+    int count = 0;
+    call->given = (struct arguments){.count = q->count, .bound = q->parsed, .question = q};
+    call->query = *query;
+    if (!command_allowed(query->run_context, q->command, problem))
+        return false;
+    for (const struct assignment *with = q->with; with; with = with->next) {
+        struct quantity typed;
+        assigned[count] = (struct assigned){.parameter = with->parameter};
+        if (!item_bind(&with->item, q->text, query, &typed, &assigned[count].value, problem))
+            return false;
+        assigned[count++].length = share_length(with->parameter, &typed);
+    }
+    if (count > 0 && !query_with(query, assigned, count, &call->state, &call->query, problem))
+        return false;
+    call->query.given = &call->given;
+    for (int i = 0; i < q->count; i++) {
+        const struct argument *a = &q->command->argument[i];
+        const struct item *item = &q->item[i];
+        call->given.word[i] = item->word;
+        call->given.column[i] = item->at ? text_column(q->text, item->at) : 0;
+        if (!item_bind(item, q->text, &call->query, &call->given.quantity[i], &call->given.number[i],
+                       problem) ||
+            (a->bind && !a->bind(q, &call->query, &call->given, problem)))
+            return false;
+    }
+    return true;
+}
+
+void *arguments_take(struct arguments *given, size_t size, const struct query *query, struct problem *problem)
+{
+    given->bound = arena_take(&given->memory, size);
+    if (!given->bound)
+        problem_status(problem, query->scene, DOM_NO_MEMORY);
+    return given->bound;
 }
