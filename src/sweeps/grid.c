@@ -69,7 +69,7 @@ static bool value_parse(struct reader *r, const struct parsed *s, const struct p
     if (!a)
         return false;
     *a = (struct argument){.name = p->value->name, .kind = ARGUMENT_VALUE_OF, .parameter = p->name};
-    return item_parse(r, a, item);
+    return item_parse_expression(r, a, item);
 }
 
 /* Parses the remaining values of a list, after the first one. */

@@ -66,10 +66,11 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
     return !item->value || argument_check(query, item->argument, *q, number, problem);
 }
 
-static bool expression_item(struct reader *r, const struct argument *a, struct item *item)
+bool item_parse_expression(struct reader *r, const struct argument *a, struct item *item)
 {
     const char *begin = r->at;
     domq_real number;
+    *item = (struct item){.argument = a, .at = begin};
     /* completion must read on after a name that is not known */
     r->names = r->unresolved || r->offer ? NULL : name_resolve;
     item->value = expression_parse(r);
@@ -146,11 +147,11 @@ bool item_parse(struct reader *r, const struct argument *a, struct item *item)
     } else if (a->kind == ARGUMENT_CHOICE || a->kind == ARGUMENT_PLACE)
         w = (struct words){a->choices, a->choices, NULL, a->noun, a->kind == ARGUMENT_CHOICE};
     if (!w.list)
-        return expression_item(r, a, item);
+        return item_parse_expression(r, a, item);
     offer_names(r, w.offered, w.context);
     const int k = word_parse(r, &w, item);
     if (k < 0)
-        return !w.only && r->problem->kind == PROBLEM_NONE && expression_item(r, a, item);
+        return !w.only && r->problem->kind == PROBLEM_NONE && item_parse_expression(r, a, item);
     item->number = w.list == parameter_words ? p->words[k].value : a->kind == ARGUMENT_PLACE ? -1 - k : k;
     return true;
 }

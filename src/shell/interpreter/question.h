@@ -270,6 +270,9 @@ struct assignment {
  * pointer to the argument. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
 
+/* Parses a value that is no word. */
+bool item_parse_expression(struct reader *reader, const struct argument *argument, struct item *item);
+
 /* Parses value number i of a parameter. */
 bool item_parse_value(struct reader *reader, const struct parameter *parameter, int i, struct item *item);
 
