@@ -18,7 +18,7 @@ enum { ROW = 24 };
 
 struct random_dominoes {
     struct dom_domino domino[ROW];
-    struct row_request request;
+    struct dom_row row;
 };
 
 /* Makes a row of dominoes whose sizes differ. */
@@ -26,12 +26,11 @@ static void dominoes_make(struct random_dominoes *row, uint64_t *seed, double mu
 {
     const double s = uniform(seed, 0.2, 0.6), r = uniform(seed, 1, 1.35);
     double height = 0.05;
-    row->request = (struct row_request){.domino = row->domino,
-                                        .count = 3 + (size_t)(random_unit(seed) * (ROW - 3)),
-                                        .g = 9.81,
-                                        .push = uniform(seed, 3, 9),
-                                        .tol = 1e-12,
-                                        .effect = {[DOM_EFFECT_friction] = mu}};
+    row->row = dom_row_default();
+    row->row.domino = row->domino;
+    row->row.count = 3 + (size_t)(random_unit(seed) * (ROW - 3));
+    row->row.push = uniform(seed, 3, 9);
+    row->row.mu = mu;
     for (size_t k = 0; k < ROW; k++, height *= r) {
         struct dom_domino *d = &row->domino[k];
         const double thickness = 0.15 * uniform(seed, 0.7, 1.4);
@@ -50,22 +49,10 @@ static void domino_change(struct dom_domino *d, uint64_t *seed)
     *measure[(int)(random_unit(seed) * 4)] *= factor;
 }
 
-/* Returns the row of a request, as studies take it. */
-static struct dom_row row_of(const struct row_request *request)
-{
-    return (struct dom_row){.domino = request->domino,
-                            .count = request->count,
-                            .g = request->g,
-                            .push = request->push,
-                            .mu = request->effect[DOM_EFFECT_friction],
-                            .alpha = request->effect[DOM_EFFECT_slope],
-                            .rho = request->effect[DOM_EFFECT_edges]};
-}
-
-static bool falls_all(const struct row_request *request)
+static bool falls_all(const struct dom_row *row)
 {
     struct dom_verdict verdict;
-    assert_status(row_run(request, false, NULL, NULL, NULL, NULL, &verdict), DOM_OK);
+    assert_status(dom_row_run(row, NULL, false, NULL, NULL, &verdict), DOM_OK);
     return verdict.end == DOM_ROW_FALLS;
 }
 
@@ -76,13 +63,13 @@ static bool falls_all(const struct row_request *request)
  */
 static void last_domino_balance(struct random_dominoes *row, uint64_t *seed)
 {
-    double *mass = &row->domino[row->request.count - 1].mass, light = 1e-3 * *mass, heavy = 1e3 * *mass;
+    double *mass = &row->domino[row->row.count - 1].mass, light = 1e-3 * *mass, heavy = 1e3 * *mass;
     *mass = light;
-    if (!falls_all(&row->request))
+    if (!falls_all(&row->row))
         return;
     while (heavy > light * (1 + 1e-9)) {
         *mass = sqrt(light * heavy);
-        *(falls_all(&row->request) ? &light : &heavy) = *mass;
+        *(falls_all(&row->row) ? &light : &heavy) = *mass;
     }
     *mass *= 1 + (random_unit(seed) < 0.5 ? 1 : -1) * random_log(seed, 1e-7, 1e-2);
 }
@@ -101,17 +88,14 @@ TEST(rows_again_end_like_whole_rows)
         dominoes_make(&row, &seed, i % 5 ? 0 : 0.2);
         if (i % 4)
             last_domino_balance(&row, &seed);
-        struct dom_row copy = row_of(&row.request);
+        struct dom_row copy = row.row;
         enum dom_status status = row_study_begin(&copy, NULL, &study, &before);
         for (int j = 0; j < 20 && status == DOM_OK; j++) {
-            const size_t k = (size_t)(random_unit(&seed) * (double)row.request.count);
-            struct row_request request = row.request;
-            struct dom_work work = {0};
+            const size_t k = (size_t)(random_unit(&seed) * (double)row.row.count);
             memcpy(changed, row.domino, sizeof changed);
             domino_change(&changed[k], &seed);
-            request.domino = copy.domino = changed;
-            request.work = &work;
-            assert_status(row_run(&request, false, NULL, NULL, NULL, NULL, &whole), DOM_OK);
+            copy.domino = changed;
+            assert_status(dom_row_run(&copy, NULL, false, NULL, NULL, &whole), DOM_OK);
             assert_status(row_study(study, &copy, k, k, &again), DOM_OK);
             assert_int_equal(again.end == DOM_ROW_FALLS, whole.end == DOM_ROW_FALLS);
             falls += whole.end == DOM_ROW_FALLS;
@@ -156,16 +140,17 @@ TEST(heads_that_keep_falling)
         static struct random_dominoes row;
         struct study *study;
         dominoes_make(&row, &seed, 0);
-        const struct dom_row random = row_of(&row.request);
+        const struct dom_row random = row.row;
         assert_status(row_study_begin(&random, NULL, &study, NULL), DOM_OK);
         study->quick = true;
-        struct run run = row_launch(&study->row, NULL, study);
-        for (size_t k = 0; k < row.request.count && run.verdict.end == DOM_ROW_FALLS; k++) {
+        const struct run_options options = {.context = study};
+        struct run run = row_launch(&study->row, &options);
+        for (size_t k = 0; k < row.row.count && run.verdict.end == DOM_ROW_FALLS; k++) {
             struct descent d;
             struct dom_fall fall;
             head_check(&run, k, count);
             assert_status(row_head(&run, k, &d, &fall), DOM_OK);
-            if (k + 1 < row.request.count && run.verdict.end == DOM_ROW_FALLS)
+            if (k + 1 < row.row.count && run.verdict.end == DOM_ROW_FALLS)
                 assert_status(row_hit(&run, k, &d.st.geometry, &d.st.start), DOM_OK);
         }
         row_study_end(study);

@@ -21,9 +21,8 @@ struct watch {
     bool ended;           /* true if the callback has ended the run */
     double *tilt, *omega; /* tilt and angular velocity of each domino, in rad and rad/s */
     size_t head, moving;  /* index of the head, and number of moving dominoes */
-    struct passage last;
-    struct segment st;  /* of `last` */
-    struct clock clock; /* of `last` */
+    struct descent last;  /* the last motion over a segment */
+    struct clock clock;   /* of `last` */
 };
 
 /* ---- The state at a given tilt of the head ---- */
@@ -62,62 +61,57 @@ static void watch_visit(struct watch *w, dom_real time)
     w->ended = !w->visit(&moment, w->context);
 }
 
-static enum dom_status passage_lean(struct watch *w, const struct passage *s, real theta)
+/* Sets the state at the tilt theta of the last motion. */
+static enum dom_status watch_state(struct watch *w, real theta)
 {
-    const struct segment *st = s->st;
-    const bool still = (s->rests && theta >= s->to) || (st->start.omegasq == 0 && theta <= st->lo);
+    const struct descent *d = &w->last;
+    const struct segment *st = &d->st;
+    const bool still = (d->stops && theta >= d->to) || (st->start.omegasq == 0 && theta <= st->lo);
     real omegasq = 0;
     enum dom_status status = still ? DOM_OK : segment_speed(st, theta, &omegasq);
-    return status == DOM_OK ? watch_lean(w, st, s->head, theta, sqrt(fmax(omegasq, 0)) / s->tau) : status;
+    return status == DOM_OK ? watch_lean(w, st, d->head, theta, sqrt(fmax(omegasq, 0)) / d->tau) : status;
 }
 
-static real passage_end(const struct passage *s)
+/* Returns the time at which a motion over a segment ends, in s. */
+static real end_of(const struct descent *d)
 {
-    return s->begins + (s->passed + s->lasts) * s->tau;
+    return d->begins + (d->time + d->lasts) * d->tau;
 }
 
 static void watch_head(struct run *run, size_t k)
 {
-    struct watch *w = run->hooked;
+    struct watch *w = run->options->context;
     w->head = k;
     if (k == 0) /* the first domino may be released at another tilt than its lean */
         w->tilt[0] = run->row->geometry[0].lean;
 }
 
-/* Keeps a passage for watch_rest. */
-static void watch_keep(struct watch *w, const struct passage *passage)
+/* Reports the states at those requested times that lie in the motion over a segment. */
+static enum dom_status watch_motion(struct run *run, const struct descent *d)
 {
-    w->last = *passage;
-    w->st = *passage->st;
-    w->last.st = &w->st;
-}
-
-/* Reports the states at those requested times that lie in a passage. */
-static enum dom_status watch_passage(struct run *run, const struct passage *passage)
-{
-    struct watch *w = run->hooked;
+    struct watch *w = run->options->context;
     if (w->ended)
         return DOM_OK;
-    if (isnan(passage->begins + passage->passed) && w->next < w->times)
+    if (isnan(d->begins + d->time) && w->next < w->times)
         return DOM_NO_MARGIN;
-    struct passage *s = &w->last;
-    watch_keep(w, passage);
+    w->last = *d;
+    d = &w->last;
     enum dom_status status = DOM_OK;
     /*
-     * If a requested time lies in this passage, its tilt is sought. If the motion ends here, the caller does
+     * If a requested time lies in this motion, its tilt is sought. If the motion ends here, the caller does
      * not know the duration, and watch_rest needs the time of the end.
      */
-    if (isnan(s->lasts) || (w->next < w->times && w->time[w->next] < passage_end(s)))
-        status = clock_begin(&w->clock, s->st, s->to, s->rests, s->st->geometry.tol);
-    if (isnan(s->lasts) && status == DOM_OK)
-        s->lasts = clock_time(&w->clock, s->to);
-    while (status == DOM_OK && !w->ended && w->next < w->times && w->time[w->next] < passage_end(s)) {
-        const real time = (w->time[w->next] - s->begins) / s->tau - s->passed;
-        real theta = s->st->lo;
+    if (isnan(d->lasts) || (w->next < w->times && w->time[w->next] < end_of(d)))
+        status = clock_begin(&w->clock, &w->last.st, d->to, d->stops, d->st.geometry.tol);
+    if (isnan(d->lasts) && status == DOM_OK)
+        w->last.lasts = clock_time(&w->clock, d->to);
+    while (status == DOM_OK && !w->ended && w->next < w->times && w->time[w->next] < end_of(d)) {
+        const real time = (w->time[w->next] - d->begins) / d->tau - d->time;
+        real theta = d->st.lo;
         if (time > 0)
             status = clock_tilt(&w->clock, time, &theta);
         if (status == DOM_OK)
-            status = passage_lean(w, s, theta);
+            status = watch_state(w, theta);
         if (status == DOM_OK)
             watch_visit(w, w->time[w->next]);
     }
@@ -125,37 +119,26 @@ static enum dom_status watch_passage(struct run *run, const struct passage *pass
 }
 
 /* Stores the tilts of the dominoes that detach. They keep these tilts. */
-static enum dom_status watch_detach(struct run *run, const struct segment *st, size_t head, size_t moving)
+static enum dom_status watch_detach(struct run *run, const struct descent *d)
 {
-    struct watch *w = run->hooked;
-    enum dom_status status = watch_lean(w, st, head, st->hi, 0);
-    w->moving = moving;
+    struct watch *w = run->options->context;
+    enum dom_status status = watch_lean(w, &d->st, d->head, d->st.hi, 0);
+    w->moving = d->moving;
     return status;
 }
 
 /* After the end of the run, reports the states at all remaining requested times. */
 static enum dom_status watch_rest(struct run *run)
 {
-    struct watch *w = run->hooked;
+    struct watch *w = run->options->context;
     enum dom_status status = DOM_OK;
-    const struct passage *s = &w->last;
     if (w->ended || w->next >= w->times)
         return DOM_OK;
-    if (s->st) /* a domino has moved */
-        status = passage_lean(w, s, s->to);
+    if (w->last.run) /* a domino has moved */
+        status = watch_state(w, w->last.to);
     while (status == DOM_OK && !w->ended && w->next < w->times)
-        watch_visit(w, passage_end(s));
+        watch_visit(w, end_of(&w->last));
     return status;
-}
-
-/* The first domino has tipped over, and hits the second one or the floor at the time 0. */
-static enum dom_status watch_tip(struct run *run, struct segment *tip, real tau)
-{
-    struct watch *w = run->hooked;
-    w->tilt[0] = tip->hi;
-    if (tip->hi > tip->lo)
-        watch_keep(w, &(struct passage){.st = tip, .to = tip->hi, .tau = tau});
-    return DOM_OK;
 }
 
 /* ---- Public ---- */
@@ -171,16 +154,8 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
                               const double *times, size_t count, dom_moment_visit *visit, void *context,
                               struct dom_verdict *verdict)
 {
-    static const struct run_hooks hooks = {.every = true,
-                                           .tips = watch_tip,
-                                           .begins = watch_head,
-                                           .moves = watch_passage,
-                                           .detaches = watch_detach,
-                                           .rests = watch_rest};
-    struct row_request request;
-    enum dom_status status = row_request_of(row, compute, &request);
-    if (status != DOM_OK || row->engine)
-        return status != DOM_OK ? status : DOM_NO_METHOD;
+    if (row->engine)
+        return DOM_NO_METHOD;
     for (size_t k = 0; k < count; k++)
         if (isnan(times[k]) || times[k] < 0 || (k > 0 && times[k] < times[k - 1]))
             return DOM_BAD_TIME;
@@ -190,11 +165,18 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
                       .context = context,
                       .tilt = calloc(row->count + 1, sizeof *w.tilt),
                       .omega = calloc(row->count + 1, sizeof *w.omega)};
-    status = w.tilt && w.omega ? DOM_OK : DOM_NO_MEMORY;
+    const struct run_options options = {.times = true,
+                                        .every = true,
+                                        .begins = watch_head,
+                                        .moves = watch_motion,
+                                        .detaches = watch_detach,
+                                        .rests = watch_rest,
+                                        .context = &w};
+    enum dom_status status = w.tilt && w.omega ? DOM_OK : DOM_NO_MEMORY;
     for (size_t k = 0; status == DOM_OK && k < row->count; k++)
         w.tilt[k] = row->domino[k].lean;
     if (status == DOM_OK)
-        status = row_run(&request, true, &hooks, &w, watch_goes_on, &w, verdict);
+        status = row_run(row, compute, &options, watch_goes_on, &w, verdict);
     free(w.tilt);
     free(w.omega);
     clock_free(&w.clock);

@@ -144,28 +144,18 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
 
 static void floor_begins(struct run *run, size_t k)
 {
-    struct search *s = run->hooked;
+    struct search *s = run->options->context;
     (void)k;
     s->most = (struct dom_floor){0};
     s->shown = 0;
 }
 
-static enum dom_status floor_over(struct search *s, const struct segment *segment, real to)
+static enum dom_status floor_moves(struct run *run, const struct descent *d)
 {
-    s->segment = segment;
+    struct search *s = run->options->context;
+    s->segment = &d->st;
     struct peak peak = peak_of(s);
-    return segment->lo < to ? peak_over(&peak, segment->lo, to) : DOM_OK;
-}
-
-static enum dom_status floor_tips(struct run *run, struct segment *tip, real tau)
-{
-    (void)tau;
-    return floor_over(run->hooked, tip, tip->hi);
-}
-
-static enum dom_status floor_moves(struct run *run, const struct passage *passage)
-{
-    return floor_over(run->hooked, passage->st, passage->to);
+    return d->st.lo < d->to ? peak_over(&peak, d->st.lo, d->to) : DOM_OK;
 }
 
 /* Keeps the result for a head. If the head repeats the motion of the one before, so does its floor. */
@@ -182,14 +172,12 @@ static bool floor_keep(const struct dom_fall *fall, void *context)
 enum dom_status dom_row_floor(const struct dom_row *row, const struct dom_compute *compute,
                               struct dom_floor *floor)
 {
-    static const struct run_hooks hooks = {.tips = floor_tips, .begins = floor_begins, .moves = floor_moves};
-    struct row_request request;
     struct search s = {.floor = floor};
+    const struct run_options options = {.begins = floor_begins, .moves = floor_moves, .context = &s};
     struct dom_verdict verdict;
-    const enum dom_status status = row_request_of(row, compute, &request);
-    if (status != DOM_OK || row->engine)
-        return status != DOM_OK ? status : DOM_NO_METHOD;
+    if (row->engine)
+        return DOM_NO_METHOD;
     for (size_t k = 0; k < row->count; k++)
         floor[k] = (struct dom_floor){DOM_NAN, DOM_NAN, 0, DOM_NAN, 0};
-    return row_run(&request, false, &hooks, &s, floor_keep, &s, &verdict);
+    return row_run(row, compute, &options, floor_keep, &s, &verdict);
 }

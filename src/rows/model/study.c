@@ -227,7 +227,7 @@ static bool quick_rolls(const struct run *run, size_t k, struct start *at)
 
 static bool study_passes(struct run *run, size_t k, struct start *at)
 {
-    const struct study *s = run->hooked;
+    const struct study *s = run->options->context;
     struct geometry *head = &run->row->geometry[k];
     /* only a first domino that is released can lean here */
     if (!s->quick || !(run->omegasq > 0) || head->lean != 0)
@@ -292,7 +292,7 @@ static bool settles(struct study *s, struct run *run, size_t k)
 static bool study_ends(struct run *run, size_t k, const struct run *before, const struct descent *d,
                        const struct dom_fall *fall)
 {
-    struct study *s = run->hooked;
+    struct study *s = run->options->context;
     if (!s->mark) {
         const bool tips = k == 0 && before->omegasq == 0, pushes = fabs(d->least_force) > LEAST_CLEAR,
                    sure = fabs((real)fall->margin) > ROUGH_CLEAR * (real)fall->kinetic;
@@ -310,9 +310,13 @@ static bool study_ends(struct run *run, size_t k, const struct run *before, cons
 /* Runs the row from head k on. */
 static enum dom_status study_falls(struct study *s, size_t k, struct dom_verdict *verdict)
 {
-    static const struct run_hooks hooks = {.every = true, .passes = study_passes, .ends = study_ends};
-    struct run run = row_launch(&s->row, &hooks, s);
-    run.forces = s->mark && s->known < s->row.request.count; /* a mark needs the smallest force */
+    const struct run_options options = {
+        .forces = s->mark && s->known < s->row.request.count, /* a mark needs the smallest force */
+        .every = true,
+        .passes = study_passes,
+        .ends = study_ends,
+        .context = s};
+    struct run run = row_launch(&s->row, &options);
     s->off = (real)INFINITY;
     s->doubt = false;
     if (s->mark && k > 0) {
@@ -328,19 +332,14 @@ static enum dom_status study_falls(struct study *s, size_t k, struct dom_verdict
 enum dom_status row_study_begin(const struct dom_row *row, const struct dom_compute *compute,
                                 struct study **study, struct dom_verdict *verdict)
 {
-    struct row_request request;
-    enum dom_status status = row_request_of(row, compute, &request);
-    *study = NULL;
-    if (status != DOM_OK)
-        return status;
     struct study *s = *study = calloc(1, sizeof *s);
     size_t wrong = 0;
     if (!s)
         return DOM_NO_MEMORY;
-    status = row_begin(&request, &s->row, verdict ? &verdict->domino : &wrong);
+    enum dom_status status = row_begin(row, compute, &s->row, verdict ? &verdict->domino : &wrong);
     if (status != DOM_OK || !verdict)
         return status;
-    s->mark = malloc(request.count * sizeof *s->mark);
+    s->mark = malloc(row->count * sizeof *s->mark);
     if (!s->mark)
         return DOM_NO_MEMORY;
     status = study_falls(s, 0, verdict);
@@ -425,8 +424,6 @@ void row_study_end(struct study *s)
 enum dom_status row_run_on(const struct dom_row *row, const struct dom_compute *compute,
                            dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    struct row_request request;
-    const enum dom_status status = row_request_of(row, compute, &request);
-    request.carries_on = true;
-    return status == DOM_OK ? row_run(&request, false, NULL, NULL, visit, context, verdict) : status;
+    static const struct run_options options = {.carries_on = true};
+    return row_run(row, compute, &options, visit, context, verdict);
 }

@@ -45,8 +45,8 @@ static enum dom_status request_check(const struct request *q)
 #define TRAIN_VALUE(effect, member, status) train->member,
 #define ROW_VALUE(effect, member, status)   row->member,
 
-KERNEL_SHARED enum dom_status train_request_of(const struct dom_train *train, const struct dom_compute *given,
-                                               struct request *request)
+KERNEL enum dom_status train_request_of(const struct dom_train *train, const struct dom_compute *given,
+                                        struct request *request)
 {
     const struct dom_compute compute = compute_or_default(given);
 #define COPY(name, default_, lowest, highest, unit, meaning)         .name = train->name,
@@ -59,8 +59,8 @@ KERNEL_SHARED enum dom_status train_request_of(const struct dom_train *train, co
     return IS_NEWER(train) || IS_NEWER(&compute) ? DOM_NEWER : request_check(request);
 }
 
-KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *given,
-                                             struct row_request *request)
+KERNEL enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *given,
+                                      struct row_request *request)
 {
     const struct dom_compute compute = compute_or_default(given);
     *request = (struct row_request){.domino = row->domino,
@@ -138,20 +138,22 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *given, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    struct row_request request;
-    enum dom_status status = row_request_of(row, given, &request);
-    if (status != DOM_OK || !row->engine)
-        return status == DOM_OK ? row_run(&request, times, NULL, NULL, visit, context, verdict) : status;
+    if (!row->engine) {
+        const struct run_options options = {.times = times};
+        return row_run(row, given, &options, visit, context, verdict);
+    }
 #if defined DOMF || defined DOMQ
     return DOM_NO_METHOD;
 #else
     const struct dom_compute compute = compute_or_default(given);
+    if (IS_NEWER(row) || IS_NEWER(&compute))
+        return DOM_NEWER;
     for (size_t k = 0; k < row->count; k++)
         if (row->domino[k].lean != 0)
             return DOM_NO_LEAN;
     if (row->release > 0 && isfinite(row->release)) {
         double touch;
-        status = dom_row_touch(row, given, &touch);
+        const enum dom_status status = dom_row_touch(row, given, &touch);
         if (status == DOM_OK && row->release > touch)
             *verdict = (struct dom_verdict){.end = DOM_ROW_SKEWED, .domino = 1, .seconds = DOM_NAN};
         if (status != DOM_OK || row->release > touch)

@@ -161,6 +161,13 @@ KERNEL real geometry_finest(const struct geometry *geometry)
     return theta_u > 0 && !(down > 0 && down < theta_u) ? theta_u : down;
 }
 
+/* Find the request for a train or a row, and check it (entry.c). Return an error if the precision does not
+ * exist, or if the caller asks for something that came with a later version. */
+KERNEL enum dom_status train_request_of(const struct dom_train *train, const struct dom_compute *compute,
+                                        struct request *request);
+KERNEL enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
+                                      struct row_request *request);
+
 /*
  * These two functions set up the geometry of a train, except for the law of motion (effects/effects.h).
  * geometry_read computes everything that does not depend on the separation and the growth. geometry_set then

@@ -30,19 +30,9 @@ struct row_request {
     dom_real g, push, release;
     dom_real effect[DOM_DYNAMICS_COUNT];
     dom_real boxes_above; /* as in struct dom_row */
-    /* If true, the run does not end at a domino that would stop. Instead, the domino gets the energy that it
-     * needs, and the run goes on. */
-    bool carries_on;
     DOM_COMPUTE_PARAMETERS(MEMBER)
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };
 
 #undef MEMBER
-
-/* Find the request for a train or a row, and check it (entry.c). Return an error if the precision does not
- * exist, or if the caller asks for something that came with a later version. */
-KERNEL_SHARED enum dom_status train_request_of(const struct dom_train *train,
-                                               const struct dom_compute *compute, struct request *request);
-KERNEL_SHARED enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
-                                             struct row_request *request);

@@ -178,8 +178,7 @@ KERNEL_SHARED enum dom_status row_domino_check(const struct row_request *row, si
 /* Checks the settings and all dominoes. If a domino is bad, sets *wrong to its number. */
 static enum dom_status row_check(const struct row_request *row, size_t *wrong)
 {
-    enum dom_status status = row->count == 0     ? DOM_BAD_COUNT
-                             : !positive(row->g) ? DOM_BAD_G
+    enum dom_status status = !positive(row->g) ? DOM_BAD_G
                              : !(row->tol >= dom_arithmetic()->tol_floor && (double)row->tol <= 0.1)
                                  ? DOM_BAD_TOL
                              : !isnan(row->push) && !(row->push >= 0 && isfinite(row->push)) ? DOM_BAD_PUSH
@@ -219,12 +218,16 @@ KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
     return status;
 }
 
-KERNEL_SHARED enum dom_status row_begin(const struct row_request *request, struct row *row, size_t *wrong)
+KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struct dom_compute *compute,
+                                        struct row *row, size_t *wrong)
 {
-    *row = (struct row){.request = *request};
-    if (request->count == 0)
-        return DOM_BAD_COUNT;
-    row->geometry = malloc(request->count * sizeof *row->geometry);
+    *row = (struct row){.made = 0};
+    const enum dom_status status = row_request_of(given, compute, &row->request);
+    row->counted = row->request.work;
+    row->request.work = &row->work;
+    if (status != DOM_OK || given->count == 0)
+        return status == DOM_OK ? DOM_BAD_COUNT : status;
+    row->geometry = malloc(given->count * sizeof *row->geometry);
     if (!row->geometry)
         return DOM_NO_MEMORY;
     row->geometry[0] = (struct geometry){.flow = NULL};
@@ -236,4 +239,10 @@ KERNEL_SHARED void row_free(struct row *row)
     if (row->geometry)
         dynamics_end(row->geometry);
     free(row->geometry);
+    struct dom_work *sum = row->counted;
+    if (sum) {
+        sum->passes += row->work.passes;
+        sum->dominoes += row->work.dominoes;
+        sum->longest = row->work.longest > sum->longest ? row->work.longest : sum->longest;
+    }
 }

@@ -19,10 +19,9 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     struct tilt head;
     struct equation_of_motion equation = {.C = 0};
-    d->stop = d->st.hi;
     if (used_up) {
         d->stops = true;
-        return segment_rest(&d->st, &d->stop);
+        return segment_rest(&d->st, &d->to);
     }
     enum dom_status status = geometry_tilt(&d->st.geometry, d->st.hi, &head);
     /* Near the tilt at which friction locks the motion, A tends to 0, so the acceleration (C - B w) / A grows
@@ -34,79 +33,61 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
     return status;
 }
 
-/* Follows the motion to the end of the segment. If descent_rest has found a smaller tilt at which the head
- * comes to rest or locks, follows the motion only to that tilt. */
-static enum dom_status descent_move(struct descent *d)
+/* Follows the motion over the segment and prepares the next one. If the head has stopped in an earlier
+ * segment, only finds the energy that it would need for this one. */
+static enum dom_status descent_move(struct descent *d, struct segment *next)
 {
     struct segment *st = &d->st;
-    struct run *run = d->run;
-    const bool ends = d->stops || d->locks, moves = !ends || st->lo < d->stop;
-    struct passage passage = {.st = st,
-                              .head = d->head,
-                              .to = ends ? d->stop : st->hi,
-                              .rests = d->stops,
-                              .begins = run->time,
-                              .tau = d->tau,
-                              .passed = d->time,
-                              .lasts = ends ? REAL_NAN : 0};
+    const struct run_options *options = d->run->options;
     enum dom_status status = DOM_OK;
-    if (moves && st->lo < passage.to && (run->forces || !st->end.pushes))
-        status = segment_contact(st, passage.to, &d->least_force);
-    if (status == DOM_OK && !ends && run->times)
-        status = segment_time(st, st->geometry.tol, &passage.lasts);
-    if (status == DOM_NO_MARGIN) /* then the time is NaN */
-        status = DOM_OK;
-    if (status == DOM_OK && moves && run->hooks->moves)
-        status = run->hooks->moves(run, &passage);
-    if (!ends) {
-        d->climbed += st->end.dH;
-        d->time += passage.lasts;
-    }
-    return status != DOM_OK || ends ? status : st->status;
-}
-
-/* Called at the end of a segment. */
-static enum dom_status descent_detach(const struct descent *d)
-{
-    const struct run_hooks *hooks = d->run->hooks;
-    return hooks->detaches && d->moving < d->st.geometry.n
-               ? hooks->detaches(d->run, &d->st, d->head, d->moving)
-               : DOM_OK;
-}
-
-/* Computes the motion of the head in one segment and prepares the next segment. If the head has stopped in an
- * earlier segment, only finds the energy that it would need for this one. */
-static enum dom_status descent_segment(struct descent *d, real end)
-{
-    struct segment *st = &d->st, next;
-    bool over = d->stops;
-    st->geometry.n = d->moving;
-    st->hi = end;
-    enum dom_status status = segment_cut(st, &d->moving);
-    if (status == DOM_OK)
-        status = segment_begin(st);
-    if (status == DOM_OK && !over && st->lo == st->hi)
-        status = descent_detach(d);
-    if (status != DOM_OK || !(st->locks || st->lo < st->hi))
-        return status;
     /* The margin is the energy to spare at the launch of the head. If omegasq at the launch changes, omegasq
      * at the beginning of this segment changes by st->gain times as much. */
-    real margin = (st->start.omegasq - st->barrier.height / st->start.J) / st->gain * d->J0;
-    bool used_up = margin < 0;
+    const real margin = (st->start.omegasq - st->barrier.height / st->start.J) / st->gain * d->J0;
     if (margin < d->least_margin || st->locks) {
         d->least_margin = st->locks ? -(real)INFINITY : margin;
         d->theta_m = st->locks ? st->hi : st->barrier.theta_m;
     }
     /* Prepare the next segment now, because descent_rest may replace the solution of the current one. */
     if (!st->locks)
-        status = segment_next(st, &next);
-    if (status == DOM_OK && !over && (used_up || st->locks))
-        status = descent_rest(d, used_up);
-    if (status == DOM_OK && !over)
-        status = descent_move(d);
-    if (status == DOM_OK && !d->stops && !d->locks)
-        status = descent_detach(d);
-    if (status == DOM_OK && !st->locks)
+        status = segment_next(st, next);
+    if (d->stops || status != DOM_OK)
+        return status;
+    d->to = st->hi;
+    if (margin < 0 || st->locks)
+        status = descent_rest(d, margin < 0);
+    const bool ends = d->stops || d->locks, moves = st->lo < d->to;
+    d->lasts = ends ? REAL_NAN : 0;
+    if (status == DOM_OK && moves && (options->forces || !st->end.pushes))
+        status = segment_contact(st, d->to, &d->least_force);
+    if (status == DOM_OK && !ends && options->times)
+        status = segment_time(st, st->geometry.tol, &d->lasts);
+    if (status == DOM_NO_MARGIN) /* then the time is NaN */
+        status = DOM_OK;
+    if (status == DOM_OK && moves && options->moves)
+        status = options->moves(d->run, d);
+    if (!ends) {
+        d->climbed += st->end.dH;
+        d->time += d->lasts;
+    }
+    return status;
+}
+
+/* Computes the motion of the head up to the next tilt at which dominoes detach, or to its end. */
+static enum dom_status descent_segment(struct descent *d, real end)
+{
+    struct segment *st = &d->st, next;
+    const struct run_options *options = d->run->options;
+    st->geometry.n = d->moving;
+    st->hi = end;
+    enum dom_status status = segment_cut(st, &d->moving);
+    if (status == DOM_OK)
+        status = segment_begin(st);
+    const bool moves = st->locks || st->lo < st->hi;
+    if (status == DOM_OK && moves)
+        status = descent_move(d, &next);
+    if (status == DOM_OK && !d->stops && !d->locks && options->detaches && d->moving < st->geometry.n)
+        status = options->detaches(d->run, d);
+    if (status == DOM_OK && moves && !st->locks)
         *st = next;
     return status;
 }
@@ -116,47 +97,51 @@ static enum dom_status descent_segment(struct descent *d, real end)
 static enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct geometry *self = &run->row->geometry[k];
-    const real unit = row_unit(run->row, k), tau = row_tau(run->row, k);
-    const real end = tilt_angle(self->c);
-    const struct tilt rest = geometry_rest(self);
+    const real unit = row_unit(run->row, k), tau = row_tau(run->row, k), end = tilt_angle(self->c),
+               before = run->carried;
+    const size_t moving = run->moving;
+    struct sums at = {0};
     *d = (struct descent){.run = run,
                           .head = k,
+                          .begins = run->time,
                           .tau = tau,
                           .st = {.geometry = *self,
                                  .lo = self->lean,
-                                 .start = {.from = rest, .omegasq = run->omegasq},
+                                 .start = {.from = geometry_rest(self), .omegasq = run->omegasq},
+                                 .summed = moving,
                                  .gain = 1,
                                  .inertia_ratio = run->inertia_ratio},
-                          .moving = run->moving,
+                          .moving = moving,
                           .least_margin = (real)INFINITY,
                           .least_force = (real)INFINITY};
-    if (run->hooks->begins)
-        run->hooks->begins(run, k);
-    struct sums at = {0};
-    d->st.geometry.n = run->moving;
-    enum dom_status status = chain_sum(&d->st.geometry, rest, false, &at);
-    const real J = at.J, kinetic = J * run->omegasq;
+    d->st.geometry.n = moving;
+    enum dom_status status = chain_sum(&d->st.geometry, d->st.start.from, false, &at);
+    const real kinetic = at.J * run->omegasq;
     /* if the head touches the next domino from the start, there is no segment, and these values remain */
-    d->J0 = d->st.start.J = J;
-    d->st.summed = run->moving;
+    d->J0 = d->st.start.J = at.J;
     d->st.start.kinetic = kinetic;
     while (status == DOM_OK && d->st.lo < end && !d->st.locks)
         status = descent_segment(d, end);
     if (status != DOM_OK)
         return status;
+    const bool ends = d->stops || d->locks;
     run->moving = d->moving;
     run->carried = d->st.start.kinetic * unit;
-    fall->omega = sqrt(run->omegasq) / tau;
-    fall->kinetic = kinetic * unit;
-    fall->margin = d->least_margin < (real)INFINITY ? d->least_margin * unit : (real)fall->kinetic;
+    *fall = (struct dom_fall){.domino = k + 1,
+                              .time = d->begins,
+                              .duration = run->options->times && !ends ? d->time * tau : REAL_NAN,
+                              .omega = sqrt(run->omegasq) / tau,
+                              .kinetic = kinetic * unit,
+                              .margin = fmin(d->least_margin, kinetic) * unit,
+                              .theta_m = d->theta_m,
+                              .theta = ends ? d->to : end,
+                              .moving = moving};
     fall->barrier = fall->kinetic - fall->margin;
-    fall->theta_m = d->theta_m;
-    bool ends = d->stops || d->locks;
-    fall->theta = ends ? d->stop : end;
-    fall->duration = run->times && !ends ? d->time * tau : REAL_NAN;
-    fall->friction_work = ends ? REAL_NAN : 0;
-    if (!ends && !self->conservative)
-        fall->friction_work = fmax((real)fall->kinetic - d->climbed * unit - run->carried, 0);
+    fall->lost = k > 0 ? before - fall->kinetic : 0;
+    fall->friction_work = ends ? REAL_NAN
+                          : self->conservative
+                              ? 0
+                              : fmax((real)fall->kinetic - d->climbed * unit - run->carried, 0);
     return DOM_OK;
 }
 
@@ -164,41 +149,43 @@ static enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
  * energy is the potential energy that it has lost (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
-    const real unit = row_unit(run->row, 0);
     const struct geometry *geometry = &run->row->geometry[0];
-    real theta_u = geometry_theta_u(geometry), barrier = geometry_rise_u(geometry) * unit;
     const struct tilt top = tilt_half(geometry_half_u(geometry));
-    bool tips = geometry_lift(geometry, geometry->c) < 0;
-    if (geometry->lean != 0)
-        barrier = (geometry->steepest - geometry_height(geometry, geometry_rest(geometry))) * unit;
-    *fall = (struct dom_fall){.domino = 1,
-                              .time = REAL_NAN,
-                              .duration = REAL_NAN,
-                              .kinetic = barrier,
-                              .barrier = barrier,
-                              .theta_m = theta_u,
-                              .theta = tilt_angle(geometry->c),
-                              .moving = 1};
-    *d = (struct descent){.st = {.geometry = *geometry,
-                                 .start = {.from = top, .J = geometry_inertia(geometry, top)},
-                                 .gain = 1}};
-    enum dom_status status = DOM_OK;
+    const real unit = row_unit(run->row, 0), theta_u = geometry_theta_u(geometry),
+               hit = tilt_angle(geometry->c), J = geometry_inertia(geometry, geometry->c);
+    const bool tips = geometry_lift(geometry, geometry->c) < 0, alone = losses_end_alone(geometry);
     real omegasq = tips ? geometry_tipped_omegasq(geometry) : 0;
-    const real released = geometry_inertia(geometry, geometry->c) * omegasq;
-    d->st.lo = theta_u;
-    d->st.hi = tilt_angle(geometry->c);
-    if (losses_end_alone(geometry)) /* the first domino has no follower */
+    const real released = J * omegasq * unit,
+               barrier = geometry->lean == 0
+                             ? geometry_rise_u(geometry)
+                             : geometry->steepest - geometry_height(geometry, geometry_rest(geometry));
+    enum dom_status status = DOM_OK;
+    *d = (struct descent){.run = run,
+                          .tau = row_tau(run->row, 0),
+                          .st = {.geometry = *geometry,
+                                 .lo = theta_u,
+                                 .hi = hit,
+                                 .start = {.from = top, .J = geometry_inertia(geometry, top)},
+                                 .gain = 1},
+                          .to = hit};
+    if (alone) /* the first domino has no follower */
         d->st.geometry.conservative = true;
     else if (tips)
         status = losses_tipped(geometry, &omegasq);
-    if (status == DOM_OK && run->hooks->tips)
-        status = run->hooks->tips(run, &d->st, row_tau(run->row, 0));
-    d->st.start.from = geometry->c;
-    d->st.start.J = geometry_inertia(geometry, geometry->c);
-    d->st.start.omegasq = omegasq;
-    run->carried = d->st.start.J * omegasq * unit;
-    fall->friction_work = losses_end_alone(geometry) ? 0 : released * unit - run->carried;
+    if (status == DOM_OK && run->options->moves)
+        status = run->options->moves(run, d);
+    d->st.start = (struct start){.from = geometry->c, .J = J, .omegasq = omegasq};
+    run->carried = J * omegasq * unit;
     run->verdict.end = tips ? DOM_ROW_FALLS : DOM_ROW_LEANS;
+    *fall = (struct dom_fall){.domino = 1,
+                              .time = REAL_NAN,
+                              .duration = REAL_NAN,
+                              .kinetic = barrier * unit,
+                              .barrier = barrier * unit,
+                              .friction_work = alone ? 0 : released - run->carried,
+                              .theta_m = theta_u,
+                              .theta = hit,
+                              .moving = 1};
     return status;
 }
 
@@ -250,31 +237,26 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
     return status;
 }
 
-KERNEL_SHARED struct run row_launch(struct row *row, const struct run_hooks *hooks, void *hooked)
+KERNEL_SHARED struct run row_launch(struct row *row, const struct run_options *options)
 {
-    static const struct run_hooks none = {.every = false};
     const real push = row->request.push, omega = isnan(push) ? 0 : push * row_tau(row, 0);
     return (struct run){.row = row,
+                        .options = options,
                         .moving = 1,
                         .omegasq = omega * omega,
-                        .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY},
-                        .hooks = hooks ? hooks : &none,
-                        .hooked = hooked};
+                        .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
 }
 
 /* A domino that would stop gets this much more energy than it needs if the run must go on. */
 #define CARRY_ON (1 + (real)1e-4)
 
-/* Runs head k from the hit, or from the start if k = 0. Updates the verdict. */
+/* Runs head k from the hit, or a first domino from its push. Updates the verdict. */
 static enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
-    const struct row_request *request = &run->row->request;
-    const bool tips = k == 0 && isnan(request->push);
-    const real before = run->carried;
+    struct dom_verdict *v = &run->verdict;
     const size_t moving = run->moving;
-    *fall = (struct dom_fall){.domino = k + 1, .time = run->time, .moving = moving};
-    enum dom_status status = tips ? tip_run(run, d, fall) : row_descend(run, k, d, fall);
-    if (status == DOM_OK && request->carries_on && !tips && d->stops && !d->locks) {
+    enum dom_status status = row_descend(run, k, d, fall);
+    if (status == DOM_OK && run->options->carries_on && d->stops && !d->locks) {
         struct dom_fall carried;
         run->omegasq = (run->omegasq - d->least_margin / d->J0) * CARRY_ON;
         run->moving = moving;
@@ -282,22 +264,18 @@ static enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
     }
     if (status != DOM_OK)
         return status;
-    const bool ends = !tips && (d->stops || d->locks);
-    if (k > 0)
-        fall->lost = before - fall->kinetic;
-    if (!tips && !ends)
-        run->time += fall->duration;
-    if (ends || (!tips && d->least_force < 0))
-        run->verdict.end = d->least_force < 0                ? DOM_ROW_PARTS
-                           : d->locks                        ? DOM_ROW_LOCKS
-                           : k == 0 && row_releases(request) ? DOM_ROW_BACK
-                                                             : DOM_ROW_STOPS;
-    struct dom_verdict *v = &run->verdict;
+    const bool ends = d->stops || d->locks;
     const real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (real)INFINITY;
-    v->domino = k + 1;
+    if (!ends)
+        run->time += fall->duration;
+    if (ends || d->least_force < 0)
+        v->end = d->least_force < 0                           ? DOM_ROW_PARTS
+                 : d->locks                                   ? DOM_ROW_LOCKS
+                 : k == 0 && row_releases(&run->row->request) ? DOM_ROW_BACK
+                                                              : DOM_ROW_STOPS;
     if (v->end == DOM_ROW_STOPS || v->end == DOM_ROW_BACK)
         v->short_by = -fall->margin;
-    else if (!tips && fall->margin >= 0 && fall->kinetic > 0 && (v->weakest == 0 || spare < v->spare)) {
+    else if (fall->margin >= 0 && fall->kinetic > 0 && (v->weakest == 0 || spare < v->spare)) {
         v->weakest = k + 1;
         v->spare = spare;
     }
@@ -356,8 +334,8 @@ static void steady_find(struct steady *s, const struct run *run, size_t k, const
                left = fabs(after - before->omegasq) * lambda / (1 - lambda);
     const size_t more = run->moving - fall->moving;
     const struct row_request *request = &run->row->request;
-    s->found = !run->hooks->every && k > 0 && request->work->longest + STEADY_MORE <= s->alike && more <= 1 &&
-               more == s->more && lambda < 1 && left <= STEADY_SHARE * request->tol * after;
+    s->found = !run->options->every && k > 0 && run->row->work.longest + STEADY_MORE <= s->alike &&
+               more <= 1 && more == s->more && lambda < 1 && left <= STEADY_SHARE * request->tol * after;
     s->more = more;
     s->fall = *fall;
 }
@@ -370,7 +348,7 @@ static void steady_find(struct steady *s, const struct run *run, size_t k, const
 static enum dom_status row_ready(struct row *row, size_t k, const struct steady *s)
 {
     enum dom_status status = DOM_OK;
-    const size_t from = s->found ? k - row->request.work->longest - STEADY_MORE : 0;
+    const size_t from = s->found ? k - row->work.longest - STEADY_MORE : 0;
     if (from > row->made) {
         row->geometry[from] = row->geometry[row->made - 1];
         row->geometry[from].follower = &row->geometry[from];
@@ -384,6 +362,7 @@ static enum dom_status row_ready(struct row *row, size_t k, const struct steady 
 KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context)
 {
     struct row *row = run->row;
+    const struct run_options *options = run->options;
     const size_t count = row->request.count;
     bool more = true;
     struct steady steady = {.found = false};
@@ -400,10 +379,13 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
             continue;
         }
         enum dom_status status = row_ready(row, last ? k : k + 1, &steady);
-        const bool passes = status == DOM_OK && run->hooks->passes && run->hooks->passes(run, k, &at);
+        const bool passes = status == DOM_OK && options->passes && options->passes(run, k, &at);
         run->verdict.domino = k + 1;
+        if (status == DOM_OK && !passes && options->begins)
+            options->begins(run, k);
         if (status == DOM_OK && !passes)
-            status = row_head(run, k, &d, &fall);
+            status =
+                k == 0 && isnan(row->request.push) ? tip_run(run, &d, &fall) : row_head(run, k, &d, &fall);
         if (status != DOM_OK)
             return status;
         more = !visit || visit(&fall, context);
@@ -414,38 +396,28 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
             return status;
         if (!passes && more && !last)
             steady_find(&steady, run, k, &before, &d, &fall);
-        more = more && !(!passes && run->hooks->ends && run->hooks->ends(run, k, &before, &d, &fall));
+        more = more && !(!passes && options->ends && options->ends(run, k, &before, &d, &fall));
     }
     return DOM_OK;
 }
 
 /* ---- Public ---- */
 
-KERNEL_SHARED enum dom_status row_run(const struct row_request *request, bool times,
-                                      const struct run_hooks *hooks, void *hooked, dom_fall_visit *visit,
-                                      void *context, struct dom_verdict *verdict)
+KERNEL_SHARED enum dom_status row_run(const struct dom_row *given, const struct dom_compute *compute,
+                                      const struct run_options *options, dom_fall_visit *visit, void *context,
+                                      struct dom_verdict *verdict)
 {
-    struct row_request counted = *request;
-    struct dom_work work = {0};
     struct row row;
-    counted.work = &work;
-    enum dom_status status = row_begin(&counted, &row, &verdict->domino);
+    enum dom_status status = row_begin(given, compute, &row, &verdict->domino);
     if (status == DOM_OK) {
-        struct run run = row_launch(&row, hooks, hooked);
-        run.times = times;
+        struct run run = row_launch(&row, options);
         status = row_falls(&run, 0, visit, context);
-        if (status == DOM_OK && run.hooks->rests)
-            status = run.hooks->rests(&run);
-        run.verdict.seconds = times ? run.time : REAL_NAN;
+        if (status == DOM_OK && options->rests)
+            status = options->rests(&run);
+        run.verdict.seconds = options->times ? run.time : REAL_NAN;
         if (status == DOM_OK)
             *verdict = run.verdict;
     }
     row_free(&row);
-    if (request->work) {
-        struct dom_work *sum = request->work;
-        sum->passes += work.passes;
-        sum->dominoes += work.dominoes;
-        sum->longest = work.longest > sum->longest ? work.longest : sum->longest;
-    }
     return status;
 }

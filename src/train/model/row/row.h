@@ -21,6 +21,7 @@ struct row {
     struct geometry *geometry;
     /* number of elements of `geometry` that are filled in so far; a run fills in more when it needs them */
     size_t made;
+    struct dom_work work, *counted; /* of this row alone, and the counters to which row_free adds it */
 };
 
 /* Return tau of domino k in s, and its unit of energy m g h / 2 in J. Its geometry must be filled in. */
@@ -29,7 +30,8 @@ KERNEL real row_unit(const struct row *row, size_t k);
 
 /* row_begin checks a row and prepares its runs. Call row_free afterwards, even after an error. If a domino is
  * bad, sets *wrong to its number, counted from 1. */
-KERNEL_SHARED enum dom_status row_begin(const struct row_request *request, struct row *row, size_t *wrong);
+KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struct dom_compute *compute,
+                                        struct row *row, size_t *wrong);
 KERNEL_SHARED void row_free(struct row *row);
 
 /* Checks the row again after row->request has changed, and fills in its geometry. If the row ends with many
@@ -60,45 +62,37 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
 
 /* ---- Runs (row.c) ---- */
 
-/* A stretch of the motion of one head, during which no domino detaches. */
-struct passage {
-    struct segment *st;
-    size_t head; /* index of the head, from 0 */
-    real to;     /* tilt of the head at the end of the passage */
-    bool rests;  /* true if the head comes to rest at the tilt `to` */
-    /* The head was hit at `begins`, in s. The passage begins `passed` later and lasts `lasts`, in tau of the
-     * head, which is `tau` in s. `lasts` is NaN if it is not known. */
-    real begins, tau, passed, lasts;
-};
-
 struct run;
 struct descent;
 
-/* What other folders do while a row runs. Each function may be NULL. A status other than DOM_OK ends the run.
- */
-struct run_hooks {
-    bool every; /* true if no head may repeat the motion of the one before instead of being computed */
+/* How a row runs, and what other folders do while it runs. Each function may be NULL. A status other than
+ * DOM_OK ends the run. */
+struct run_options {
+    bool times;
+    bool forces;     /* the smallest contact force is wanted, not only its sign */
+    bool every;      /* no head may repeat the motion of the one before instead of being computed */
+    bool carries_on; /* a domino that would stop gets the energy that it needs, and the run goes on */
     /* Returns true if it is certain, without a search for the barrier, that head k keeps falling. Sets *at to
      * the state at the end of its motion. */
     bool (*passes)(struct run *run, size_t k, struct start *at);
     /* Called after head k, which began in the state *before. Returns true if the run may end here. */
     bool (*ends)(struct run *run, size_t k, const struct run *before, const struct descent *d,
                  const struct dom_fall *fall);
-    /* The first domino tips over its edge before the first hit, in *tip. If it touches the next domino before
-     * it tips over, tip->hi <= tip->lo, and it leans on that domino at rest. */
-    enum dom_status (*tips)(struct run *run, struct segment *tip, real tau);
     void (*begins)(struct run *run, size_t k); /* head k begins to move */
-    enum dom_status (*moves)(struct run *run, const struct passage *passage);
-    /* Dominoes detach at the end of a segment. The first `moving` dominoes, counted from the head, do not. */
-    enum dom_status (*detaches)(struct run *run, const struct segment *st, size_t head, size_t moving);
+    /* The head has moved over a segment, up to the tilt d->to. A first domino that tips over its edge moves
+     * in a segment of its own before the first hit. If it touches the next domino before it tips over,
+     * d->to <= d->st.lo, and it leans on that domino at rest. */
+    enum dom_status (*moves)(struct run *run, const struct descent *d);
+    /* Dominoes detach at the end of the segment. The first d->moving dominoes, from the head on, do not. */
+    enum dom_status (*detaches)(struct run *run, const struct descent *d);
     enum dom_status (*rests)(struct run *run); /* the run has ended */
+    void *context;                             /* for these functions */
 };
 
 /* The run of a row, one head after the other. */
 struct run {
     struct row *row;
-    bool times;
-    bool forces;   /* true if the smallest contact force is wanted, not only its sign */
+    const struct run_options *options;
     size_t moving; /* number of moving dominoes, including the head */
     real omegasq;  /* tau^2 omega^2 of the head when it is hit */
     /* Inertia ratio T of the collision that set the head in motion (dynamics.h), or 0 if there was none. With
@@ -107,35 +101,35 @@ struct run {
     real time;    /* time since the start in s, or NaN if the time is unknown */
     real carried; /* kinetic energy before the next collision, in J */
     struct dom_verdict verdict;
-    const struct run_hooks *hooks;
-    void *hooked; /* for the hooks */
 };
 
 /* The motion of one head, which is computed segment by segment, in the units of this head. */
 struct descent {
     struct run *run;
-    size_t head;
-    real tau;                   /* of the head, in s */
-    struct segment st;          /* the current segment */
-    size_t moving;              /* number of dominoes that move after this segment */
-    real J0;                    /* J at the hit */
-    real time;                  /* time since the hit, in tau */
+    size_t head;       /* index of the head, from 0 */
+    real begins, tau;  /* time of the hit, and tau of the head, both in s */
+    struct segment st; /* the current segment */
+    size_t moving;     /* number of dominoes that move after this segment */
+    real J0;           /* J at the hit */
+    /* The time since the hit at which the segment begins, and how long it lasts, in tau. `lasts` is NaN if it
+     * is not known. */
+    real time, lasts;
     real climbed;               /* rise of the potential energy since the hit */
     real least_margin, theta_m; /* smallest margin so far, and the tilt of its barrier */
     real least_force; /* smallest contact force so far, divided by the weight of the pushed domino */
-    /* `stops` is true if the head comes to rest, `locks` if friction locks it while it moves. Both happen at
-     * the tilt `stop`. */
+    /* The last tilt of the motion in the segment. There the head comes to rest if `stops` is true, and
+     * friction locks it while it moves if `locks` is true. */
+    real to;
     bool stops, locks;
-    real stop;
 };
 
-/* Checks a row and runs it from the start, as dom_row_run does. `hooks` may be NULL; `hooked` is for them. */
-KERNEL_SHARED enum dom_status row_run(const struct row_request *row, bool times,
-                                      const struct run_hooks *hooks, void *hooked, dom_fall_visit *visit,
-                                      void *context, struct dom_verdict *verdict);
+/* Checks a row and runs it from the start, as dom_row_run does. */
+KERNEL_SHARED enum dom_status row_run(const struct dom_row *row, const struct dom_compute *compute,
+                                      const struct run_options *options, dom_fall_visit *visit, void *context,
+                                      struct dom_verdict *verdict);
 
-/* Returns a run that begins with the first domino. `hooks` may be NULL. */
-KERNEL_SHARED struct run row_launch(struct row *row, const struct run_hooks *hooks, void *hooked);
+/* Returns a run that begins with the first domino. */
+KERNEL_SHARED struct run row_launch(struct row *row, const struct run_options *options);
 
 /* Runs a row from head k on. */
 KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context);
