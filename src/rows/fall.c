@@ -42,6 +42,33 @@ const struct column verdict_columns[] = {
 
 /* ---- A run of the row ---- */
 
+bool row_status(const struct query *query, struct problem *problem, enum dom_status status)
+{
+    const bool engine = scene_has_engine(query->scene);
+    enum precision precision = query->scene->compute.precision;
+    if (status == DOM_NOT_CONVERGED && engine)
+        return problem_no_answer(problem, "%s", engine_undecided);
+    if (status == DOM_NO_LEAN)
+        return problem_no_answer(problem,
+                                 "a domino of this row leans, but %s needs upright dominoes; turn it off, or "
+                                 "set all dominoes upright: 'change all lean = 0 mm'",
+                                 engine ? "the rigid-body engine" : "the effect 'edges'");
+    if (status == DOM_NO_MARGIN)
+        return problem_no_answer(problem, "one domino almost stops, so later times cannot be computed");
+    /* The statuses from DOM_BAD_COUNT to DOM_BAD_MASS are about the dominoes, their gaps and their masses. */
+    if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
+        return query_status(query, problem, status);
+    if (engine)
+        return problem_no_answer(
+            problem,
+            "the size or the mass of a domino in this row is so small that double precision rounds it to 0");
+    return problem_no_answer(
+        problem,
+        "the dominoes of this row become larger or smaller than %s precision can represent; "
+        "use fewer dominoes or a smaller r%s",
+        any_arithmetic(precision).name, precision == IN_QUAD ? "" : ", or 'set precision quad'");
+}
+
 bool row_run_begin(const struct query *query, struct problem *problem, struct row_run *run)
 {
     struct scene_row *scene = &run->scene;

@@ -46,6 +46,9 @@ void row_run_free(struct row_run *run);
  * friction that the floor needs is not computed. After a failure nothing needs to be freed. */
 bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
 
+/* Returns true for DOM_OK. For other statuses, reports why a computation about the row failed. */
+bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
+
 /* In a row without a push, the first domino is tilted until it tips over. Returns true if domino k, counted
  * from 0, is this domino. */
 bool row_run_tipped(const struct row_run *run, size_t k);

@@ -67,35 +67,6 @@ struct words release_words(domq_real release)
     return words;
 }
 
-bool row_status(const struct query *query, struct problem *problem, enum dom_status status)
-{
-    const bool engine = scene_has_engine(query->scene);
-    enum precision precision = query->scene->compute.precision;
-    if (status == DOM_NOT_CONVERGED && engine)
-        return problem_no_answer(
-            problem, "the rigid-body engine cannot decide this row, because the row does not come to rest or "
-                     "the verdict depends on the time step; try a slightly different row");
-    if (status == DOM_NO_LEAN)
-        return problem_no_answer(problem,
-                                 "a domino of this row leans, but %s needs upright dominoes; turn it off, or "
-                                 "set all dominoes upright: 'change all lean = 0 mm'",
-                                 engine ? "the rigid-body engine" : "the effect 'edges'");
-    if (status == DOM_NO_MARGIN)
-        return problem_no_answer(problem, "one domino almost stops, so later times cannot be computed");
-    /* The statuses from DOM_BAD_COUNT to DOM_BAD_MASS are about the dominoes, their gaps and their masses. */
-    if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
-        return query_status(query, problem, status);
-    if (engine)
-        return problem_no_answer(
-            problem,
-            "the size or the mass of a domino in this row is so small that double precision rounds it to 0");
-    return problem_no_answer(
-        problem,
-        "the dominoes of this row become larger or smaller than %s precision can represent; "
-        "use fewer dominoes or a smaller r%s",
-        any_arithmetic(precision).name, precision == IN_QUAD ? "" : ", or 'set precision quad'");
-}
-
 bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_status status,
                    const struct domq_limit *limit)
 {
@@ -111,11 +82,12 @@ bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_
 
 /* ---- Whether a row that is at rest starts to fall ---- */
 
-/* This many dominoes often decide. A row whose sizes are out of range after fewer of them decides nothing. */
-enum { FEW = 8 };
+const char engine_undecided[] =
+    "the rigid-body engine cannot decide this row, because the row does not come to rest or the verdict "
+    "depends on the time step; try a slightly different row";
 
-/* The search for the largest growth runs this many dominoes of a row, or fewer if these decide. */
-enum { START_SEARCHED = 24 };
+/* The search for the largest growth runs this many dominoes of a row, or a few if these decide. */
+enum { START_FEW = 8, START_SEARCHED = 24 };
 
 /* The smallest relative tolerance of the search for a growth. The result of the search is rounded down to
  * START_DIGITS digits. */
@@ -135,17 +107,14 @@ struct scene start_scene(const struct query *query, const struct domq_train *tra
     return scene;
 }
 
-/* ---- A row that starts at rest ---- */
-
 /* A run of the first dominoes of a row. */
 struct plain_run {
     struct scene_row made; /* the caller frees made.domino */
     struct domq_verdict verdict;
-    double spare; /* the smallest margin / barrier of the dominoes, below 0 if the row stops */
-    /* Unless this is 0, the run ends once it shows that a row of so many dominoes, which have all the same
-     * proportions, falls. */
-    size_t most;
-    bool is_settled; /* it has shown this */
+    enum dom_status status;
+    double spare;    /* the smallest margin / barrier of the dominoes, below 0 if the row stops */
+    bool may_settle; /* all dominoes have the same proportions */
+    bool is_settled; /* the run has ended early, since START_SEARCHED dominoes would fall */
     double share[3]; /* margin / kinetic energy of the last dominoes, beginning with the last */
 };
 
@@ -163,7 +132,7 @@ static bool spare_visit(const struct domq_fall *fall, void *context)
     if (fall->barrier > 0)
         run->spare = fmin(run->spare, (double)(fall->margin / fall->barrier));
     /* The last domino hits no other, so it may need less energy. */
-    if (run->most == 0 || fall->domino == run->made.row.count)
+    if (!run->may_settle || fall->domino == run->made.row.count)
         return true;
     double *share = run->share;
     share[2] = share[1];
@@ -171,31 +140,29 @@ static bool spare_visit(const struct domq_fall *fall, void *context)
     share[0] = (double)(fall->margin / fall->kinetic);
     const double change = fabs(share[0] - share[1]);
     run->is_settled = change <= fabs(share[1] - share[2]) &&
-                      (double)(run->most - fall->domino) * change < fmin(share[0], share[1]) / 2;
+                      (double)(START_SEARCHED - fall->domino) * change < fmin(share[0], share[1]) / 2;
     return !run->is_settled;
 }
 
 /* Runs a row, or only its first part if sizes or masses become too large or too small, which are too far away
  * to affect the start. */
-static enum dom_status plain_run(struct plain_run *run)
+static void plain_run(struct plain_run *run)
 {
     struct domq_row *row = &run->made.row;
-    for (;;) {
+    for (;; row->count /= 2) {
         run->spare = HUGE_VAL;
         run->is_settled = false;
         run->share[0] = run->share[1] = (double)NAN;
-        const enum dom_status status =
-            any_row_run(row, &run->made.compute, false, spare_visit, run, &run->verdict);
-        if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS || row->count <= 2)
-            return status;
-        row->count /= 2;
+        run->status = any_row_run(row, &run->made.compute, false, spare_visit, run, &run->verdict);
+        if (run->status < DOM_BAD_COUNT || run->status > DOM_BAD_MASS || row->count <= 2)
+            return;
     }
 }
 
 bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes, bool seeks_push,
                struct start *start, struct problem *problem)
 {
-    struct plain_run run = {.most = 0};
+    struct plain_run run = {.may_settle = false};
     struct double_row in_double;
     const struct scene scene =
         start_scene(query, train, (size_t)quad_smaller(dominoes, (domq_real)START_DOMINOES));
@@ -203,8 +170,8 @@ bool start_run(const struct query *query, const struct domq_train *train, domq_r
     *start = (struct start){.push = DOMQ_NAN};
     if (!scene_row_make(&scene, &run.made, problem))
         return false;
-    enum dom_status status = plain_run(&run);
-    start->status = status;
+    plain_run(&run);
+    enum dom_status status = start->status = run.status;
     start->count = row->count;
     start->engine = row->engine ? scene_engine_why(&scene) : NULL;
     start->end = run.verdict.end;
@@ -224,7 +191,9 @@ bool start_run(const struct query *query, const struct domq_train *train, domq_r
         start->push = quad_decimal(push);
     }
     free(run.made.domino);
-    return row_status(query, problem, status);
+    if (status == DOM_NOT_CONVERGED && start->engine)
+        return problem_no_answer(problem, "%s", engine_undecided);
+    return query_status(query, problem, status);
 }
 
 /* ---- The largest growth ---- */
@@ -232,8 +201,6 @@ bool start_run(const struct query *query, const struct domq_train *train, domq_r
 struct search {
     struct scene scene;
     struct plain_run run; /* its row is a part of a train */
-    size_t count;         /* this many dominoes are run first */
-    enum dom_status status;
 };
 
 /* Returns margin / barrier of the row with growth r: at least 0 if all dominoes fall, below 0 if the row
@@ -242,46 +209,20 @@ static double growth_spare(double r, void *context)
 {
     struct search *s = context;
     struct plain_run *run = &s->run;
-    struct domq_row *row = &run->made.row;
     const struct domq_verdict *v = &run->verdict;
+    size_t *count = &run->made.row.count;
     bool is_decided = false;
-    while (!is_decided && s->status == DOM_OK) {
-        row->count = s->count;
-        row_grow((domq_real)r, run->made.domino, row->count, &s->scene);
-        s->status = plain_run(run);
-        is_decided = row->count < s->count || row->count == START_SEARCHED || run->is_settled ||
-                     (v->end != DOM_ROW_FALLS && v->domino < row->count);
-        s->count = is_decided ? s->count : START_SEARCHED;
+    for (size_t most = START_FEW; !is_decided; most = START_SEARCHED) {
+        *count = most;
+        row_grow((domq_real)r, run->made.domino, most, &s->scene);
+        plain_run(run);
+        is_decided = run->status != DOM_OK || run->is_settled || *count < most || most == START_SEARCHED ||
+                     (v->end != DOM_ROW_FALLS && v->domino < most);
     }
-    return s->status == DOM_OK && v->end == DOM_ROW_FALLS   ? fmax(run->spare, 0)
-           : s->status == DOM_OK && v->end == DOM_ROW_STOPS ? fmin(run->spare, -DBL_MIN)
-                                                            : (double)NAN;
-}
-
-/*
- * Lowers the growth from `from`, where the row does not fall, until it falls. Returns false if it does not
- * fall at any of the growths that are tried, the last of which is 1. The first step is 2 %. If `hurries` is
- * true, each step is twice as large as the one before, or goes where the secant leads. Otherwise, all steps
- * are 2 %, so that only narrower intervals of growths can be missed.
- */
-static bool search_down(struct search *s, bool hurries, struct spot from, struct spot *bad, struct spot *good)
-{
-    struct spot before = {(double)NAN, (double)NAN};
-    *bad = from;
-    for (double step = bad->x / 50; bad->x > 1 && s->status == DOM_OK;
-         step = hurries ? 2 * step : bad->x / 50) {
-        const double zero = bad->x + (before.x - bad->x) * bad->value / (bad->value - before.value);
-        /* go a little beyond the secant's zero, so that the row falls */
-        const double beyond = zero - (bad->x - zero) / 16;
-        const bool follows = hurries && zero < bad->x && beyond > bad->x - 8 * step;
-        good->x = fmax(1, follows ? beyond : bad->x - step);
-        good->value = growth_spare(good->x, s);
-        if (good->value >= 0)
-            return true;
-        before = *bad;
-        *bad = *good;
-    }
-    return false;
+    return run->status != DOM_OK     ? (double)NAN
+           : v->end == DOM_ROW_FALLS ? fmax(run->spare, 0)
+           : v->end == DOM_ROW_STOPS ? fmin(run->spare, -DBL_MIN)
+                                     : (double)NAN;
 }
 
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
@@ -297,7 +238,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     s.scene.train.r = 1;
     if (s.scene.effect[DOM_EFFECT_release].on)
         s.scene.effect[DOM_EFFECT_release].value[0] = RELEASE_TOUCH;
-    if (!scene_row_make(&s.scene, &s.run.made, problem))
+    if (!scene_row_make(&s.scene, made, problem))
         return false;
     free(made->domino);
     made->row.domino = made->domino = malloc(START_SEARCHED * sizeof *made->domino);
@@ -306,17 +247,21 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     struct any_compute *compute = &made->compute;
     made->row.release = scene_release(query->scene);
     compute->tol = quad_larger(compute->tol, START_TOL);
-    s.run.most = made->row.walls == 0 ? START_SEARCHED : 0;
-    s.count = made->row.walls == 0 ? FEW : START_SEARCHED;
+    s.run.may_settle = made->row.walls == 0;
     const domq_real same = quad_larger(START_SAME, 4 * compute->tol);
-    /* The train's r_max limits the growth from above and is close to it in most cases, so the search goes
-     * down from there. */
-    const double top = (double)quad_larger(highest * (1 - same), 1);
-    const struct spot from = {top, growth_spare(top, &s)};
-    struct spot good, bad;
-    if (from.value >= 0) {
+    /* The train's r_max limits the growth from above and is close to it in most cases. So the search goes
+     * down from there, in steps of 2 %: narrower intervals of growths may be missed. */
+    struct spot good = {.x = (double)quad_larger(highest * (1 - same), 1)}, bad;
+    const double top = good.x;
+    good.value = growth_spare(top, &s);
+    for (bad = good; !(good.value >= 0) && good.x > 1 && s.run.status == DOM_OK;) {
+        bad = good;
+        good.x = fmax(1, bad.x - bad.x / 50);
+        good.value = growth_spare(good.x, &s);
+    }
+    if (good.value >= 0 && good.x == top) {
         *growths = (struct start_growths){highest, same * highest, false};
-    } else if (search_down(&s, true, from, &bad, &good) || search_down(&s, false, from, &bad, &good)) {
+    } else if (good.value >= 0) {
         seek_edge(growth_spare, &s, &good, &bad, (double)compute->tol / 8 * good.x);
         growths->r_max = round_digits((domq_real)good.x, START_DIGITS, false);
         /* The edge is known to an eighth of the tolerance, and each run has an error within the tolerance,
@@ -324,7 +269,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
         growths->uncertainty = (domq_real)good.x - growths->r_max + 2 * compute->tol * (domq_real)good.x;
     }
     free(made->domino);
-    return row_status(query, problem, s.status);
+    return query_status(query, problem, s.run.status);
 }
 
 struct words start_words(const struct query *query)

@@ -97,9 +97,6 @@ struct words limit_words(domq_real limit, int digits);
  * The tilt is that of struct domq_row. */
 struct words release_words(domq_real release);
 
-/* Returns true for DOM_OK. For other statuses, reports why a computation about the row failed. */
-bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
-
 /* Like problem_status, for a search for the largest growth: if the limit is open, names the growth at which
  * the margin may be 0, and the later root. */
 bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_status status,
@@ -130,6 +127,8 @@ enum { START_DOMINOES = 64 };
  * rigid-body engine. */
 bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes, bool seeks_push,
                struct start *start, struct problem *problem);
+
+extern const char engine_undecided[]; /* what DOM_NOT_CONVERGED means if the engine runs the row */
 
 /* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
 struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count);
