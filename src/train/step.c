@@ -4,31 +4,32 @@
 #include "train/train.h"
 #include <string.h>
 
-/* Returns true if the train has not changed since the walk began. */
-static bool walk_is_of(const struct walk *walk, const struct scene *scene)
-{
-    const struct domq_train *a = &walk->train, *b = &scene->train;
-    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->width == b->width &&
-#define SAME(name, member, status) a->member == b->member &&
-           DOM_DYNAMICS(SAME)
-#undef SAME
-                   a->fuel == b->fuel;
-}
-
 const struct walk *walk_now(const struct query *query)
 {
     const struct walk *walk = query->walk;
-    const struct any_compute *compute = query_compute(query);
-    return walk->count > 0 && walk_is_of(walk, query->scene) && walk->tol == compute->tol &&
-                   walk->compute.precision == compute->precision
-               ? walk
-               : NULL;
+    const struct domq_train *a = &walk->train, *b = &query->scene->train;
+    const bool is_same = a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q &&
+                         a->width == b->width &&
+#define SAME(name, member, status) a->member == b->member &&
+                         DOM_DYNAMICS(SAME)
+#undef SAME
+                                 a->fuel == b->fuel;
+    return walk->cycle > 0 && is_same ? walk : NULL;
 }
+
+/* The place that a walk has reached, among the events of the cycle. */
+struct place {
+    struct walk walk;
+    struct any_compute compute; /* the options of the session, with a tolerance for the sentences */
+    struct domq_event event[DOM_EVENTS_MAX];
+    int count;               /* the number of events; 0 if there is no fuel */
+    enum dom_status verdict; /* DOM_OK, DOM_STOPS or DOM_NO_FUEL */
+};
 
 /* ---- In words ---- */
 
 /* Prints what happens at the event that the walk has reached, and between two events how the train moves. */
-static void event_say(const struct query *query, struct answer *a, const struct walk *w,
+static void event_say(const struct query *query, struct answer *a, const struct place *p,
                       const struct domq_state *s)
 {
     static const char *const detail[] = {
@@ -44,9 +45,10 @@ static void event_say(const struct query *query, struct answer *a, const struct 
                            "(26; c8).",
         [DOM_EVENT_HIT] = "The head has reached theta_c (2; a2). The next cycle has the same angles; its "
                           "lengths are r times as large, and it lasts sqrt(r) times as long (23; c5)."};
-    const struct domq_event *e = &w->events[w->event];
+    const struct walk *w = &p->walk;
+    const struct domq_event *e = &p->event[w->event];
     char what[240] = "the top of the barrier; from here on the train gains energy";
-    if (w->theta != e->theta) {
+    if (w->is_between) {
         answer_say(a, "Cycle %d, between the %s and the %s: the train %s.", w->cycle, dom_event_text(e->kind),
                    dom_event_text(e[1].kind), s->acceleration < 0 ? "slows down" : "gathers speed");
         return;
@@ -63,17 +65,17 @@ static void event_say(const struct query *query, struct answer *a, const struct 
         snprintf(what, sizeof what,
                  "the head hits the next domino, which is %s tall; 'step' begins its cycle",
                  measured(walk_units(query, w->cycle + 1).height, "m", 6).text);
-    answer_say(a, "Cycle %d, event %d of %d: %s.", w->cycle, w->event + 1, w->count, what);
+    answer_say(a, "Cycle %d, event %d of %d: %s.", w->cycle, w->event + 1, p->count, what);
     answer_detail(a, "%s", detail[e->kind]);
 }
 
 /* Prints the energies of the cycle as a sum: before - lost + gained - rubbed = kinetic. The loss is written
  * so that the sum of the printed numbers is exact. */
-static void ledger_say(struct answer *a, const struct walk *w, const struct domq_state *s,
+static void ledger_say(struct answer *a, const struct place *p, const struct domq_state *s,
                        const struct walk_units *u)
 {
     const domq_real open = s->before - s->lost - s->climbed - s->friction_work - s->kinetic;
-    if (quad(fabs)(open) > 100 * w->compute.tol * (s->before + quad(fabs)(s->climbed))) {
+    if (quad(fabs)(open) > 100 * p->compute.tol * (s->before + quad(fabs)(s->climbed))) {
         answer_say(a,
                    "The energies are out of balance by %.4g %s, because the paper's closed form of "
                    "the fuel does not follow from the energy balance.",
@@ -101,13 +103,6 @@ static void ledger_say(struct answer *a, const struct walk *w, const struct domq
                u->energy_unit);
 }
 
-/* ---- step, back, goto and where ---- */
-
-enum {
-    CYCLES_MAX = 1000,
-    EVENT_START = DOM_EVENT_HIT + 1 /* for 'step to start': the launch of the first cycle */
-};
-
 static const struct column walk_columns[] = {
     {"cycle", "", "number of the cycle, from 1", 0},
     {"event", "", "the last event", 6},
@@ -124,151 +119,151 @@ static const struct column walk_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Finds the events of the walk with the options of the query. Begins a new walk, and sets *begun to true,
- * unless the session already has a walk with the present parameters. An event that has been reached stays
- * reached. */
-static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
-                       struct walk *w, bool *begun)
+/* Finds the events of the cycle, and the place of the walk among them. Begins a new walk, and sets *begun to
+ * true, unless the session has one along the same train. */
+static bool place_find(const struct query *query, struct answer *a, struct problem *problem, struct place *p,
+                       bool *begun)
 {
-    const struct walk before = *w;
-    const bool is_event = w->count > 0 && w->theta == w->events[w->event].theta;
-    *begun = !walk_now(query) && !(query->reference && w->count > 0 && walk_is_of(w, query->scene));
-    if (*begun && w->count > 0)
-        answer_say(answer, "The parameters have changed, so the steps begin again at the launch.");
-    if (*begun)
-        *w = (struct walk){.cycle = 1};
-    w->train = query->scene->train;
-    w->compute = query->scene->compute;
-    w->tol = w->compute.tol;
+    const struct walk *walk = walk_now(query);
+    const struct any_compute *compute = query_compute(query);
+    *p = (struct place){.compute = *compute};
     /* The digits of the sentences have to be right whatever the session's tolerance. */
-    w->compute.tol =
-        quad_smaller(w->tol, quad_larger(any_arithmetic(w->compute.precision).tol_floor, (domq_real)1e-9));
-    w->verdict = any_cycle_events(&w->train, &w->compute, w->events, &w->count);
-    if (w->verdict != DOM_OK && w->verdict != DOM_STOPS && w->verdict != DOM_NO_FUEL)
-        return query_status(query, problem, w->verdict);
-    if (!*begun && is_event)
-        w->theta = w->events[w->event].theta;
-    return *begun || (w->verdict == before.verdict && w->count == before.count);
-}
-
-static bool walk_answer(const struct query *query, struct answer *a, struct problem *problem,
-                        const struct walk *w)
-{
-    const struct walk_units units = walk_units(query, w->cycle), *u = &units;
-    struct domq_state state, *s = &state;
-    if (!domq_dissipates(&w->train))
-        answer_leave_out(a, "rubbed");
-    if (w->verdict == DOM_NO_FUEL)
-        return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},
-                          verdict_reason(w->verdict));
-    if (!query_status(query, problem, any_cycle_state(&w->train, &w->compute, w->theta, s)))
-        return false;
-    event_say(query, a, w, s);
-    ledger_say(a, w, s, u);
-    walk_columns_in(query, a);
-    answer_cells(a, cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
-                 cell_real(s->theta), cell_computed(s->time * u->tau), cell_omega(s->omegasq, u->tau),
-                 cell_computed(s->before * u->energy), cell_computed(s->lost * u->energy),
-                 cell_computed((0 - s->climbed) * u->energy), cell_computed((0 - s->fallen) * u->energy),
-                 cell_computed(s->kinetic * u->energy), cell_computed(s->climbed * u->energy),
-                 cell_computed(s->friction_work * u->energy));
+    p->compute.tol = quad_smaller(compute->tol,
+                                  quad_larger(any_arithmetic(compute->precision).tol_floor, (domq_real)1e-9));
+    p->verdict = any_cycle_events(&query->scene->train, &p->compute, p->event, &p->count);
+    if (p->verdict != DOM_OK && p->verdict != DOM_STOPS && p->verdict != DOM_NO_FUEL)
+        return query_status(query, problem, p->verdict);
+    *begun = !walk || walk->event >= p->count;
+    p->walk = *begun ? (struct walk){.train = query->scene->train, .cycle = 1} : *walk;
+    if (*begun && query->walk->cycle > 0)
+        answer_say(a, "The parameters have changed, so the steps begin again at the launch.");
+    if (!p->walk.is_between) /* a smaller tolerance finds the event a little elsewhere */
+        p->walk.theta = p->event[p->walk.event].theta;
     return true;
 }
 
-/* ---- Moving ---- */
-
-/* Moves by the number of steps in the arguments, backward if `back` is true. If the walk ends earlier, prints
- * an answer for the steps made, and then reports why it ended. */
-static bool walk_by(const struct query *query, struct answer *a, struct problem *problem, struct walk *w,
-                    bool begun, bool back)
+static bool place_answer(const struct query *query, struct answer *a, struct problem *problem,
+                         const struct place *p)
 {
-    const long steps = query->given->count > 0 ? (long)query->given->number[0] : 1,
-               last = (w->verdict == DOM_OK ? CYCLES_MAX : 1) * (long)w->count - 1,
-               from = (w->cycle - 1) * (long)w->count + w->event;
-    const bool is_between = w->theta > w->events[w->event].theta;
-    /* A new walk begins at the launch of the first cycle. Going there counts as the first step forward. */
-    const long to = back ? from - steps + is_between : from + steps - begun, at = to < 0      ? 0
-                                                                                  : to > last ? last
-                                                                                              : to;
-    const bool moved = begun || at != from || (back && is_between);
-    w->cycle = (int)(at / w->count) + 1;
-    w->event = (int)(at % w->count);
-    if (moved)
-        w->theta = w->events[w->event].theta;
-    if (moved && !walk_answer(query, a, problem, w))
+    const struct walk *w = &p->walk;
+    const struct walk_units units = walk_units(query, w->cycle), *u = &units;
+    struct domq_state state, *s = &state;
+    if (!domq_dissipates(&query->scene->train))
+        answer_leave_out(a, "rubbed");
+    if (p->verdict == DOM_NO_FUEL)
+        return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},
+                          verdict_reason(p->verdict));
+    if (!query_status(query, problem, any_cycle_state(&query->scene->train, &p->compute, w->theta, s)))
         return false;
-    if (to < 0)
-        return problem_no_answer(problem,
-                                 "this is the launch of the first cycle; 'step' goes to the next event");
-    if (to > last && w->verdict == DOM_STOPS)
-        return problem_no_answer(
-            problem, "the train has stopped; 'why' explains it, and 'step to start' begins again");
-    return to <= last ||
-           problem_no_answer(problem, "the steps end after %d cycles; enter 'step to start' or 'step back'",
-                             CYCLES_MAX);
+    event_say(query, a, p, s);
+    ledger_say(a, p, s, u);
+    walk_columns_in(query, a);
+    return answer_cells(a, cell_count(w->cycle), cell_word(dom_event_text(p->event[w->event].kind)),
+                        cell_real(s->theta), cell_computed(s->time * u->tau), cell_omega(s->omegasq, u->tau),
+                        cell_computed(s->before * u->energy), cell_computed(s->lost * u->energy),
+                        cell_computed((0 - s->climbed) * u->energy),
+                        cell_computed((0 - s->fallen) * u->energy), cell_computed(s->kinetic * u->energy),
+                        cell_computed(s->climbed * u->energy), cell_computed(s->friction_work * u->energy));
 }
 
-/* Moves to the tilt in the first argument. A negative argument -1 - k stands for the event of kind k. */
-static bool walk_to(const struct query *query, struct answer *a, struct problem *problem, struct walk *w)
+/* ---- step, back, goto and where ---- */
+
+enum {
+    CYCLES_MAX = 1000,
+    EVENT_START = DOM_EVENT_HIT + 1 /* for 'step to start': the launch of the first cycle */
+};
+
+/* Moves to a tilt. A negative number -1 - k stands for the event of kind k. */
+static bool walk_to(const struct query *query, struct problem *problem, struct place *p, domq_real tilt)
 {
-    domq_real place = query->given->number[0];
-    if (place == -1 - EVENT_START) {
-        w->cycle = 1;
-        place = -1 - DOM_EVENT_LAUNCH;
+    const struct domq_event *last = &p->event[p->count - 1];
+    int event = (int)(-1 - tilt), found = -1;
+    if (tilt < 0 && event == EVENT_START) {
+        p->walk.cycle = 1;
+        event = DOM_EVENT_LAUNCH;
     }
-    enum dom_event_kind kind = (enum dom_event_kind)(-1 - (int)place);
-    int found = -1;
-    for (int k = 0; k < w->count; k++)
-        if (place < 0 ? w->events[k].kind == kind : w->events[k].theta <= place)
+    for (int k = 0; k < p->count; k++)
+        if (tilt < 0 ? (int)p->event[k].kind == event : p->event[k].theta <= tilt)
             found = k;
     if (found < 0)
         return problem_no_answer(problem, "there is no '%s' in this cycle; 'cycle' lists its events",
-                                 dom_event_text(kind));
-    if (place > w->events[w->count - 1].theta)
+                                 dom_event_text((enum dom_event_kind)event));
+    if (tilt > last->theta)
         return problem_no_answer(problem,
                                  "the train stops before that, at theta = %s; 'step to stop' goes there",
-                                 angle_text(query, w->events[w->count - 1].theta, 10).text);
-    w->event = found;
-    w->theta = place < 0 ? w->events[found].theta : place;
-    return walk_answer(query, a, problem, w);
+                                 angle_text(query, last->theta, 10).text);
+    p->walk.event = found;
+    p->walk.is_between = tilt > p->event[found].theta;
+    p->walk.theta = tilt < 0 ? p->event[found].theta : tilt;
+    return true;
 }
 
-enum move { MOVE_STEP, MOVE_BACK, MOVE_GOTO, MOVE_NOT };
-
-static bool walk_move(const struct query *query, struct answer *a, struct problem *problem, enum move move)
+/* Answers a command: goes to the tilt or the event `place` or, if it is NULL, a number of steps forward, or
+ * backward if it is negative. */
+static bool walk_go(const struct query *query, struct answer *a, struct problem *problem, long steps,
+                    const domq_real *place)
 {
-    struct walk walk = *query->walk;
+    struct place p;
+    struct walk *w = &p.walk;
     bool begun;
-    bool done = walk_ready(query, a, problem, &walk, &begun);
-    if (done && (move == MOVE_NOT || walk.verdict == DOM_NO_FUEL))
-        done = walk_answer(query, a, problem, &walk);
-    else if (done)
-        done = move == MOVE_GOTO ? walk_to(query, a, problem, &walk)
-                                 : walk_by(query, a, problem, &walk, begun, move == MOVE_BACK);
+    if (!place_find(query, a, problem, &p, &begun))
+        return false;
+    if (p.verdict == DOM_NO_FUEL)
+        return place_answer(query, a, problem, &p);
+    const long last = (p.verdict == DOM_OK ? CYCLES_MAX : 1) * (long)p.count - 1,
+               from = (w->cycle - 1) * (long)p.count + w->event;
+    /* A new walk begins at the launch of the first cycle. Going there counts as the first step forward. A
+     * step back from between two events goes to the first of them. */
+    const long to = from + steps - (steps > 0 && begun) + (steps < 0 && w->is_between);
+    const long at = to < 0 ? 0 : to > last ? last : to;
+    bool is_answered = steps == 0 || begun || at != from || (steps < 0 && w->is_between), done = true;
+    if (place) {
+        done = is_answered = walk_to(query, problem, &p, *place);
+    } else if (steps != 0 && is_answered) {
+        w->cycle = (int)(at / p.count) + 1;
+        w->event = (int)(at % p.count);
+        w->theta = p.event[w->event].theta;
+        w->is_between = false;
+    }
+    done = (!is_answered || place_answer(query, a, problem, &p)) && done;
+    if (done && to < 0)
+        done = problem_no_answer(problem,
+                                 "this is the launch of the first cycle; 'step' goes to the next event");
+    else if (done && to > last && p.verdict == DOM_STOPS)
+        done = problem_no_answer(
+            problem, "the train has stopped; 'why' explains it, and 'step to start' begins again");
+    else if (done && to > last)
+        done = problem_no_answer(
+            problem, "the steps end after %d cycles; enter 'step to start' or 'step back'", CYCLES_MAX);
     /* The walk is saved even if a problem is reported, for example that the walk has ended. */
     if (query->next)
-        *query->walk = walk;
+        *query->walk = *w;
     return done;
+}
+
+static long steps_of(const struct query *query)
+{
+    return query->given->count > 0 ? (long)query->given->number[0] : 1;
 }
 
 static bool run_step(const struct query *query, struct answer *a, struct problem *problem)
 {
-    return walk_move(query, a, problem, MOVE_STEP);
+    return walk_go(query, a, problem, steps_of(query), NULL);
 }
 
 static bool run_back(const struct query *query, struct answer *a, struct problem *problem)
 {
-    return walk_move(query, a, problem, MOVE_BACK);
-}
-
-static bool run_goto(const struct query *query, struct answer *a, struct problem *problem)
-{
-    return walk_move(query, a, problem, MOVE_GOTO);
+    return walk_go(query, a, problem, -steps_of(query), NULL);
 }
 
 static bool run_where(const struct query *query, struct answer *a, struct problem *problem)
 {
-    return walk_move(query, a, problem, MOVE_NOT);
+    return walk_go(query, a, problem, 0, NULL);
+}
+
+static bool run_goto(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return walk_go(query, a, problem, 0, &query->given->number[0]);
 }
 
 static const char *event_names(const void *context, int k)

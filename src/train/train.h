@@ -52,8 +52,8 @@ struct walk_units {
 /* Cycles are numbered from 1. */
 struct walk_units walk_units(const struct query *query, int cycle);
 
-/* Returns the session's walk. Returns NULL if there is no walk, or if the train or the accuracy has changed
- * since the walk began. */
+/* Returns the session's walk. Returns NULL if there is no walk, or if the train has changed since the walk
+ * began. */
 const struct walk *walk_now(const struct query *query);
 
 /* Replaces the unit mgh/2 by J in the columns of an answer. */

@@ -103,7 +103,11 @@ evenly() { # COUNT
 @test "after a change of parameters the walk begins again, and a message says so" {
     says 'step 2; set r 1.4; where' 'The parameters have changed, so the steps begin again at the launch.'
     same 'launch' launch "$(json 'step 2; set r 1.4; where' | tail -n 1 | values event)"
-    same 'output does not count' top "$(json 'step 2; set digits 5; where' | tail -n 1 | values event)"
+    for change in 'digits 5' 'tol 1e-9' 'precision float' 'tol 0.1'; do
+        same "$change does not count" top "$(json "step 2; set $change; where" | tail -n 1 | values event)"
+    done
+    same 'a top with other digits' "$(json 'set precision quad; step to top' | values theta)" \
+        "$(json 'step to top; set precision quad; where' | tail -n 1 | values theta)"
 }
 
 @test "why: the verdict, the term that decides it, and whether the dominoes stay in contact" {
@@ -134,13 +138,13 @@ END
 # bats test_tags=rows,chance,pictures,explain
 @test "draw without T shows the state of 'where', whatever has changed since the last step" {
     local change where
-    for change in 'set s 0.3' 'set r 1.4' 'set d 0.2' 'set q 3' 'set tol 1e-9' 'set fuel paper' \
-        'set precision quad' 'effect friction 0.3'; do
+    for change in 'set s 0.3' 'set r 1.4' 'set d 0.2' 'set q 3' 'set fuel paper' 'effect friction 0.3'; do
         [[ $("$DOMINO" -e "goto 0.2; $change; where") == *'the steps begin again at the launch'* ]]
         same "$change" "$("$DOMINO" -e "$change > /dev/null; draw 0")" \
             "$("$DOMINO" -e "goto 0.2 > /dev/null; $change > /dev/null; draw")"
     done
-    for change in 'set h 1' 'set mass 2' 'set digits 5' 'set seed 3' 'effect row 5' 'effect floor 0.4'; do
+    for change in 'set h 1' 'set mass 2' 'set digits 5' 'set seed 3' 'set tol 1e-9' 'set precision quad' 'effect row 5' \
+        'effect floor 0.4'; do
         [[ $("$DOMINO" -e "goto 0.2; $change; where") != *'the steps begin again at the launch'* ]]
         same "$change" "$("$DOMINO" -e "$change; draw train 0.2")" \
             "$("$DOMINO" -e "goto 0.2 > /dev/null; $change; draw train")"

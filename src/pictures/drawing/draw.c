@@ -255,10 +255,10 @@ static void train_caption(const struct query *query, struct stage *stage, domq_r
 static bool draw_train(const struct query *query, struct answer *a, struct problem *problem, unsigned words)
 {
     struct stage stage;
-    /* If the user typed no tilt, the train is drawn at the current position of the walk, with the walk's
-     * tolerance. Without a walk it is drawn at the launch. */
+    /* If the user typed no tilt, the train is drawn at the current position of the walk. Without a walk it is
+     * drawn at the launch. */
     const struct walk *walk = (words & DRAW_TILT) ? NULL : walk_now(query);
-    const struct any_compute *compute = walk ? &walk->compute : &query->scene->compute;
+    const struct any_compute *compute = query_compute(query);
     const struct domq_train *train = &query->scene->train;
     domq_real theta = walk ? walk->theta : query->given->number[0];
     if (words & DRAW_TRAIN)

@@ -35,19 +35,13 @@ struct last_answer {
     struct quantity value;
 };
 
-/* The progress of 'step', 'back' and 'goto' through the motion of the train. */
+/* The place that 'step', 'back' and 'goto' have reached in the motion of the train. */
 struct walk {
-    /* a copy of the scene's train; when the scene's train changes, a new walk begins */
-    struct domq_train train;
-    /* the session's options, but with a tolerance that is small enough for the six digits of the sentences */
-    struct any_compute compute;
-    domq_real tol; /* the session's tolerance when the walk began */
-    struct domq_event events[DOM_EVENTS_MAX];
-    int count;               /* the number of events; 0 if no walk has begun */
+    struct domq_train train; /* when the train of the scene changes, a new walk begins */
+    int cycle;               /* the number of the cycle, counted from 1; 0 if no walk has begun */
     int event;               /* the index of the last event that has been reached or passed */
-    domq_real theta;         /* the tilt that has been reached */
-    int cycle;               /* the number of the current cycle, counted from 1 */
-    enum dom_status verdict; /* DOM_OK, DOM_STOPS or DOM_NO_FUEL */
+    bool is_between;         /* the place is between this event and the next */
+    domq_real theta;         /* the tilt of the head at this place */
 };
 
 struct query {
