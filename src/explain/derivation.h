@@ -6,6 +6,8 @@
 
 #include "interpreter/question.h"
 
+extern const struct command effect_commands[];
+
 /* Bits for the properties of a train that decide which equations hold for it. */
 enum {
     HAS_SLOPE = 1,

@@ -454,6 +454,7 @@ static const struct command explain_commands[] = {
 
 static const struct command_group groups[] = {
     {"Where a number comes from", "limits", explain_commands},
+    {"Effects beyond the paper", "settings", effect_commands},
     {NULL, NULL, NULL},
 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'cost', which measures computing time. It uses a single thread: more threads would compete for
- * caches and memory, and lower the clock rate. */
+ * caches and memory, and lower the clock rate. Also the list of all commands about a train. */
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -246,7 +246,7 @@ static bool run_cost(const struct query *query, struct answer *a, struct problem
     return true;
 }
 
-const struct command cost_commands[] = {
+static const struct command cost_commands[] = {
     {.name = "cost",
      .synonyms = "accuracy precision benchmark speed fast",
      .argument = {{.name = "COMMAND",
@@ -266,3 +266,13 @@ const struct command cost_commands[] = {
      ANSWER(cost)},
     {.name = NULL},
 };
+
+static const struct command_group groups[] = {
+    {"One cycle of the train", "cycles", cycle_commands},
+    {"The cycle, step by step", "cycles", walk_commands},
+    {"How far it can grow", "limits", limit_commands},
+    {"What accuracy costs", "limits", cost_commands},
+    {NULL, NULL, NULL},
+};
+
+const struct feature train_feature = {.name = "train", .groups = groups};

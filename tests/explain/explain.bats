@@ -184,3 +184,20 @@ set r 3; set s 0.3; explain A18|(41; A17), which holds: followers slide off
 explain rmax|which 'why' explains
 END
 }
+
+# bats test_tags=rows,chance,engine
+@test "effects: its list, its details, and the method of the scene" {
+    # 'effects' lists all of them, and each random error that is on; its details have sources.
+    run -0 "$DOMINO" -e 'effect row 3; effect error_mass 1 %; effects'
+    [ "${#lines[@]}" -le 24 ]
+    same 'a random error' 'error_mass' "$(sed -n 's/^\(error_[a-z]*\) .*/\1/p' <<<"$output")"
+    "$DOMINO" -e 'effects > /dev/null; details' | grep -q 'Am\. J\. Phys'
+    # 'effects' names the method that each effect needs, and that of the scene.
+    for method in 'energy balance|slope 1 deg' 'equation of motion|friction 0.1; effect row 3' 'rigid-body engine|row 2; effect push 9; effect feet 0.5'; do
+        "$DOMINO" -n -e "effect ${method#*|}; effects" | grep -q "computed by the ${method%|*}\.$"
+    done
+    local on='effect row 3; effect feet 1; effect error_floor 1; effect error_mass 1 %; effects'
+    same 'method of each' 'motion balance balance engine balance engine' "$(json "$on" |
+        jq -r 'select(.effect | IN("friction", "slope", "floor", "feet", "error_mass", "error_floor")).method' | paste -sd ' ')"
+    same 'air' 'motion motion' "$(json 'effects' | jq -r 'select(.effect == "air" or .effect == "drag").method' | paste -sd ' ')"
+}

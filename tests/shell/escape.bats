@@ -13,7 +13,7 @@ harmless() { # FILE
     fi
 }
 
-# bats test_tags=rows,chance,sweeps
+# bats test_tags=rows,chance,sweeps,explain
 @test "names that cannot be shown are escaped in table, csv, json, help and messages" {
     local name=$'a\e[31m\u202e\u009b\xff\tb.csv' shown='a\x1b[31m\u202e\u009b\xff\x09b.csv'
     printf '%s\n' "$two_dominoes" >"$name"

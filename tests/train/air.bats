@@ -42,7 +42,6 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > 0 && a < b) }'; }
     [[ $("$DOMINO" -e "$airy; set friction 0.2; why") == *'in spite of friction and the drag of the air'* ]]
     "$DOMINO" -e "$airy; explain launch" | grep -qxF '    k I = rho C w h^4/8, the torque of the drag over omega^2'
     "$DOMINO" -e 'help air' | grep -qF "B = sum r^(-(q+1) i) S_i (theta_i'' + k theta_i'^2)"
-    same 'the method' 'motion motion' "$(json "$airy; effects" | jq -r 'select(.effect == "air" or .effect == "drag").method' | paste -sd ' ')"
 }
 
 @test "air: rows, and giants that feel it" {

@@ -7,7 +7,7 @@ load ../shell/common
 
 # bats test_tags=rows,chance
 @test "an effect that has been switched off again changes no answer" {
-    for effect in 'friction 0.3' 'row 9; effect push 3; verdict' 'floor 1; effects'; do
+    for effect in 'friction 0.3' 'row 9; effect push 3; verdict' 'floor 1; show'; do
         differ "effect $effect" "$(json 'rmax; barrier; duration')" "$(json "effect $effect; rmax; barrier; duration")"
     done
     same untouched "$(json 'rmax; barrier; duration; cycle 5; launch; fuel; step')" \
@@ -194,20 +194,4 @@ effect friction 0.3; effect friction on|friction is on: 0.3. 'set friction MU' s
 effect row 5; effect push on|push is on: 5 rad/s. 'set push OMEGA' sets another value.
 END
     same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
-}
-
-# bats test_tags=rows,chance,engine
-@test "effects: its list, its details, and the method of the scene" {
-    # 'effects' lists all of them, and each random error that is on; its details have sources.
-    run -0 "$DOMINO" -e 'effect row 3; effect error_mass 1 %; effects'
-    [ "${#lines[@]}" -le 24 ]
-    same 'a random error' 'error_mass' "$(sed -n 's/^\(error_[a-z]*\) .*/\1/p' <<<"$output")"
-    "$DOMINO" -e 'effects > /dev/null; details' | grep -q 'Am\. J\. Phys'
-    # 'effects' names the method that each effect needs, and that of the scene.
-    for method in 'energy balance|slope 1 deg' 'equation of motion|friction 0.1; effect row 3' 'rigid-body engine|row 2; effect push 9; effect feet 0.5'; do
-        "$DOMINO" -n -e "effect ${method#*|}; effects" | grep -q "computed by the ${method%|*}\.$"
-    done
-    local on='effect row 3; effect feet 1; effect error_floor 1; effect error_mass 1 %; effects'
-    same 'method of each' 'motion balance balance engine balance engine' "$(json "$on" |
-        jq -r 'select(.effect | IN("friction", "slope", "floor", "feet", "error_mass", "error_floor")).method' | paste -sd ' ')"
 }

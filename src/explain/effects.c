@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands of this feature, and the command 'effects'. */
-#include "interpreter/command.h"
-#include "train/train.h"
+/* The command 'effects', which lists the effects that go beyond the paper. */
+#include "explain/derivation.h"
 
 static const char *method_of(int effect)
 {
@@ -42,7 +41,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     return true;
 }
 
-static const struct command effect_commands[] = {
+const struct command effect_commands[] = {
     {.name = "effects",
      .synonyms = "list switch scene",
      .summary = "what effects there are, which are on, and what each adds",
@@ -57,14 +56,3 @@ static const struct command effect_commands[] = {
      ANSWER(effects)},
     {.name = NULL},
 };
-
-static const struct command_group groups[] = {
-    {"One cycle of the train", "cycles", cycle_commands},
-    {"The cycle, step by step", "cycles", walk_commands},
-    {"How far it can grow", "limits", limit_commands},
-    {"What accuracy costs", "limits", cost_commands},
-    {"Effects beyond the paper", "settings", effect_commands},
-    {NULL, NULL, NULL},
-};
-
-const struct feature train_feature = {.name = "train", .groups = groups};
