@@ -7,20 +7,14 @@
 
 #include "ask.h"
 
-#define REQUEST_EFFECT(effect, member, status) (double)a->member,
-
-/* Returns the request that the kernel gets for the train. */
-static inline struct request request_of(const struct setup *a)
+/* Prepares the geometry of a train. */
+static inline enum dom_status geometry_of(const struct setup *a, struct geometry *geometry)
 {
-    return (struct request){.s = (double)a->s,
-                            .r = (double)a->r,
-                            .d = (double)a->d,
-                            .q = (double)a->q,
-                            .tol = (double)a->tol,
-                            .fuel = a->fuel,
-                            .effect = {DOM_DYNAMICS(REQUEST_EFFECT)},
-                            .work = a->work,
-                            .interrupt = a->interrupt};
+#define OF_TRAIN(name, ...)               .name = (double)a->name,
+#define OF_EFFECT(effect, member, status) .member = (double)a->member,
+    const struct dom_train train = {DOM_TRAIN_PARAMETERS(OF_TRAIN) DOM_DYNAMICS(OF_EFFECT).fuel = a->fuel};
+    const struct dom_compute compute = {.tol = (double)a->tol, .work = a->work, .interrupt = a->interrupt};
+    return dynamics_make(&train, &compute, geometry);
 }
 
 #endif

@@ -17,8 +17,7 @@ static struct geometry random_geometry(uint64_t *seed, double tol, double rho, s
     train.rho = rho * fmin((double)train.d / 2, 0.49);
     train.s = fmin((double)train.s, (1 - (double)train.rho / 2) / (double)train.r);
     train.tol = tol;
-    const struct request request = request_of(&train);
-    assert_status(dynamics_make(&request, &geometry), DOM_OK);
+    assert_status(geometry_of(&train, &geometry), DOM_OK);
     *head = tilt_half(half_of_tilt(geometry.c) * random_unit(seed));
     return geometry;
 }

@@ -5,7 +5,7 @@
  * the tilt at a given time.
  */
 #include "dynamics/dynamics.h"
-#include "geometry/request.h"
+#include "numerics/api.h"
 #include "row/row.h"
 #include <stdlib.h>
 

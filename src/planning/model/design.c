@@ -8,7 +8,7 @@
  * The separation s is a gap divided by the height of the domino after the gap. Only multiples of 1 / GRID are
  * tried: s = k / GRID. If k increases by 1, the gaps of the standard domino become 0.05 mm wider.
  */
-#include "geometry/request.h"
+#include "numerics/api.h"
 #include "numerics/real.h"
 #include "planning/model/shape.h"
 #include "rows/model/boxes.h"

@@ -2,7 +2,7 @@
 /* The friction that the floor needs so that no foot slips: the largest |R_x| / R_z over all feet. During the
  * motion, R is the force of the floor on a foot, and in the collision its impulse. x points forward and z
  * up. */
-#include "geometry/request.h"
+#include "numerics/api.h"
 #include "row/row.h"
 #include <stdlib.h>
 

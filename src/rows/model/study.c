@@ -18,7 +18,6 @@
 #include "effects/effects.h"
 #include "row/row.h"
 #include <stdlib.h>
-#include <string.h>
 
 /* The headers of the kernel declare functions that only its own sources define. */
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -191,7 +190,7 @@ static real rough_need(const struct geometry *head, real hi)
 static real rough_end(const struct run *run, size_t k)
 {
     const struct geometry *head = &run->row->geometry[k];
-    bool rises = k + 1 < run->row->request.count;
+    bool rises = k + 1 < run->row->given.count;
     for (size_t j = k; !rises && j-- > k + 1 - run->moving;)
         rises = geometry_lift(&run->row->geometry[j], run->row->geometry[j].c) > 0;
     return fmin(tilt_angle(head->c), rises ? (real)INFINITY : geometry_theta_u(head));
@@ -311,7 +310,7 @@ static bool study_ends(struct run *run, size_t k, const struct run *before, cons
 static enum dom_status study_falls(struct study *s, size_t k, struct dom_verdict *verdict)
 {
     const struct run_options options = {
-        .forces = s->mark && s->known < s->row.request.count, /* a mark needs the smallest force */
+        .forces = s->mark && s->known < s->row.given.count, /* a mark needs the smallest force */
         .every = true,
         .passes = study_passes,
         .ends = study_ends,
@@ -352,18 +351,18 @@ enum dom_status row_study_begin(const struct dom_row *row, const struct dom_comp
 /* Runs the planned row with changes of the dominoes `first` to `last`. */
 static enum dom_status study_change(struct study *s, size_t first, size_t last, struct dom_verdict *verdict)
 {
-    const size_t from = first > 0 ? first - 1 : 0, count = s->row.request.count;
+    const size_t from = first > 0 ? first - 1 : 0, count = s->row.given.count;
     enum dom_status status = DOM_OK;
     *verdict = s->verdict;
     for (size_t k = first; k <= last && status == DOM_OK; k++)
-        status = row_domino_check(&s->row.request, k);
+        status = row_domino_check(&s->row.given, k);
     /* the fall ends before it reaches a head that the change can affect */
     if (status != DOM_OK || (s->verdict.end != DOM_ROW_FALLS && from >= s->verdict.domino))
         return status;
     s->last = last + 1;
     s->row.made = s->row.made < from ? s->row.made : from;
     if (from == 0) { /* the launch needs the first domino */
-        status = row_geometry(&s->row.request, 0, s->row.geometry);
+        status = row_geometry(&s->row, 0);
         s->row.made = 1;
     }
     if (status == DOM_OK)
@@ -380,17 +379,19 @@ static enum dom_status study_change(struct study *s, size_t first, size_t last, 
  * the row again, precisely. */
 static enum dom_status study_random(struct study *s, struct dom_verdict *verdict)
 {
-    struct row_request *request = &s->row.request;
-    const dom_real tol = request->tol;
+#define VALUE(effect, member, status) row->member,
+    const struct dom_row *row = &s->row.given;
+    const dom_real effect[] = {DOM_DYNAMICS(VALUE)}, tol = s->row.compute.tol;
+#undef VALUE
     s->quick = true;
-    for (size_t k = 0; k < request->count; k++)
-        s->quick = s->quick && request->domino[k].lean == 0;
-    s->rough = s->quick && dynamics_dissipate(request->effect);
-    request->tol = s->rough && tol < (dom_real)ROUGH_TOL ? (dom_real)ROUGH_TOL : tol;
+    for (size_t k = 0; k < row->count; k++)
+        s->quick = s->quick && row->domino[k].lean == 0;
+    s->rough = s->quick && dynamics_dissipate(effect);
+    s->row.compute.tol = s->rough && tol < (dom_real)ROUGH_TOL ? (dom_real)ROUGH_TOL : tol;
     enum dom_status status = row_read(&s->row, &verdict->domino);
     if (status == DOM_OK)
         status = study_falls(s, 0, verdict);
-    request->tol = tol;
+    s->row.compute.tol = tol;
     if (status != DOM_OK || !s->doubt)
         return status;
     s->rough = false;
@@ -402,13 +403,7 @@ static enum dom_status study_random(struct study *s, struct dom_verdict *verdict
 enum dom_status row_study(struct study *s, const struct dom_row *row, size_t first, size_t last,
                           struct dom_verdict *verdict)
 {
-#define VALUE(effect, member, status) row->member,
-    const dom_real effect[] = {DOM_DYNAMICS(VALUE)};
-#undef VALUE
-    s->row.request.domino = row->domino;
-    s->row.request.push = row->push;
-    s->row.request.release = row->release;
-    memcpy(s->row.request.effect, effect, sizeof effect);
+    s->row.given = *row;
     return s->mark ? study_change(s, first, last, verdict) : study_random(s, verdict);
 }
 

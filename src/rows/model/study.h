@@ -2,7 +2,7 @@
 /* Runs a row many times: with changes of a few dominoes (windows, mending), or with random errors. */
 #pragma once
 
-#include "geometry/request.h"
+#include "numerics/api.h"
 #include "rows/model/boxes.h"
 
 struct study;

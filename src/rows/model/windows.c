@@ -7,6 +7,7 @@
 #include "rows/model/boxes.h"
 #include "rows/model/study.h"
 #include "search/search.h"
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 

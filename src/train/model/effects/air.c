@@ -16,11 +16,11 @@
  */
 #include "effects/effects.h"
 
-static dom_real air_of_domino(const struct row_request *row, size_t k)
+static dom_real air_of_domino(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
     const dom_real width = d->width > 0 ? d->width : d->height / 2;
-    return row->effect[DOM_EFFECT_air] * d->height * d->thickness * width / d->mass;
+    return row->air * d->height * d->thickness * width / d->mass;
 }
 
 static enum dom_status air_apply(struct geometry *geometry, real value)

@@ -11,10 +11,10 @@
 #include "effects/effects.h"
 #include "geometry/chain.h"
 
-KERNEL dom_real edges_of_domino(const struct row_request *row, size_t k)
+KERNEL dom_real edges_of_domino(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
-    dom_real rho = row->effect[DOM_EFFECT_edges];
+    dom_real rho = row->rho;
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 

@@ -17,7 +17,7 @@ struct terms {
     enum dom_status (*apply)(struct geometry *geometry, real value);
     /* Returns the value for domino k of a row, counted from 0, if the effect is on. NULL if all dominoes have
      * the value of the row. */
-    dom_real (*of_domino)(const struct row_request *row, size_t k);
+    dom_real (*of_domino)(const struct dom_row *row, size_t k);
 };
 
 #define TERMS_DECLARE(effect, member, status) static const struct terms effect##_terms;
@@ -25,21 +25,23 @@ DOM_DYNAMICS(TERMS_DECLARE)
 #undef TERMS_DECLARE
 
 /* The values of walls and edges, divided by the height, for domino k of a row. */
-KERNEL dom_real walls_of_domino(const struct row_request *row, size_t k);
-KERNEL dom_real edges_of_domino(const struct row_request *row, size_t k);
+KERNEL dom_real walls_of_domino(const struct dom_row *row, size_t k);
+KERNEL dom_real edges_of_domino(const struct dom_row *row, size_t k);
 
 /* Chooses the law of motion and the potential energy for the effects that are on. geometry->d must be set. */
 KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry);
 
 /* Finds the values of all effects for domino k of a row, counted from 0. */
-KERNEL void dynamics_of_domino(const struct row_request *row, size_t k, dom_real effect[DOM_DYNAMICS_COUNT]);
+KERNEL void dynamics_of_domino(const struct dom_row *row, size_t k, dom_real effect[DOM_DYNAMICS_COUNT]);
 
 /* Prepares the geometry and the law of motion. geometry_set must then set the separation and the growth. */
-KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry);
+KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct dom_compute *compute,
+                                     struct geometry *geometry);
 
-/* Checks a train and prepares its geometry and its law of motion. Call dynamics_begin before the law is
- * used. */
-KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry);
+/* Prepare the geometry and the law of motion, and set the separation and the growth. train_make also checks
+ * the train. Call dynamics_begin before the law is used. */
+KERNEL enum dom_status dynamics_make(const struct dom_train *train, const struct dom_compute *compute,
+                                     struct geometry *geometry);
 KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
                                   struct geometry *geometry);
 

@@ -29,26 +29,31 @@ KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT]
     return status;
 }
 
-KERNEL void dynamics_of_domino(const struct row_request *row, size_t k, dom_real effect[DOM_DYNAMICS_COUNT])
+KERNEL void dynamics_of_domino(const struct dom_row *row, size_t k, dom_real effect[DOM_DYNAMICS_COUNT])
 {
 /* without a loop, so that effects of which all dominoes have the same value cost nothing */
 #define DYNAMICS_VALUE(name, member, status)                                                                 \
-    effect[DOM_EFFECT_##name] = row->effect[DOM_EFFECT_##name];                                              \
-    if (name##_terms.of_domino && effect[DOM_EFFECT_##name] != 0)                                            \
+    effect[DOM_EFFECT_##name] = row->member;                                                                 \
+    if (name##_terms.of_domino && row->member != 0)                                                          \
         effect[DOM_EFFECT_##name] = name##_terms.of_domino(row, k);
     DOM_DYNAMICS(DYNAMICS_VALUE)
 #undef DYNAMICS_VALUE
 }
 
-KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry)
+#define VALUE(effect, member, status) train->member,
+
+KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct dom_compute *compute,
+                                     struct geometry *geometry)
 {
-    *geometry = geometry_read(train);
-    return dynamics_choose(train->effect, geometry);
+    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
+    *geometry = geometry_read(train, compute);
+    return dynamics_choose(value, geometry);
 }
 
-KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry)
+KERNEL enum dom_status dynamics_make(const struct dom_train *train, const struct dom_compute *compute,
+                                     struct geometry *geometry)
 {
-    enum dom_status status = dynamics_read(train, geometry);
+    enum dom_status status = dynamics_read(train, compute, geometry);
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
     if (status == DOM_OK)
@@ -59,10 +64,9 @@ KERNEL enum dom_status dynamics_make(const struct request *train, struct geometr
 KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
                                   struct geometry *geometry)
 {
-    struct request request;
-    const enum dom_status status = train_request_of(train, compute, &request);
+    const enum dom_status status = train_check(train, compute);
     *geometry = (struct geometry){.flow = NULL}; /* for dynamics_end */
-    return status == DOM_OK ? dynamics_make(&request, geometry) : status;
+    return status == DOM_OK ? dynamics_make(train, compute, geometry) : status;
 }
 
 KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
@@ -85,8 +89,6 @@ KERNEL_SHARED bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT])
             return true;
     return false;
 }
-
-#define VALUE(effect, member, status) train->member,
 
 const struct dom_effect *dom_first_effect(const struct dom_train *train)
 {

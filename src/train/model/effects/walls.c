@@ -9,10 +9,10 @@
  */
 #include "effects/effects.h"
 
-KERNEL dom_real walls_of_domino(const struct row_request *row, size_t k)
+KERNEL dom_real walls_of_domino(const struct dom_row *row, size_t k)
 {
     const dom_real height = row->domino[k].height;
-    return height > row->boxes_above ? row->effect[DOM_EFFECT_walls] / height : 0;
+    return height > row->boxes_above ? row->walls / height : 0;
 }
 
 /* Switches the effect on; value is the thickness of the walls, relative to the height. */

@@ -15,67 +15,28 @@
 #define BAD_tol   DOM_BAD_TOL
 
 /* Sets `status` to an error if the parameter is outside its range and no earlier check failed. */
-#define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
-    if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
+#define CHECK(of, name, lowest, highest)                                                                     \
+    if (status == DOM_OK && !((of)->name >= (dom_real)(lowest) && (of)->name <= (dom_real)(highest)))        \
         status = BAD_##name;
 
-/* Returns true if a member is set that this version of the library does not have. */
-#define IS_NEWER(given)                                                                                      \
-    ((given)->later[0] != 0 || (given)->later[1] != 0 || (given)->later[2] != 0 || (given)->later[3] != 0)
-_Static_assert(DOM_LATER == 4, "IS_NEWER");
-
-static enum dom_status request_check(const struct request *q)
+KERNEL enum dom_status train_check(const struct dom_train *train, const struct dom_compute *given)
 {
-    enum dom_status status = DOM_OK;
-    DOM_TRAIN_PARAMETERS(CHECK)
+#define VALUE(effect, member, status) train->member,
+    const struct dom_compute compute = compute_or_default(given), *c = &compute;
+    const dom_real effect[] = {DOM_DYNAMICS(VALUE)};
+    enum dom_status status = IS_NEWER(train) || IS_NEWER(c) ? DOM_NEWER : DOM_OK;
+#undef VALUE
+#define CHECK_TRAIN(name, default_, lowest, highest, unit, meaning)   CHECK(train, name, lowest, highest)
+#define CHECK_COMPUTE(name, default_, lowest, highest, unit, meaning) CHECK(c, name, lowest, highest)
+    DOM_TRAIN_PARAMETERS(CHECK_TRAIN)
     if (status == DOM_OK)
-        status = dynamics_check(q->effect);
-    if (status == DOM_OK && q->fuel > DOM_FUEL_PAPER)
+        status = dynamics_check(effect);
+    if (status == DOM_OK && train->fuel > DOM_FUEL_PAPER)
         status = DOM_BAD_FUEL;
     if (status == DOM_OK && dom_arithmetic()->bits == 0)
         status = DOM_NO_PRECISION;
-    DOM_COMPUTE_PARAMETERS(CHECK)
-    if (status == DOM_OK && q->tol < dom_arithmetic()->tol_floor)
-        status = DOM_BAD_TOL;
-    return status;
-}
-#undef CHECK
-
-/* DOM_DYNAMICS(TRAIN_VALUE) and DOM_DYNAMICS(ROW_VALUE) list the values of all effects. */
-#define TRAIN_VALUE(effect, member, status) train->member,
-#define ROW_VALUE(effect, member, status)   row->member,
-
-KERNEL enum dom_status train_request_of(const struct dom_train *train, const struct dom_compute *given,
-                                        struct request *request)
-{
-    const struct dom_compute compute = compute_or_default(given);
-#define COPY(name, default_, lowest, highest, unit, meaning)         .name = train->name,
-#define COPY_COMPUTE(name, default_, lowest, highest, unit, meaning) .name = compute.name,
-    *request = (struct request){
-        DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
-        .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .work = compute.work, .interrupt = compute.interrupt};
-#undef COPY
-#undef COPY_COMPUTE
-    return IS_NEWER(train) || IS_NEWER(&compute) ? DOM_NEWER : request_check(request);
-}
-
-KERNEL enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *given,
-                                      struct row_request *request)
-{
-    const struct dom_compute compute = compute_or_default(given);
-    *request = (struct row_request){.domino = row->domino,
-                                    .count = row->count,
-                                    .g = row->g,
-                                    .push = row->push,
-                                    .release = row->release,
-                                    .effect = {DOM_DYNAMICS(ROW_VALUE)},
-                                    .boxes_above = row->boxes_above,
-                                    .tol = compute.tol,
-                                    .work = compute.work,
-                                    .interrupt = compute.interrupt};
-    return dom_arithmetic()->bits == 0           ? DOM_NO_PRECISION
-           : IS_NEWER(row) || IS_NEWER(&compute) ? DOM_NEWER
-                                                 : DOM_OK;
+    DOM_COMPUTE_PARAMETERS(CHECK_COMPUTE)
+    return status == DOM_OK && compute.tol < dom_arithmetic()->tol_floor ? DOM_BAD_TOL : status;
 }
 
 /* ---- Limits, which more than one precision may find ---- */
@@ -83,12 +44,10 @@ KERNEL enum dom_status row_request_of(const struct dom_row *row, const struct do
 enum dom_status OWN(_limit_alone)(const struct dom_train *train, const struct dom_compute *compute, bool pair,
                                   dom_real near, struct dom_limit *limit)
 {
-    struct request request;
     struct dom_train t = *train;
     t.r = 1; /* the search chooses r, so train->r need not be valid */
-    const enum dom_status status = train_request_of(&t, compute, &request);
-    request.near = near;
-    return status == DOM_OK ? limit_answer(&request, pair, limit) : status;
+    const enum dom_status status = train_check(&t, compute);
+    return status == DOM_OK ? limit_answer(&t, compute, pair, near, limit) : status;
 }
 
 /* Finds a limit. In quad, a search for r_max starts from that in double. A limit that is open in float or
@@ -121,16 +80,16 @@ enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_c
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *given,
                                struct dom_best *best)
 {
-    struct request request;
     struct dom_train anywhere = *train;
+    dom_real near = 0;
     anywhere.s = anywhere.r = 1;
-    const enum dom_status status = train_request_of(&anywhere, given, &request);
+    const enum dom_status status = train_check(&anywhere, given);
 #ifdef DOMQ
     const struct dom_compute compute = compute_or_default(given);
-    if (status == DOM_OK && !near_best(&anywhere, &compute, &request.s, &request.near))
-        request.near = 0;
+    if (status == DOM_OK)
+        near_best(&anywhere, &compute, &anywhere.s, &near);
 #endif
-    return status == DOM_OK ? limit_best(&request, best) : status;
+    return status == DOM_OK ? limit_best(&anywhere, given, near, best) : status;
 }
 
 /* ---- Rows ---- */

@@ -67,9 +67,8 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 static enum dom_status train_tilted(const struct dom_train *train, const struct dom_compute *compute,
                                     dom_real theta, struct geometry *geometry, struct tilt *head)
 {
-    struct request request;
-    enum dom_status status = train_request_of(train, compute, &request);
-    *geometry = geometry_read(&request);
+    enum dom_status status = train_check(train, compute);
+    *geometry = geometry_read(train, compute);
     if (status == DOM_OK && train->rho != 0)
         status = rounded_make(geometry, (real)train->rho);
     if (status == DOM_OK)

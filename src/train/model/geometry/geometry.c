@@ -4,18 +4,19 @@
  * about the front edge of its foot. */
 #include "geometry/geometry.h"
 
-KERNEL struct geometry geometry_read(const struct request *t)
+KERNEL struct geometry geometry_read(const struct dom_train *t, const struct dom_compute *given)
 {
+    const struct dom_compute compute = compute_or_default(given);
     struct geometry geometry = {.s = (real)t->s,
                                 .r = (real)t->r,
                                 .d = (real)t->d,
                                 .q = (real)t->q,
                                 .width = (real)t->width,
-                                .tol = (real)t->tol,
+                                .tol = (real)compute.tol,
                                 .inertia_factor = 1,
                                 .n = CHAIN_ENDLESS,
-                                .interrupt = t->interrupt,
-                                .work = t->work};
+                                .interrupt = compute.interrupt,
+                                .work = compute.work};
     geometry.steepest = sqrt(1 + geometry.d * geometry.d);
     geometry_gravity(&geometry, 0, 1);
     return geometry;

@@ -3,7 +3,7 @@
  * as a struct tilt, so the loops down the train need no trigonometry. */
 #pragma once
 
-#include "geometry/request.h"
+#include "numerics/interrupt.h"
 #include "numerics/real.h"
 
 struct tilt {
@@ -161,12 +161,8 @@ KERNEL real geometry_finest(const struct geometry *geometry)
     return theta_u > 0 && !(down > 0 && down < theta_u) ? theta_u : down;
 }
 
-/* Find the request for a train or a row, and check it (entry.c). Return an error if the precision does not
- * exist, or if the caller asks for something that came with a later version. */
-KERNEL enum dom_status train_request_of(const struct dom_train *train, const struct dom_compute *compute,
-                                        struct request *request);
-KERNEL enum dom_status row_request_of(const struct dom_row *row, const struct dom_compute *compute,
-                                      struct row_request *request);
+/* Checks the parameters of a train and of the computation (entry.c). */
+KERNEL enum dom_status train_check(const struct dom_train *train, const struct dom_compute *compute);
 
 /*
  * These two functions set up the geometry of a train, except for the law of motion (effects/effects.h).
@@ -174,7 +170,7 @@ KERNEL enum dom_status row_request_of(const struct dom_row *row, const struct do
  * checks the separation and the growth, and sets what depends on them, such as theta_c and theta_inf. It may
  * be called again with other values. Returns DOM_OUT_OF_REACH if r s is too large.
  */
-KERNEL struct geometry geometry_read(const struct request *train);
+KERNEL struct geometry geometry_read(const struct dom_train *train, const struct dom_compute *compute);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
 /* Sets gravity and gives the dominoes sharp edges. geometry->d must be set. */

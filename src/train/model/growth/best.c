@@ -282,10 +282,12 @@ static enum dom_status best_find(struct best *b)
     return c->status;
 }
 
-KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best)
+KERNEL enum dom_status limit_best(const struct dom_train *train, const struct dom_compute *compute, real near,
+                                  struct dom_best *best)
 {
-    struct margin_context c = margin_of_train(train);
+    struct margin_context c = margin_of_train(train, compute);
     struct best b = {.c = &c, .finer = 1};
+    c.near = near;
     limit_begin(&c);
     enum dom_status status = c.status == DOM_OK ? best_find(&b) : c.status;
     if (status == DOM_OK)

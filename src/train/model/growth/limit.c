@@ -111,11 +111,13 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     return status;
 }
 
-KERNEL enum dom_status limit_answer(const struct request *train, bool pair, struct dom_limit *limit)
+KERNEL enum dom_status limit_answer(const struct dom_train *train, const struct dom_compute *compute,
+                                    bool pair, real near, struct dom_limit *limit)
 {
-    struct margin_context c = pair ? margin_of_pair(train) : margin_of_train(train);
+    struct margin_context c = pair ? margin_of_pair(train, compute) : margin_of_train(train, compute);
     struct limit found;
     real uncertainty = REAL_NAN;
+    c.near = near;
     limit_begin(&c);
     enum dom_status status = c.status != DOM_OK ? c.status
                              : pair             ? pair_find(&c, &found)

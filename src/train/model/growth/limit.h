@@ -32,7 +32,7 @@ KERNEL real margin_share(const struct margin *m)
 }
 
 struct margin_context {
-    const struct request *train;
+    const struct dom_train *train;
     struct geometry geometry; /* geometry of the train; each margin sets s and r in a copy */
     size_t dominoes;          /* number of moving dominoes: CHAIN_ENDLESS, or 2 for a pair */
     real s;
@@ -58,8 +58,9 @@ struct margin_context {
 
 /* These functions return the contexts of the endless train, by equation (26; c8, corrected), and of the pair,
  * by equation (17; b13). */
-KERNEL struct margin_context margin_of_train(const struct request *train);
-KERNEL struct margin_context margin_of_pair(const struct request *train);
+KERNEL struct margin_context margin_of_train(const struct dom_train *train,
+                                             const struct dom_compute *compute);
+KERNEL struct margin_context margin_of_pair(const struct dom_train *train, const struct dom_compute *compute);
 
 /* Returns the margin at the growth r. K and B are computed to the tolerance geometry.tol. After an error,
  * returns NaN. `context` must point to a struct margin_context, which receives the status. */
@@ -130,9 +131,12 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 KERNEL enum dom_status limit_uncertainty(struct margin_context *c, const struct limit *limit,
                                          real *uncertainty);
 
-/* Find the answers of dom_limit_rmax, of dom_limit_pair if `pair` is true, and of dom_limit_best. */
-KERNEL enum dom_status limit_answer(const struct request *train, bool pair, struct dom_limit *limit);
-KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best);
+/* Find the answers of dom_limit_rmax, of dom_limit_pair if `pair` is true, and of dom_limit_best. `near` is
+ * r_max as double has found it, or 0. */
+KERNEL enum dom_status limit_answer(const struct dom_train *train, const struct dom_compute *compute,
+                                    bool pair, real near, struct dom_limit *limit);
+KERNEL enum dom_status limit_best(const struct dom_train *train, const struct dom_compute *compute, real near,
+                                  struct dom_best *best);
 
 /* Starts counting the work of a search. If the work exceeds the limit, the search ends with DOM_TOO_LONG. */
 KERNEL void limit_begin(struct margin_context *c);

@@ -84,22 +84,19 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     return margin_barrier(&two, c, m);
 }
 
-KERNEL struct margin_context margin_of_train(const struct request *train)
+KERNEL struct margin_context margin_of_train(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct margin_context c = {.train = train,
-                               .s = (real)train->s,
-                               .near = (real)train->near,
-                               .dominoes = CHAIN_ENDLESS,
-                               .margin = train_margin};
-    c.status = dynamics_read(train, &c.geometry);
+    struct margin_context c = {
+        .train = train, .s = (real)train->s, .dominoes = CHAIN_ENDLESS, .margin = train_margin};
+    c.status = dynamics_read(train, compute, &c.geometry);
     if (c.status == DOM_OK && train->fuel == DOM_FUEL_PAPER && !energy_paper_holds(&c.geometry))
         c.status = DOM_NO_METHOD;
     return c;
 }
 
-KERNEL struct margin_context margin_of_pair(const struct request *train)
+KERNEL struct margin_context margin_of_pair(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct margin_context c = margin_of_train(train);
+    struct margin_context c = margin_of_train(train, compute);
     /* the pair does not depend on the fuel formula */
     c.status = c.status == DOM_NO_METHOD ? DOM_OK : c.status;
     c.dominoes = 2;

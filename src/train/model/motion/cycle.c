@@ -11,13 +11,12 @@ static enum dom_status motion_begin(const struct dom_train *train, const struct 
 {
     struct segment *st = &m->segment;
     const struct launch *launch = &m->launch;
-    struct request request;
-    enum dom_status status = train_request_of(train, compute, &request);
-    *m = (struct motion){.launch.fuel = REAL_NAN};
-    request.tol = tol > 0 ? tol : request.tol;
-    m->tol = (real)request.tol;
+    struct dom_compute own = compute_or_default(compute);
+    enum dom_status status = train_check(train, compute);
+    own.tol = tol > 0 ? tol : own.tol;
+    *m = (struct motion){.launch.fuel = REAL_NAN, .tol = own.tol};
     if (status == DOM_OK)
-        status = dynamics_make(&request, &st->geometry);
+        status = dynamics_make(train, &own, &st->geometry);
     if (status == DOM_OK)
         status = dynamics_begin(&st->geometry);
     m->end = st->hi = tilt_angle(st->geometry.c);

@@ -20,3 +20,13 @@ typedef long double domq_real;
 #elif defined DOMQ
 #include "domq_names.h"
 #endif
+
+/* Returns true if a member is set that this version of the library does not have. */
+#define IS_NEWER(given)                                                                                      \
+    ((given)->later[0] != 0 || (given)->later[1] != 0 || (given)->later[2] != 0 || (given)->later[3] != 0)
+_Static_assert(DOM_LATER == 4, "IS_NEWER");
+
+static inline struct dom_compute compute_or_default(const struct dom_compute *compute)
+{
+    return compute ? *compute : dom_compute_default();
+}

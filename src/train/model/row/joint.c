@@ -9,25 +9,25 @@
 #include "row/row.h"
 #include <stdlib.h>
 
-KERNEL bool row_releases(const struct row_request *row)
+KERNEL bool row_releases(const struct dom_row *row)
 {
     return row->release > 0 && !isnan(row->push);
 }
 
-KERNEL real row_lean(const struct row_request *row, size_t k)
+KERNEL real row_lean(const struct dom_row *row, size_t k)
 {
     return k == 0 && row_releases(row) ? 0 : (real)row->domino[k].lean;
 }
 
 /* Returns the width of domino k divided by its height. */
-static real row_width(const struct row_request *row, size_t k)
+static real row_width(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
     return domino->width > 0 ? (real)(domino->width / domino->height) : (real)1 / 2;
 }
 
 /* Returns the thickness of domino k divided by its height. */
-static real row_thickness(const struct row_request *row, size_t k)
+static real row_thickness(const struct dom_row *row, size_t k)
 {
     return (real)(row->domino[k].thickness / row->domino[k].height);
 }
@@ -35,18 +35,18 @@ static real row_thickness(const struct row_request *row, size_t k)
 KERNEL real row_tau(const struct row *row, size_t k)
 {
     const struct geometry *self = &row->geometry[k];
-    return sqrt((real)row->request.domino[k].height / (3 * (real)row->request.g) * (1 + self->d * self->d) *
+    return sqrt((real)row->given.domino[k].height / (3 * (real)row->given.g) * (1 + self->d * self->d) *
                 self->inertia_factor);
 }
 
 KERNEL real row_unit(const struct row *row, size_t k)
 {
-    const struct dom_domino *self = &row->request.domino[k];
-    return (real)self->mass * (real)row->request.g * (real)self->height / 2;
+    const struct dom_domino *self = &row->given.domino[k];
+    return (real)self->mass * (real)row->given.g * (real)self->height / 2;
 }
 
 /* Sets the geometry of the contact between domino k and its follower k - 1. */
-static void joint_shape(const struct row_request *row, size_t k, struct geometry *geometry)
+static void joint_shape(const struct dom_row *row, size_t k, struct geometry *geometry)
 {
     const real height = (real)row->domino[k].height, previous = (real)row->domino[k - 1].height,
                gap = (real)row->domino[k].gap;
@@ -62,7 +62,7 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
 }
 
-static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
+static void joint_make(const struct dom_row *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
     joint_shape(row, k, geometry);
@@ -94,7 +94,7 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
 }
 
-KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt)
+KERNEL bool lean_touch(const struct dom_row *row, size_t k, struct contact *contact, struct tilt *tilt)
 {
     struct geometry next = {.d = row_thickness(row, k + 1), .lean = (real)row->domino[k + 1].lean};
     joint_shape(row, k + 1, &next);
@@ -106,7 +106,7 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
 
 /* Returns the tilt of domino k at which it hits the next domino, or at which it lies on the floor if it hits
  * nothing. */
-static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
+static struct tilt row_end(const struct dom_row *row, size_t k, const struct geometry *geometry)
 {
     const struct tilt lies = {1, 0, 1};
     const struct dom_domino *self = &row->domino[k], *next = self + 1;
@@ -121,29 +121,30 @@ static struct tilt row_end(const struct row_request *row, size_t k, const struct
     return lean_touch(row, k, &contact, &tilt) ? tilt : contact.arm > 0 ? geometry_rest(geometry) : lies;
 }
 
-KERNEL_SHARED enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row)
+KERNEL_SHARED enum dom_status row_geometry(struct row *row, size_t k)
 {
-    struct geometry *geometry = &row[k];
-    *geometry = (struct geometry){.tol = (real)request->tol,
-                                  .flow = row[0].flow,
-                                  .interrupt = request->interrupt,
-                                  .work = request->work,
-                                  .d = row_thickness(request, k),
-                                  .width = row_width(request, k),
+    const struct dom_row *given = &row->given;
+    struct geometry *geometry = &row->geometry[k];
+    *geometry = (struct geometry){.tol = (real)row->compute.tol,
+                                  .flow = row->geometry[0].flow,
+                                  .interrupt = row->compute.interrupt,
+                                  .work = row->compute.work,
+                                  .d = row_thickness(given, k),
+                                  .width = row_width(given, k),
                                   .inertia_factor = 1,
-                                  .lean = row_lean(request, k),
+                                  .lean = row_lean(given, k),
                                   .short_of = 1,
                                   .n = k + 1};
     geometry->steepest = hypot(1, geometry->d);
     geometry_gravity(geometry, 0, 1);
     dom_real effect[DOM_DYNAMICS_COUNT];
-    dynamics_of_domino(request, k, effect);
+    dynamics_of_domino(given, k, effect);
     enum dom_status status = dynamics_choose(effect, geometry);
-    geometry->c = row_end(request, k, geometry);
-    if (k == 0 && row_releases(request))
-        geometry->lean = fmin((real)request->release, tilt_angle(geometry->c));
+    geometry->c = row_end(given, k, geometry);
+    if (k == 0 && row_releases(given))
+        geometry->lean = fmin((real)given->release, tilt_angle(geometry->c));
     if (k > 0)
-        joint_make(request, k, &row[k - 1], geometry);
+        joint_make(given, k, geometry - 1, geometry);
     return status;
 }
 
@@ -155,12 +156,12 @@ static bool positive(dom_real value)
 
 /* Values that are computed from the sizes may underflow or overflow even if the sizes do not, so they are
  * checked, too. */
-KERNEL_SHARED enum dom_status row_domino_check(const struct row_request *row, size_t k)
+KERNEL_SHARED enum dom_status row_domino_check(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
     const real own = row_thickness(row, k);
     const real walls = walls_of_domino(row, k), thin = d->thickness / d->height;
-    const bool leans = row_lean(row, k) != 0, rounds = row->effect[DOM_EFFECT_edges] != 0;
+    const bool leans = row_lean(row, k) != 0, rounds = row->rho != 0;
     return !positive(d->height)                        ? DOM_BAD_HEIGHT
            : !positive(d->thickness) || !positive(own) ? DOM_BAD_THICKNESS
            : !positive(d->mass) || !positive((real)d->mass * (real)row->g * (real)d->height / 2)
@@ -171,21 +172,23 @@ KERNEL_SHARED enum dom_status row_domino_check(const struct row_request *row, si
            : walls != 0 && !walls_fit(own, walls)                        ? DOM_NO_ROOM
            : leans && edges_of_domino(row, k) != 0                       ? DOM_NO_LEAN
            /* a leaning domino with sharp edges must not tip over the front or back edge of its foot */
-           : leans && !(fabs(d->lean + row->effect[DOM_EFFECT_slope]) < atan(thin)) ? DOM_BAD_LEAN
-                                                                                    : DOM_OK;
+           : leans && !(fabs(d->lean + row->alpha) < atan(thin)) ? DOM_BAD_LEAN
+                                                                 : DOM_OK;
 }
 
 /* Checks the settings and all dominoes. If a domino is bad, sets *wrong to its number. */
-static enum dom_status row_check(const struct row_request *row, size_t *wrong)
+static enum dom_status row_check(const struct dom_row *row, const struct dom_compute *compute, size_t *wrong)
 {
-    enum dom_status status = !positive(row->g) ? DOM_BAD_G
-                             : !(row->tol >= dom_arithmetic()->tol_floor && (double)row->tol <= 0.1)
-                                 ? DOM_BAD_TOL
-                             : !isnan(row->push) && !(row->push >= 0 && isfinite(row->push)) ? DOM_BAD_PUSH
-                             : !(row->release >= 0)                                          ? DOM_BAD_RELEASE
-                                                    : dynamics_check(row->effect);
+#define ROW_VALUE(effect, member, status) row->member,
+    const dom_real effect[] = {DOM_DYNAMICS(ROW_VALUE)}, push = row->push, tol = compute->tol;
+#undef ROW_VALUE
+    enum dom_status status = !positive(row->g)                                             ? DOM_BAD_G
+                             : !(tol >= dom_arithmetic()->tol_floor && (double)tol <= 0.1) ? DOM_BAD_TOL
+                             : !isnan(push) && !(push >= 0 && isfinite(push))              ? DOM_BAD_PUSH
+                             : !(row->release >= 0)                                        ? DOM_BAD_RELEASE
+                                                    : dynamics_check(effect);
     for (size_t k = 0; status == DOM_OK && k < row->count; k++) {
-        if (k % CHECK_EVERY == 0 && dom_interrupted(row->interrupt))
+        if (k % CHECK_EVERY == 0 && dom_interrupted(compute->interrupt))
             return DOM_INTERRUPTED;
         status = row_domino_check(row, k);
         if (status != DOM_OK)
@@ -194,7 +197,7 @@ static enum dom_status row_check(const struct row_request *row, size_t *wrong)
     return status;
 }
 
-KERNEL bool row_repeats(const struct row_request *row, size_t k)
+KERNEL bool row_repeats(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *a = &row->domino[k], *b = a - 1;
     return a->height == b->height && a->thickness == b->thickness && a->gap == b->gap && a->mass == b->mass &&
@@ -203,15 +206,15 @@ KERNEL bool row_repeats(const struct row_request *row, size_t k)
 
 KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
 {
-    struct row_request *request = &row->request;
-    size_t count = request->count;
-    enum dom_status status = row_check(request, wrong);
-    while (status == DOM_OK && count > 1 && row_repeats(request, count - 1))
+    const struct dom_row *given = &row->given;
+    size_t count = given->count;
+    enum dom_status status = row_check(given, &row->compute, wrong);
+    while (status == DOM_OK && count > 1 && row_repeats(given, count - 1))
         count--;
     for (row->made = 0; row->made < count && status == DOM_OK; row->made++) {
-        if (row->made % CHECK_EVERY == 0 && dom_interrupted(request->interrupt))
+        if (row->made % CHECK_EVERY == 0 && dom_interrupted(row->compute.interrupt))
             return DOM_INTERRUPTED;
-        status = row_geometry(request, row->made, row->geometry);
+        status = row_geometry(row, row->made);
         if (status == DOM_OK && !row->geometry[0].flow) /* all joints share the memory of the law of motion */
             status = dynamics_begin(row->geometry);
     }
@@ -221,12 +224,15 @@ KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
 KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struct dom_compute *compute,
                                         struct row *row, size_t *wrong)
 {
-    *row = (struct row){.made = 0};
-    const enum dom_status status = row_request_of(given, compute, &row->request);
-    row->counted = row->request.work;
-    row->request.work = &row->work;
-    if (status != DOM_OK || given->count == 0)
-        return status == DOM_OK ? DOM_BAD_COUNT : status;
+    *row = (struct row){.given = *given, .compute = compute_or_default(compute)};
+    row->counted = row->compute.work;
+    row->compute.work = &row->work;
+    if (dom_arithmetic()->bits == 0)
+        return DOM_NO_PRECISION;
+    if (IS_NEWER(given) || IS_NEWER(&row->compute))
+        return DOM_NEWER;
+    if (given->count == 0)
+        return DOM_BAD_COUNT;
     row->geometry = malloc(given->count * sizeof *row->geometry);
     if (!row->geometry)
         return DOM_NO_MEMORY;

@@ -192,8 +192,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
 /* Returns how the fall ends when head k reaches the next domino, or DOM_ROW_FALLS if it goes on. */
 static enum dom_row_end hit_ends(const struct row *row, size_t k)
 {
-    const struct row_request *request = &row->request;
-    const struct dom_domino *self = &request->domino[k], *next = self + 1;
+    const struct dom_row *given = &row->given;
+    const struct dom_domino *self = &given->domino[k], *next = self + 1;
     const struct geometry *hits = &row->geometry[k];
     const real top = hits->rounded.rho + hits->rounded.tall * hits->c.y,
                flat = 1 - row->geometry[k + 1].rounded.rho;
@@ -202,13 +202,13 @@ static enum dom_row_end hit_ends(const struct row *row, size_t k)
     if (next->gap > hits->span * self->height * (1 + REACH_ROUNDED))
         return DOM_ROW_MISSES;
     /* the first domino would be inside the second one when it is released */
-    if (k == 0 && row_releases(request) && isfinite(request->release) &&
-        request->release > hits->lean * (1 + REACH_ROUNDED))
+    if (k == 0 && row_releases(given) && isfinite(given->release) &&
+        given->release > hits->lean * (1 + REACH_ROUNDED))
         return DOM_ROW_SKEWED;
-    if (row_lean(request, k) != 0 || next->lean != 0)
-        return !lean_touch(request, k, &contact, &tilt) ? DOM_ROW_SKEWED
-               : contact.arm > 1                        ? DOM_ROW_PASSES
-                                                        : DOM_ROW_FALLS;
+    if (row_lean(given, k) != 0 || next->lean != 0)
+        return !lean_touch(given, k, &contact, &tilt) ? DOM_ROW_SKEWED
+               : contact.arm > 1                      ? DOM_ROW_PASSES
+                                                      : DOM_ROW_FALLS;
     return self->height * top > flat * next->height ? DOM_ROW_PASSES : DOM_ROW_FALLS;
 }
 
@@ -239,7 +239,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
 
 KERNEL_SHARED struct run row_launch(struct row *row, const struct run_options *options)
 {
-    const real push = row->request.push, omega = isnan(push) ? 0 : push * row_tau(row, 0);
+    const real push = row->given.push, omega = isnan(push) ? 0 : push * row_tau(row, 0);
     return (struct run){.row = row,
                         .options = options,
                         .moving = 1,
@@ -269,10 +269,10 @@ static enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
     if (!ends)
         run->time += fall->duration;
     if (ends || d->least_force < 0)
-        v->end = d->least_force < 0                           ? DOM_ROW_PARTS
-                 : d->locks                                   ? DOM_ROW_LOCKS
-                 : k == 0 && row_releases(&run->row->request) ? DOM_ROW_BACK
-                                                              : DOM_ROW_STOPS;
+        v->end = d->least_force < 0                         ? DOM_ROW_PARTS
+                 : d->locks                                 ? DOM_ROW_LOCKS
+                 : k == 0 && row_releases(&run->row->given) ? DOM_ROW_BACK
+                                                            : DOM_ROW_STOPS;
     if (v->end == DOM_ROW_STOPS || v->end == DOM_ROW_BACK)
         v->short_by = -fall->margin;
     else if (fall->margin >= 0 && fall->kinetic > 0 && (v->weakest == 0 || spare < v->spare)) {
@@ -310,9 +310,9 @@ enum { STEADY_MORE = 2 };
  * advances the run and returns true. Otherwise returns false. */
 static bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall)
 {
-    const struct row_request *request = &run->row->request;
-    s->alike = k > 0 && row_repeats(request, k) ? s->alike + 1 : 1;
-    if (!s->found || s->alike == 1 || k + 1 == request->count || !row_repeats(request, k + 1))
+    const struct dom_row *given = &run->row->given;
+    s->alike = k > 0 && row_repeats(given, k) ? s->alike + 1 : 1;
+    if (!s->found || s->alike == 1 || k + 1 == given->count || !row_repeats(given, k + 1))
         return false;
     struct dom_fall *self = &s->fall;
     self->domino++;
@@ -333,9 +333,9 @@ static void steady_find(struct steady *s, const struct run *run, size_t k, const
     const real after = run->omegasq, lambda = d->st.gain * after / d->st.start.omegasq,
                left = fabs(after - before->omegasq) * lambda / (1 - lambda);
     const size_t more = run->moving - fall->moving;
-    const struct row_request *request = &run->row->request;
     s->found = !run->options->every && k > 0 && run->row->work.longest + STEADY_MORE <= s->alike &&
-               more <= 1 && more == s->more && lambda < 1 && left <= STEADY_SHARE * request->tol * after;
+               more <= 1 && more == s->more && lambda < 1 &&
+               left <= STEADY_SHARE * run->row->compute.tol * after;
     s->more = more;
     s->fall = *fall;
 }
@@ -355,7 +355,7 @@ static enum dom_status row_ready(struct row *row, size_t k, const struct steady 
         row->made = from + 1;
     }
     for (; row->made <= k && status == DOM_OK; row->made++)
-        status = row_geometry(&row->request, row->made, row->geometry);
+        status = row_geometry(row, row->made);
     return status;
 }
 
@@ -363,7 +363,7 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
 {
     struct row *row = run->row;
     const struct run_options *options = run->options;
-    const size_t count = row->request.count;
+    const size_t count = row->given.count;
     bool more = true;
     struct steady steady = {.found = false};
     for (; k < count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
@@ -372,7 +372,7 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
         struct dom_fall fall;
         const struct run before = *run;
         const bool last = k + 1 == count;
-        if (dom_interrupted(row->request.interrupt))
+        if (dom_interrupted(row->compute.interrupt))
             return DOM_INTERRUPTED;
         if (steady_repeats(&steady, run, k, &fall)) {
             more = !visit || visit(&fall, context);
@@ -384,8 +384,7 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
         if (status == DOM_OK && !passes && options->begins)
             options->begins(run, k);
         if (status == DOM_OK && !passes)
-            status =
-                k == 0 && isnan(row->request.push) ? tip_run(run, &d, &fall) : row_head(run, k, &d, &fall);
+            status = k == 0 && isnan(row->given.push) ? tip_run(run, &d, &fall) : row_head(run, k, &d, &fall);
         if (status != DOM_OK)
             return status;
         more = !visit || visit(&fall, context);

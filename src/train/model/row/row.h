@@ -16,7 +16,8 @@
 
 /* A row that has been checked, with the memory that its runs need. */
 struct row {
-    struct row_request request;
+    struct dom_row given;
+    struct dom_compute compute;
     /* geometry[k] describes domino k, both as a head and as the follower of domino k + 1 */
     struct geometry *geometry;
     /* number of elements of `geometry` that are filled in so far; a run fills in more when it needs them */
@@ -34,31 +35,31 @@ KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struc
                                         struct row *row, size_t *wrong);
 KERNEL_SHARED void row_free(struct row *row);
 
-/* Checks the row again after row->request has changed, and fills in its geometry. If the row ends with many
+/* Checks the row again after row->given has changed, and fills in its geometry. If the row ends with many
  * equal dominoes, leaves out all of them except the first. */
 KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong);
 
 /* Checks domino k, counted from 0. */
-KERNEL_SHARED enum dom_status row_domino_check(const struct row_request *row, size_t k);
+KERNEL_SHARED enum dom_status row_domino_check(const struct dom_row *row, size_t k);
 
-/* Fills in row[k], from row[k - 1] and from the law of motion in row[0]. */
-KERNEL_SHARED enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
+/* Fills in the geometry of domino k, from that of domino k - 1 and from the law of motion of domino 0. */
+KERNEL_SHARED enum dom_status row_geometry(struct row *row, size_t k);
 
 /* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */
-KERNEL bool row_repeats(const struct row_request *row, size_t k);
+KERNEL bool row_repeats(const struct dom_row *row, size_t k);
 
 /* Returns true if the first domino starts at a tilt that takes the place of its lean. */
-KERNEL bool row_releases(const struct row_request *row);
+KERNEL bool row_releases(const struct dom_row *row);
 
 /* Returns the lean of domino k, which is 0 for a first domino that is released. */
-KERNEL real row_lean(const struct row_request *row, size_t k);
+KERNEL real row_lean(const struct dom_row *row, size_t k);
 
 /*
  * Finds where domino k touches domino k + 1, if one of the two leans at the start. Sets *contact to their
  * contact, and *tilt to the tilt of domino k at that moment. Returns false if the edge of domino k misses the
  * back face of domino k + 1, or if the two dominoes already touch at the start.
  */
-KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
+KERNEL bool lean_touch(const struct dom_row *row, size_t k, struct contact *contact, struct tilt *tilt);
 
 /* ---- Runs (row.c) ---- */
 

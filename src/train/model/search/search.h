@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "geometry/request.h"
+#include "numerics/api.h"
 
 /* Tests a value. If a number is known that is positive where the test is true, negative where it is false,
  * and that changes smoothly near the edge, the test may write it to *spare. */
