@@ -17,60 +17,56 @@ static const struct column print_columns[] = {
 /* The unit into which 'print' converts a value. */
 struct conversion {
     struct quantity unit;
-    char name[48];
+    const char *name;
+    const char *at;
 };
 
 static bool conversion_parse(struct reader *r, struct question *q)
 {
-    struct item *item = &q->item[1];
-    if (!reader_takes(r, "to"))
-        return true; /* what is there is one argument too many */
-    *item = (struct item){.at = r->at};
-    offer_names(r, expression_units, NULL);
-    item->word = reader_ends(r) ? "" : read_word(r, WORD_BARE);
-    return item->word != NULL;
-}
-
-static bool conversion_bind(const struct question *question, const struct query *query,
-                            struct arguments *given, struct problem *problem)
-{
-    struct quantity *q = &given->quantity[0];
-    const char *name = question->item[1].word, *close = names_closest(expression_units, NULL, name);
-    struct conversion *c = arguments_take(given, sizeof *c, query, problem);
+    struct conversion *c = q->parsed = reader_memory(r, sizeof *c);
     if (!c)
         return false;
-    problem->place = given->column[1];
-    const bool percent = strcmp(name, "percent") == 0 || strcmp(name, "%") == 0;
+    if (!reader_takes(r, "to")) {
+        q->parsed = NULL;
+        return true; /* what is there is one argument too many */
+    }
+    reader_place(r, c->at = r->at);
+    offer_names(r, expression_units, NULL);
+    c->name = reader_ends(r) ? "" : read_word(r, WORD_BARE);
+    if (!c->name)
+        return false;
+    const bool percent = strcmp(c->name, "percent") == 0 || strcmp(c->name, "%") == 0;
     c->unit = (struct quantity){.value = percent ? (domq_real)1 / 100 : 1};
-    const char *end = percent ? "" : unit_scan(name, &c->unit);
-    snprintf(c->name, sizeof c->name, "%s", percent ? "%" : name);
-    if (!*name)
-        return problem_error(problem,
-                             "the unit after 'to' is missing; enter, for example, 'print 112 m to ft'");
-    if (!end || *end || strlen(name) >= sizeof c->name)
-        return problem_error(problem,
-                             close ? "'%s' is not a unit; did you mean '%s'?"
-                                   : "'%s' is not a unit; enter, for example, 'print 112 m to ft'",
-                             names_shown(name), close);
-    /* In '90 to rad', the plain number 90 is taken as an angle in the session's unit. */
-    if (quantity_is_number(*q) && quantity_alike(c->unit, (struct quantity){.angle = 1}))
-        *q = (struct quantity){
-            .value = query->state->settings.style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value,
-            .angle = 1};
-    return quantity_alike(*q, c->unit) ||
-           problem_error(problem, "the value is %s, but 1 %s is %s", expression_kind(*q), c->name,
-                         expression_kind(c->unit));
+    const char *close = names_closest(expression_units, NULL, c->name),
+               *end = percent ? "" : unit_scan(c->name, &c->unit);
+    c->name = percent ? "%" : c->name;
+    if (!end || *end)
+        return problem_error(r->problem,
+                             !*c->name ? "the unit after 'to' is missing; enter, for example, '%s'"
+                             : close   ? "'%s' is not a unit; did you mean '%s'?"
+                                       : "'%s' is not a unit; enter, for example, '%s'",
+                             !*c->name ? "print 112 m to ft" : names_shown(c->name),
+                             close ? close : "print 112 m to ft");
+    return true;
 }
 
 static bool run_print(const struct query *query, struct answer *a, struct problem *problem)
 {
-    (void)problem;
     struct quantity q = query->given->quantity[0];
     const struct conversion *to = query->given->bound;
+    const struct answer_style *style = &query->state->settings.style;
+    /* In '90 to rad', the plain number 90 is taken as an angle in the session's unit. */
+    if (to && quantity_is_number(q) && quantity_alike(to->unit, (struct quantity){.angle = 1}))
+        q = (struct quantity){.value = style->angle == ANGLE_DEG ? q.value * (QUAD_PI / 180) : q.value,
+                              .angle = 1};
+    if (to && !quantity_alike(q, to->unit)) {
+        problem->place = text_column(query->given->question->text, to->at);
+        return problem_error(problem, "the value is %s, but 1 %s is %s", expression_kind(q), to->name,
+                             expression_kind(to->unit));
+    }
     a->is_value = true;
     a->value = q;
     const bool is_angle = !to && quantity_is_dimensionless(q) && q.angle == 1;
-    const struct answer_style *style = &query->state->settings.style;
     const char *unit = to ? to->name : is_angle ? style_angle_unit(style) : expression_unit_text(q);
     q.value = to ? q.value / to->unit.value : is_angle ? style_angle(style, q.value) : q.value;
     int digits = (int)a->style.digits;
@@ -89,6 +85,7 @@ static bool run_print(const struct query *query, struct answer *a, struct proble
 /* A parsed definition of a variable or function. The body of a function is in the parser's arena. */
 struct definition {
     struct variable variable;
+    struct argument argument;
     struct item value;
 };
 
@@ -119,45 +116,32 @@ static bool definition_parse(struct reader *r, struct question *q)
         return problem_error(r->problem,
                              "the value of '%s' is missing; enter, for example, 'let %s = 0.9*rmax'", v->name,
                              v->name);
-    struct argument *a = reader_memory(r, sizeof *a);
-    if (!a)
-        return false;
-    *a = (struct argument){.name = v->name, .kind = ARGUMENT_ANY};
+    d->argument = (struct argument){.name = v->name, .kind = ARGUMENT_ANY};
     value = r->at;
     r->unresolved = v->count > 0; /* the names in a function are resolved when the function is called */
-    if (!item_parse(r, a, &d->value))
+    if (!item_parse(r, &d->argument, &d->value))
         return false;
     v->body = r->unresolved ? reader_copy(r, value, (size_t)(r->at - value)) : NULL;
     return v->body || !r->unresolved;
 }
 
-static bool definition_bind(const struct question *q, const struct query *query, struct arguments *given,
-                            struct problem *problem)
-{
-    const struct definition *d = q->parsed;
-    struct variable *v = arguments_take(given, sizeof *v, query, problem);
-    domq_real number;
-    if (!v)
-        return false;
-    *v = d->variable;
-    if (!v->body && !item_bind(&d->value, q->text, query, &v->value, &number, problem))
-        return false;
-    const int power[] = {v->value.length, v->value.time, v->value.angle, v->value.mass};
-    for (int i = 0; i < 4; i++)
-        if (abs(power[i]) > UNIT_POWER_MOST)
-            return problem_error(problem, "the unit of '%s' has an exponent above %d", v->name,
-                                 UNIT_POWER_MOST);
-    return true;
-}
-
 static bool run_let(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct variable *v = query->given->bound;
-    (void)a;
+    const struct definition *d = query->given->bound;
     struct variables *all = &query->next->variables;
-    if (!variable_find(all, v->name) && all->count == VARIABLES_MOST)
+    struct variable v = d->variable;
+    domq_real number;
+    (void)a;
+    if (!v.body && !item_bind(&d->value, query->given->question->text, query, &v.value, &number, problem))
+        return false;
+    const int power[] = {v.value.length, v.value.time, v.value.angle, v.value.mass};
+    for (int i = 0; i < 4; i++)
+        if (abs(power[i]) > UNIT_POWER_MOST)
+            return problem_error(problem, "the unit of '%s' has an exponent above %d", v.name,
+                                 UNIT_POWER_MOST);
+    if (!variable_find(all, v.name) && all->count == VARIABLES_MOST)
         return problem_error(problem, "there can be no more than %d variables", VARIABLES_MOST);
-    return variable_put(all, v) || query_status(query, problem, DOM_NO_MEMORY);
+    return variable_put(all, &v) || query_status(query, problem, DOM_NO_MEMORY);
 }
 
 const struct command value_commands[] = {
@@ -166,11 +150,7 @@ const struct command value_commands[] = {
          "calculate calculator convert unit units feet inch evaluate sum expression expressions function "
          "functions",
      .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY},
-                  {.name = "to U",
-                   .kind = ARGUMENT_UNIT,
-                   .optional = true,
-                   .parse = conversion_parse,
-                   .bind = conversion_bind}},
+                  {.name = "to U", .kind = ARGUMENT_UNIT, .optional = true, .parse = conversion_parse}},
      .summary = "the value of an expression, optionally in another unit",
      .help =
          "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
@@ -197,10 +177,7 @@ const struct command value_commands[] = {
      ANSWER(print)},
     {.name = "let",
      .synonyms = "variable define function assign name constant vars variables who",
-     .argument = {{.name = "NAME = VALUE",
-                   .kind = ARGUMENT_WORDS,
-                   .parse = definition_parse,
-                   .bind = definition_bind}},
+     .argument = {{.name = "NAME = VALUE", .kind = ARGUMENT_WORDS, .parse = definition_parse}},
      .summary = "give a value a name, or define a function",
      .help =
          "'let x = 0.9*rmax' stores the value that the expression has now, and every expression can use x."
