@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* domino: an interactive calculator for domino trains that grow. */
-#include "interpreter/command.h"
-#include "interpreter/interpret.h"
+#include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include "prompt/input.h"
+#include "session/session.h"
 #include <errno.h>
 #include <getopt.h>
 #include <signal.h>

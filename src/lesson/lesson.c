@@ -2,8 +2,7 @@
 /* The command 'lesson', which runs a script and shows its lines. At a terminal, it waits until the reader has
  * typed each command. If the command 'lesson' stands in a file, the script is the rest of that file.
  * Otherwise the script is the tutorial: the build copies examples/tutorial.dom into tutorial.h. */
-#include "interpreter/command.h"
-#include "interpreter/interpret.h"
+#include "interpreter/question.h"
 #include "io/escape.h"
 #include "io/io.h"
 #include "io/terminal.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
-#include "interpreter/command.h"
-#include "interpreter/interpret.h"
+#include "interpreter/question.h"
 #include "io/escape.h"
 #include "io/io.h"
+#include "session/session.h"
 #include <ctype.h>
 #include <signal.h>
 #include <stdint.h>

@@ -4,9 +4,9 @@
  * command. */
 #include "support.h"
 
-#include "interpreter/command.h"
-#include "interpreter/interpret.h"
+#include "interpreter/question.h"
 #include "prompt/input.h"
+#include "session/session.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,9 +7,9 @@
  */
 #include "support.h"
 
-#include "interpreter/command.h"
-#include "interpreter/interpret.h"
+#include "interpreter/question.h"
 #include "language/quad.h"
+#include "session/session.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -9,8 +9,7 @@
 #include "support.h"
 
 #include "domino_quad.h"
-#include "interpreter/command.h"
-#include "interpreter/interpret.h"
+#include "interpreter/question.h"
 #include "session/session.h"
 #include <fcntl.h>
 #include <stdio.h>

@@ -50,9 +50,9 @@ static const struct command version_commands[] = {
 extern const struct command session_commands[], value_commands[], script_commands[], help_commands[];
 
 static const struct command_group groups[] = {
-    {"The session", "settings", session_commands},       {"Values and names", "settings", value_commands},
-    {"Scripts", "scripts", script_commands}, {"Help", "scripts", help_commands},
-    {"This program", "scripts", version_commands},       {NULL, NULL, NULL},
+    {"The session", "settings", session_commands}, {"Values and names", "settings", value_commands},
+    {"Scripts", "scripts", script_commands},       {"Help", "scripts", help_commands},
+    {"This program", "scripts", version_commands}, {NULL, NULL, NULL},
 };
 
 const struct feature shell_feature = {.name = "shell", .groups = groups};

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands help, apropos, complete and details. */
 #define _GNU_SOURCE /* strcasestr */
-#include "interpreter/interpret.h"
 #include "interpreter/question.h"
 #include "io/terminal.h"
 #include "language/quad.h"

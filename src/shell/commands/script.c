@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands for scripts: source and echo. */
-#include "interpreter/interpret.h"
 #include "interpreter/question.h"
 #include "io/escape.h"
 #include "io/io.h"

@@ -118,11 +118,12 @@ static bool definition_parse(struct reader *r, struct question *q)
                              v->name);
     d->argument = (struct argument){.name = v->name, .kind = ARGUMENT_ANY};
     value = r->at;
-    r->unresolved = v->count > 0; /* the names in a function are resolved when the function is called */
+    if (v->count > 0)
+        r->names = NULL; /* the names in a function are resolved when the function is called */
     if (!item_parse(r, &d->argument, &d->value))
         return false;
-    v->body = r->unresolved ? reader_copy(r, value, (size_t)(r->at - value)) : NULL;
-    return v->body || !r->unresolved;
+    v->body = v->count > 0 ? reader_copy(r, value, (size_t)(r->at - value)) : NULL;
+    return v->body || v->count == 0;
 }
 
 static bool run_let(const struct query *query, struct answer *a, struct problem *problem)

@@ -42,36 +42,6 @@ bool name_free(struct problem *problem, const char *name)
 
 /* ---- Shorthands ---- */
 
-/* The name at the beginning of a line, and the command with this name. */
-struct head {
-    /* `next` points to the first character after the name and the blanks that follow it */
-    const char *begin, *end, *next;
-    char name[VARIABLE_NAME]; /* "" if the line does not begin with a name, or if the name is too long */
-    const struct command *command;
-    bool is_alone; /* the name is the whole command */
-};
-
-/* Returns true if the line is meant as an expression, even one with errors. */
-static bool is_expression(const struct state *state, const struct head *h, bool is_variable)
-{
-    const char *c = h->begin, *end, *name;
-    struct quantity value;
-    int fewest;
-    if (h->end == c)
-        return *c && (isdigit((unsigned char)*c) || strchr("(.+-", *c));
-    if (!isspace((unsigned char)*h->end) && !command_ends(h->end) && *h->end != '>')
-        return strchr("(*/^+-.", *h->end) != NULL;
-    if (h->command)
-        return command_arity(h->command, &fewest) >= 0 && goes_on(h->next);
-    if (strcmp(h->name, "not") == 0)
-        return h->next > h->end;
-    if (!is_variable && feature_value(h->begin, &name, &end, &value)) {
-        end = skip_blanks(end);
-        return command_ends(end) || *end == '>' || goes_on(end);
-    }
-    return is_value_name(state, h->name) && ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
-}
-
 /* Returns the command that the line "NAME = VALUE" stands for. This command is 'set' if NAME is a parameter,
  * and 'let' if it is a variable. If NAME is unknown, reports a problem and returns NULL. */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
@@ -81,10 +51,9 @@ static const struct command *assignment_read(struct reader *r, const struct vari
         return command_find("set");
     if (variable_find(&r->query->state->variables, v->name))
         return command_find("let");
-    if (!name_free(r->problem, v->name))
-        return NULL;
-    problem_error(r->problem, "'%s' is not a parameter; 'let %s%s = VALUE' defines a %s", v->name, v->name,
-                  v->count ? "(...)" : "", v->count ? "function" : "variable");
+    if (name_free(r->problem, v->name))
+        problem_error(r->problem, "'%s' is not a parameter; 'let %s%s = VALUE' defines a %s", v->name,
+                      v->name, v->count ? "(...)" : "", v->count ? "function" : "variable");
     return NULL;
 }
 
@@ -93,33 +62,48 @@ static const struct command *assignment_read(struct reader *r, const struct vari
  * after an error. */
 static const struct command *shorthand_read(struct reader *r)
 {
-    struct head h = {.begin = r->at};
+    const char *begin = r->at, *end = begin + (name_start(*begin) ? name_length(begin) : 0),
+               *next = skip_blanks(end), *value_end, *value_name;
+    const struct command *print = command_find("print");
     struct variable v;
-    h.end = h.begin + (name_start(*h.begin) ? name_length(h.begin) : 0);
-    h.next = skip_blanks(h.end);
-    if (!name_copy(h.begin, (size_t)(h.end - h.begin), h.name, sizeof h.name))
-        *h.name = '\0';
-    h.command = command_find(h.name);
-    h.is_alone = h.end > h.begin && (command_ends(h.next) || *h.next == '>');
+    struct quantity value;
+    char name[VARIABLE_NAME];
+    int fewest;
+    if (!name_copy(begin, (size_t)(end - begin), name, sizeof name))
+        *name = '\0';
+    const struct command *command = command_find(name);
+    const bool is_alone = end > begin && (command_ends(next) || *next == '>');
     /* Most lines of a script consist of a command and a number, so they skip the tests for shorthands. */
-    const bool is_called = h.command && h.command->is_print && *h.end == '('; /* as in "print(2)" */
-    if (is_called || (h.command && h.next > h.end && isdigit((unsigned char)*h.next))) {
-        reader_place(r, h.begin);
-        r->at = h.end;
-        return h.command;
+    const bool is_called = command == print && *end == '('; /* as in "print(2)" */
+    if (command && (is_called || (next > end && isdigit((unsigned char)*next)))) {
+        reader_place(r, begin);
+        r->at = end;
+        return command;
     }
-    if (h.end > h.begin && *h.next == '?' && command_ends(skip_blanks(h.next + strspn(h.next, "?"))))
+    if (end == begin) /* an expression, perhaps one with errors */
+        return isdigit((unsigned char)*begin) || (*begin && strchr("(.+-", *begin)) ? print : NULL;
+    if (*next == '?' && command_ends(skip_blanks(next + strspn(next, "?"))))
         return command_find("help");
-    if (definition_head(h.begin, &v))
+    if (definition_head(begin, &v))
         return assignment_read(r, &v);
-    if (h.end > h.begin && strncmp(h.next, "==", 2) == 0)
-        return command_find("print");
-    const struct variable *variable = *h.name ? variable_find(&r->query->state->variables, h.name) : NULL;
-    if (h.is_alone && variable && variable->body)
+    if (strncmp(next, "==", 2) == 0 || (end == next && *end && strchr("(*/^+-.", *end)))
+        return print;
+    if (end == next && !is_alone)
+        return NULL;
+    if (command)
+        return command_arity(command, &fewest) >= 0 && goes_on(next) ? print : NULL;
+    if (strcmp(name, "not") == 0)
+        return next > end ? print : NULL;
+    const struct variable *variable = variable_find(&r->query->state->variables, name);
+    if (is_alone && variable && variable->body)
         return command_find("show");
-    if (is_expression(r->query->state, &h, variable != NULL))
-        return command_find("print");
-    return h.is_alone && !h.command && parameter_find(h.name) ? command_find("show") : NULL;
+    if (!variable && feature_value(begin, &value_name, &value_end, &value))
+        next = skip_blanks(value_end);
+    const bool has_value = next > skip_blanks(end) || is_value_name(r->query->state, name),
+               ends = command_ends(next) || *next == '>';
+    return has_value && (goes_on(next) || (ends && !parameter_find(name))) ? print
+           : is_alone && parameter_find(name)                              ? command_find("show")
+                                                                           : NULL;
 }
 
 /* ---- Names of commands ---- */

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE /* asprintf */
-#include "interpreter/interpret.h"
 #include "answer/answer.h"
+#include "interpreter/question.h"
 #include "io/io.h"
 #include "io/output.h"
 #include "io/terminal.h"
 #include "session/row.h"
+#include "session/session.h"
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -256,7 +257,7 @@ static void run_command_at(struct session *session, struct reader *line)
 static void run_commands(struct session *session, const struct text *text)
 {
     struct arena arena = {.block = NULL};
-    struct reader r = {.text = text, .at = text->line, .arena = &arena};
+    struct reader r = {.text = text, .at = text->line, .arena = &arena, .names = name_resolve};
     for (;;) {
         long errors = session->errors;
         const char *begin = skip_blanks(r.at), *end = text_end(begin, ";");
@@ -387,6 +388,7 @@ bool line_preview(struct session *session, const char *line, size_t length, cons
         end = text_end(begin, ";");
         problem_begin(&problem, NULL);
         question.command = NULL;
+        r.names = offer ? NULL : name_resolve; /* completion reads on after a name that is not known */
         const bool is_whole = begin == end || command_parse(&r, &question);
         const int behind = text_column(&text, text.line + strlen(text.line));
         good = is_whole || (question.command && problem.column >= behind);

@@ -71,8 +71,6 @@ bool item_parse_expression(struct reader *r, const struct argument *a, struct it
     const char *begin = r->at;
     domq_real number;
     *item = (struct item){.argument = a, .at = begin};
-    /* completion must read on after a name that is not known */
-    r->names = r->unresolved || r->offer ? NULL : name_resolve;
     item->value = expression_parse(r);
     const char *end = r->at;
     r->at = begin;
@@ -83,7 +81,7 @@ bool item_parse_expression(struct reader *r, const struct argument *a, struct it
     if (!end_check(r, a->name, end))
         return false;
     r->at = end;
-    return !r->evaluates || r->unresolved || item_bind(item, r->text, r->query, NULL, &number, r->problem);
+    return !r->evaluates || !r->names || item_bind(item, r->text, r->query, NULL, &number, r->problem);
 }
 
 /* ---- Words ---- */
@@ -217,35 +215,4 @@ bool item_parse_listed(struct reader *r, const struct parameter *p, struct item 
     if (good && p->effect && !item->value && item->number == EFFECT_ON)
         item->number = p->value->usual;
     return good;
-}
-
-const struct assignment *assignments_parse(struct reader *r)
-{
-    static const char form[] = "'with' takes parameters and effects, as in 'rmax with q hollow d 0.1'";
-    const struct assignment *first = NULL, **last = &first;
-    for (int count = 0; !reader_ends(r); count++) {
-        const struct parameter *p = parameter_parse(r, form);
-        struct assignment *a = p ? reader_memory(r, sizeof *a) : NULL;
-        if (p && count == ASSIGNED_MAX)
-            problem_error(r->problem, "'with' takes at most %d parameters", ASSIGNED_MAX);
-        if (!a || count == ASSIGNED_MAX)
-            return NULL;
-        r->at = skip_blanks(r->at);
-        r->at = skip_blanks(r->at + (*r->at == '='));
-        reader_place(r, r->at);
-        if (reader_ends(r)) {
-            problem_error(r->problem, "the value of %s after 'with' is missing; %s", p->name, form);
-            return NULL;
-        }
-        a->parameter = p;
-        if (!item_parse_listed(r, p, &a->item))
-            return NULL;
-        *last = a;
-        last = &a->next;
-    }
-    if (!first) {
-        reader_place(r, r->at);
-        problem_error(r->problem, "%s", form);
-    }
-    return first;
 }

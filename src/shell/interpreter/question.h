@@ -169,13 +169,12 @@ struct reader {
     int depth;         /* the level of the next value, counted up to NESTING_MOST */
     int nested, nodes; /* the numbers of open parentheses, and of nodes in the command */
     /* Resolves a name whose arguments have been parsed. On failure, sets the problem and returns false. If
-     * the pointer is NULL, names stay as they are. */
+     * the pointer is NULL, names stay as they are, as in the definition of a function. */
     bool (*names)(struct reader *reader, struct tree *name);
     const struct scope *scope; /* NULL outside the bodies of functions */
-    bool unresolved;     /* names in expressions are left unresolved, as in the definition of a function */
-    bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
-    bool details;        /* the word 'details' may end the command */
-    struct offer *offer; /* records what may be typed; NULL unless the line is only previewed */
+    bool evaluates;            /* each value is computed and checked as soon as it has been parsed */
+    bool details;              /* the word 'details' may end the command */
+    struct offer *offer;       /* records what may be typed; NULL unless the line is only previewed */
 };
 
 /* Returns the offer in which to record what may be typed, or NULL if the reader is not at the cursor. A '"'
@@ -259,13 +258,6 @@ struct item {
     const char *at;   /* the position of the value in the line; may be NULL */
 };
 
-/* One "NAME VALUE" pair after 'with', as an element of a linked list. */
-struct assignment {
-    const struct parameter *parameter;
-    struct item item;
-    const struct assignment *next;
-};
-
 /* Parses a value of an argument: an expression, or one of the words that the argument takes. The item keeps a
  * pointer to the argument. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
@@ -283,9 +275,6 @@ bool item_parse_listed(struct reader *reader, const struct parameter *parameter,
 /* Parses the name of a parameter of the model or of an effect. If the next word is not a name at all, the
  * error message ends with the text `form`, which shows what the command expects. */
 const struct parameter *parameter_parse(struct reader *reader, const char *form);
-
-/* Parses "NAME VALUE NAME VALUE ..." after 'with'. */
-const struct assignment *assignments_parse(struct reader *reader);
 
 /* Computes and checks the value of an item. Stores the value in *number. If `quantity` is not NULL, also
  * stores the value with its unit in *quantity. A problem says at which column of the line `text` the value
@@ -310,8 +299,12 @@ struct question {
     const struct parameter *parameter; /* the one that an ARGUMENT_PARAMETER names, or NULL */
     const struct variable *variable;   /* the one that the name of a parameter stands for, or NULL */
     void *parsed;                      /* the result of argument.parse */
-    const struct assignment *with;     /* the assignments after 'with', or NULL */
-    bool details;                      /* the command ends with the word 'details' */
+    struct {
+        const struct parameter *parameter;
+        struct item item;
+    } with[ASSIGNED_MAX]; /* the pairs "NAME VALUE" after 'with' */
+    int assigned;         /* the number of these pairs */
+    bool details;         /* the command ends with the word 'details' */
     const struct text *text;
     const char *name; /* the text from question_name, for messages and headings */
 };
@@ -342,3 +335,26 @@ void *arguments_take(struct arguments *given, size_t size, const struct query *q
  * only answers whose verdict is yes. */
 bool command_answer(const struct command *command, const struct query *query, struct answer *answer,
                     struct problem *problem);
+
+/* ---- Lines (interpret.c) ---- */
+
+/* Runs the commands in a string of one or more lines. ';' separates commands, and '#' begins a comment. After
+ * a command, '> NAME' writes the answer to a file, and '>> NAME' appends the answer to a file. */
+void command_run_text(struct session *session, const char *text);
+
+/* Runs the commands of a stream line by line. `name` is the name of the stream in error messages. */
+void line_stream(struct session *session, FILE *in, const char *name);
+
+/* ---- A line that is being typed, for completion. No command is run. ---- */
+
+/* The character that marks the cursor. No name, value or operator contains this character. */
+#define PREVIEW_CURSOR "\001"
+
+/*
+ * Parses a line that is not complete yet, and returns true if its last command is right so far. The line
+ * consists of `length` bytes of the text `line`, followed by the text `tail`. If `offer` is NULL, also
+ * computes and checks the values in the line. If `offer` is not NULL and `tail` ends with PREVIEW_CURSOR,
+ * stores in *offer what may be typed at the cursor.
+ */
+bool line_preview(struct session *session, const char *line, size_t length, const char *tail,
+                  struct offer *offer);

@@ -133,6 +133,29 @@ static bool end_check(struct reader *r, const struct question *q)
     return too_many(r, q, word ? word : "", "", command_usage(q->command));
 }
 
+/* Parses "NAME VALUE NAME VALUE ..." after 'with'. */
+static bool with_parse(struct reader *r, struct question *q)
+{
+    static const char form[] = "'with' takes parameters and effects, as in 'rmax with q hollow d 0.1'";
+    while (!reader_ends(r)) {
+        const struct parameter *p = parameter_parse(r, form);
+        if (!p)
+            return false;
+        if (q->assigned == ASSIGNED_MAX)
+            return problem_error(r->problem, "'with' takes at most %d parameters", ASSIGNED_MAX);
+        r->at = skip_blanks(r->at);
+        r->at = skip_blanks(r->at + (*r->at == '='));
+        reader_place(r, r->at);
+        if (reader_ends(r))
+            return problem_error(r->problem, "the value of %s after 'with' is missing; %s", p->name, form);
+        q->with[q->assigned].parameter = p;
+        if (!item_parse_listed(r, p, &q->with[q->assigned++].item))
+            return false;
+    }
+    reader_place(r, r->at);
+    return q->assigned > 0 || problem_error(r->problem, "%s", form);
+}
+
 static bool arguments_parse(struct reader *r, struct question *q)
 {
     const struct command *c = q->command;
@@ -167,8 +190,7 @@ static bool arguments_parse(struct reader *r, struct question *q)
             r->problem, "'with' can only follow a command that computes an answer, such as 'rmax'; '%s' %s",
             c->name, c->access.changes ? "changes something" : "gives no numbers");
     reader_takes(r, "with");
-    q->with = assignments_parse(r);
-    return q->with && end_check(r, q);
+    return with_parse(r, q) && end_check(r, q);
 }
 
 /* ---- Questions ---- */
@@ -187,7 +209,6 @@ bool question_parse(struct reader *r, struct question *q)
 bool command_parse(struct reader *r, struct question *q)
 {
     r->stops = r->no_unit = NULL;
-    r->unresolved = false;
     *q = (struct question){.key = -1, .command = command_read(r)};
     if (!q->command)
         return false;
@@ -212,19 +233,18 @@ bool question_bind(const struct question *q, const struct query *query, struct c
                    struct problem *problem)
 {
     struct assigned assigned[ASSIGNED_MAX];
-    int count = 0;
     call->given = (struct arguments){.count = q->count, .bound = q->parsed, .question = q};
     call->query = *query;
     if (!command_allowed(query->run_context, q->command, problem))
         return false;
-    for (const struct assignment *with = q->with; with; with = with->next) {
+    for (int i = 0; i < q->assigned; i++) {
         struct quantity typed;
-        assigned[count] = (struct assigned){.parameter = with->parameter};
-        if (!item_bind(&with->item, q->text, query, &typed, &assigned[count].value, problem))
+        assigned[i] = (struct assigned){.parameter = q->with[i].parameter};
+        if (!item_bind(&q->with[i].item, q->text, query, &typed, &assigned[i].value, problem))
             return false;
-        assigned[count++].length = share_length(with->parameter, &typed);
+        assigned[i].length = share_length(q->with[i].parameter, &typed);
     }
-    if (count > 0 && !query_with(query, assigned, count, &call->state, &call->query, problem))
+    if (q->assigned > 0 && !query_with(query, assigned, q->assigned, &call->state, &call->query, problem))
         return false;
     call->query.given = &call->given;
     for (int i = 0; i < q->count; i++) {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Completion. The parser reports what may follow at the cursor, and also decides whether a candidate is
  * valid. */
-#include "interpreter/command.h"
-#include "interpreter/interpret.h"
+#include "interpreter/question.h"
 #include "io/escape.h"
 #include "prompt/input.h"
+#include "session/session.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>

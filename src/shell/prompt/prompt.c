@@ -3,12 +3,12 @@
  * restores the terminal, and sends the signal again to the handlers of main.c or of the system. While a
  * command runs, the terminal has its usual modes. */
 #define _GNU_SOURCE /* asprintf */
-#include "interpreter/command.h"
-#include "interpreter/interpret.h"
+#include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include "language/text.h"
 #include "prompt/input.h"
+#include "session/session.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
