@@ -57,6 +57,11 @@ static const struct command *assignment_read(struct reader *r, const struct vari
     return NULL;
 }
 
+static const struct command *print_if(bool is_expression)
+{
+    return is_expression ? command_find("print") : NULL;
+}
+
 /* If the line is a shorthand, returns the command that it stands for, such as 'print' for "2+3". If the line
  * is a command with a number, such as 'rmax 0.4', returns this command. Returns NULL for other lines and
  * after an error. */
@@ -64,7 +69,6 @@ static const struct command *shorthand_read(struct reader *r)
 {
     const char *begin = r->at, *end = begin + (name_start(*begin) ? name_length(begin) : 0),
                *next = skip_blanks(end), *value_end, *value_name;
-    const struct command *print = command_find("print");
     struct variable v;
     struct quantity value;
     char name[VARIABLE_NAME];
@@ -74,36 +78,33 @@ static const struct command *shorthand_read(struct reader *r)
     const struct command *command = command_find(name);
     const bool is_alone = end > begin && (command_ends(next) || *next == '>');
     /* Most lines of a script consist of a command and a number, so they skip the tests for shorthands. */
-    const bool is_called = command == print && *end == '('; /* as in "print(2)" */
-    if (command && (is_called || (next > end && isdigit((unsigned char)*next)))) {
+    const bool is_called = command && command->is_print && *end == '('; /* as in "print(2)" */
+    if (is_called || (command && next > end && isdigit((unsigned char)*next))) {
         reader_place(r, begin);
         r->at = end;
         return command;
     }
     if (end == begin) /* an expression, perhaps one with errors */
-        return isdigit((unsigned char)*begin) || (*begin && strchr("(.+-", *begin)) ? print : NULL;
+        return print_if(isdigit((unsigned char)*begin) || (*begin && strchr("(.+-", *begin)));
     if (*next == '?' && command_ends(skip_blanks(next + strspn(next, "?"))))
         return command_find("help");
     if (definition_head(begin, &v))
         return assignment_read(r, &v);
-    if (strncmp(next, "==", 2) == 0 || (end == next && *end && strchr("(*/^+-.", *end)))
-        return print;
-    if (end == next && !is_alone)
-        return NULL;
+    if (strncmp(next, "==", 2) == 0 || (end == next && !is_alone))
+        return print_if(*next == '=' || strchr("(*/^+-.", *end));
     if (command)
-        return command_arity(command, &fewest) >= 0 && goes_on(next) ? print : NULL;
+        return print_if(command_arity(command, &fewest) >= 0 && goes_on(next));
     if (strcmp(name, "not") == 0)
-        return next > end ? print : NULL;
+        return print_if(next > end);
     const struct variable *variable = variable_find(&r->query->state->variables, name);
     if (is_alone && variable && variable->body)
         return command_find("show");
     if (!variable && feature_value(begin, &value_name, &value_end, &value))
         next = skip_blanks(value_end);
     const bool has_value = next > skip_blanks(end) || is_value_name(r->query->state, name),
-               ends = command_ends(next) || *next == '>';
-    return has_value && (goes_on(next) || (ends && !parameter_find(name))) ? print
-           : is_alone && parameter_find(name)                              ? command_find("show")
-                                                                           : NULL;
+               ends = command_ends(next) || *next == '>', is_parameter = parameter_find(name) != NULL;
+    return is_alone && is_parameter ? command_find("show")
+                                    : print_if(has_value && (goes_on(next) || (ends && !is_parameter)));
 }
 
 /* ---- Names of commands ---- */

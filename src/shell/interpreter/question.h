@@ -299,12 +299,12 @@ struct question {
     const struct parameter *parameter; /* the one that an ARGUMENT_PARAMETER names, or NULL */
     const struct variable *variable;   /* the one that the name of a parameter stands for, or NULL */
     void *parsed;                      /* the result of argument.parse */
-    struct {
+    struct assignment {
         const struct parameter *parameter;
         struct item item;
-    } with[ASSIGNED_MAX]; /* the pairs "NAME VALUE" after 'with' */
-    int assigned;         /* the number of these pairs */
-    bool details;         /* the command ends with the word 'details' */
+    } * with;     /* the pairs "NAME VALUE" after 'with', up to ASSIGNED_MAX */
+    int assigned; /* the number of these pairs */
+    bool details; /* the command ends with the word 'details' */
     const struct text *text;
     const char *name; /* the text from question_name, for messages and headings */
 };

@@ -137,7 +137,8 @@ static bool end_check(struct reader *r, const struct question *q)
 static bool with_parse(struct reader *r, struct question *q)
 {
     static const char form[] = "'with' takes parameters and effects, as in 'rmax with q hollow d 0.1'";
-    while (!reader_ends(r)) {
+    q->with = reader_memory(r, ASSIGNED_MAX * sizeof *q->with);
+    while (q->with && !reader_ends(r)) {
         const struct parameter *p = parameter_parse(r, form);
         if (!p)
             return false;
@@ -153,7 +154,7 @@ static bool with_parse(struct reader *r, struct question *q)
             return false;
     }
     reader_place(r, r->at);
-    return q->assigned > 0 || problem_error(r->problem, "%s", form);
+    return q->assigned > 0 || (q->with && problem_error(r->problem, "%s", form));
 }
 
 static bool arguments_parse(struct reader *r, struct question *q)
