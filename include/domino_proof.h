@@ -40,12 +40,6 @@ enum dom_proof_gap {
 /* Returns the meaning of a gap: one line without a full stop. */
 const char *dom_proof_gap_text(enum dom_proof_gap gap);
 
-/* The work that a proof took. */
-struct dom_proof_work {
-    size_t boxes;  /* number of rectangles of tilt and growth that were examined */
-    size_t chains; /* number of passes down the chain of dominoes */
-};
-
 /* What is proved about the largest growth. */
 enum dom_proof_end {
     DOM_PROVED_BARRIER, /* the train keeps falling at growths from `from` to `low` and stops at `high` */
@@ -66,7 +60,6 @@ struct dom_proof {
     double high;  /* r_max <= high; infinite if no bound is proved */
     int decimals; /* with DOM_PROVED_BARRIER, the number of decimal places of `low` and `high` */
     enum dom_proof_gap gap;
-    struct dom_proof_work work;
 };
 
 /*
@@ -99,7 +92,6 @@ struct dom_proof_cycle {
     enum dom_proof_verdict verdict;
     struct dom_interval kinetic, barrier, margin; /* as in struct dom_barrier; NaN if nothing is proved */
     enum dom_proof_gap gap;
-    struct dom_proof_work work;
 };
 
 /* Proves whether a train keeps falling at the growth train->r. The proof also holds for all other growths

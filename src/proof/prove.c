@@ -22,8 +22,6 @@ static const struct column prove_columns[] = {
     {"low", "", "proved lower bound on the answer", 0},
     {"high", "", "proved upper bound on the answer", 0},
     {"result", "", "the result of the proof", 12},
-    {"boxes", "", "number of boxes in the proof, each of which is a range of tilts and growths", 9},
-    {"chains", "", "number of passes along the train in the proof", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -47,11 +45,9 @@ static struct cell cell_proved(double value, int decimals)
 }
 
 static void prove_row(struct answer *a, double s, enum what what, struct cell low, struct cell high,
-                      const char *result, struct dom_proof_work work, const char *reason)
+                      const char *result, const char *reason)
 {
-    answer_row(a,
-               ROW(cell_real(s), cell_word(prove_names(NULL, (int)what)), low, high, cell_word(result),
-                   cell_count((domq_real)work.boxes), cell_count((domq_real)work.chains)),
+    answer_row(a, ROW(cell_real(s), cell_word(prove_names(NULL, (int)what)), low, high, cell_word(result)),
                reason);
 }
 
@@ -104,7 +100,7 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
     answer_set_verdict(a, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
     prove_row(a, s, what, cell_proved(proof.low, decimals),
               cell_proved(proof.ends == DOM_PROVED_NONE ? DOM_NAN : proof.high, decimals), result[proof.ends],
-              proof.work, gap_reason(proof.gap, reason));
+              gap_reason(proof.gap, reason));
     say_limit(a, &proof, what == PROVE_PAIR);
     return true;
 }
@@ -141,7 +137,7 @@ static bool prove_cycle(const struct query *query, struct answer *a, struct prob
     struct dom_interval range = what == PROVE_BARRIER ? proof.barrier : proof.margin;
     answer_set_verdict(a, proof.verdict == DOM_PROVED_GOES_ON);
     prove_row(a, train.s, what, cell_proved(range.low, 0), cell_proved(range.high, 0),
-              cycle_verdicts[proof.verdict].result, proof.work, gap_reason(proof.gap, reason));
+              cycle_verdicts[proof.verdict].result, gap_reason(proof.gap, reason));
     if (what == PROVE_BARRIER && isfinite(range.high))
         answer_say(a, "Proved: the barrier is between these two bounds, in units of the head's m g h/2.");
     say_cycle(query, a, &proof);
@@ -173,7 +169,6 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
               : !goes_on                                       ? "does not"
               : start.falls                                    ? "goes on"
                                                                : "no start",
-              proof.work,
               !is_known
                   ? "not proved: there are too many dominoes, or the last digit of a height or of r matters"
               : !is_enough ? "with r = 1 all dominoes are equally tall, so none of them reaches this height"

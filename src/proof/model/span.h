@@ -33,6 +33,10 @@ _Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to d
 #define PROOF_BOUND(name, right, wrong) (right)
 #endif
 
+/* Marks functions that are always inlined, since a call would cost as much as the arithmetic, and since a
+ * caller may need only one bound. */
+#define SPAN static inline __attribute__((always_inline))
+
 /* The real numbers from lo to hi. If a bound is infinite, all real numbers on that side belong to the
  * interval, but infinity does not. */
 struct span {
@@ -44,13 +48,13 @@ struct span {
  * number that rounds to z, and down(z) returns a double at or below them all. The term DBL_MIN is needed if z
  * is so small that it has lost digits (underflow). Numbers that round to -infinity are at most -DBL_MAX.
  */
-static inline double up(double z)
+SPAN double up(double z)
 {
     return PROOF_BOUND(ROUND_UP, z < -DBL_MAX ? -DBL_MAX : z + (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN),
                        z);
 }
 
-static inline double down(double z)
+SPAN double down(double z)
 {
     return PROOF_BOUND(ROUND_DOWN, z > DBL_MAX ? DBL_MAX : z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN),
                        z);
@@ -61,22 +65,22 @@ static inline double down(double z)
  * negative lower bound to 0. If a number is known to be <= 1, most_1 reduces an upper bound above 1 to 1. For
  * a NaN, least_0 returns 0, and most_1 returns 1.
  */
-static inline double least_0(double lo)
+SPAN double least_0(double lo)
 {
     return lo > 0 ? lo : 0;
 }
 
-static inline double most_1(double hi)
+SPAN double most_1(double hi)
 {
     return hi < 1 ? hi : 1;
 }
 
-static inline double smaller(double a, double b)
+SPAN double smaller(double a, double b)
 {
     return a < b ? a : b;
 }
 
-static inline double larger(double a, double b)
+SPAN double larger(double a, double b)
 {
     return a > b ? a : b;
 }
@@ -92,12 +96,12 @@ static inline struct span span_around(double x)
     return (struct span){down(x), up(x)};
 }
 
-static inline struct span span_add(struct span a, struct span b)
+SPAN struct span span_add(struct span a, struct span b)
 {
     return (struct span){down(a.lo + b.lo), up(a.hi + b.hi)};
 }
 
-static inline struct span span_sub(struct span a, struct span b)
+SPAN struct span span_sub(struct span a, struct span b)
 {
     return (struct span){down(a.lo - b.hi), up(a.hi - b.lo)};
 }
@@ -110,44 +114,38 @@ static inline struct span span_negate(struct span a)
 /* The product and the quotient of two bounds. 0 times an infinite bound is 0, since the bound stands for real
  * numbers; so is 0 divided by a bound. `over` is for b >= 0, where a zero of either sign stands for the
  * positive numbers near 0. */
-static inline double times(double a, double b)
+SPAN double times(double a, double b)
 {
     return a == 0 || b == 0 ? 0 : a * b;
 }
 
-static inline double over(double a, double b)
+SPAN double over(double a, double b)
 {
     return a == 0 ? 0 : a / least_0(b);
 }
 
-/* Returns k * a, for k >= 0. */
-static inline struct span span_scale(struct span k, struct span a)
-{
-    return (struct span){down(times(a.lo, a.lo < 0 ? k.hi : k.lo)), up(times(a.hi, a.hi < 0 ? k.lo : k.hi))};
-}
-
 /* Returns a / k, for k > 0. The lower bound of k may be 0 or, because of rounding, negative. */
-static inline struct span span_over(struct span a, struct span k)
+SPAN struct span span_over(struct span a, struct span k)
 {
     return (struct span){down(over(a.lo, a.lo < 0 ? k.lo : k.hi)), up(over(a.hi, a.hi < 0 ? k.hi : k.lo))};
 }
 
-static inline struct span span_mul(struct span a, struct span b)
+SPAN struct span span_mul(struct span a, struct span b)
 {
     double p = times(a.lo, b.lo), q = times(a.lo, b.hi), r = times(a.hi, b.lo), s = times(a.hi, b.hi);
     return (struct span){down(smaller(smaller(p, q), smaller(r, s))), up(larger(larger(p, q), larger(r, s)))};
 }
 
-/* Returns the square of a number that is known to be >= 0, although a.lo may be negative because of
- * rounding. */
-static inline struct span span_square(struct span a)
+/* Returns a * b for finite numbers that are known to be >= 0, although their lower bounds may be negative
+ * because of rounding. */
+SPAN struct span span_product(struct span a, struct span b)
 {
-    return (struct span){down(least_0(a.lo) * least_0(a.lo)), up(a.hi * a.hi)};
+    return (struct span){down(least_0(a.lo) * least_0(b.lo)), up(a.hi * b.hi)};
 }
 
 /* Returns the square root of a number that is known to be >= 0. The lower bound a.lo may still be negative,
  * because of rounding; it then counts as 0. */
-static inline struct span span_sqrt(struct span a)
+SPAN struct span span_sqrt(struct span a)
 {
     return (struct span){least_0(down(sqrt(least_0(a.lo)))), up(sqrt(a.hi))};
 }
@@ -191,11 +189,10 @@ static inline struct dual dual_sub(struct dual a, struct dual b)
     return (struct dual){span_sub(a.value, b.value), span_sub(a.by_r, b.by_r)};
 }
 
-/* Returns k a, for k >= 0. */
-static inline struct dual dual_scale(struct dual k, struct dual a)
+static inline struct dual dual_mul(struct dual a, struct dual b)
 {
-    return (struct dual){span_scale(k.value, a.value),
-                         span_add(span_scale(k.value, a.by_r), span_mul(k.by_r, a.value))};
+    return (struct dual){span_mul(a.value, b.value),
+                         span_add(span_mul(a.value, b.by_r), span_mul(a.by_r, b.value))};
 }
 
 /* Returns a / k, for k > 0. */
