@@ -136,6 +136,7 @@ $(P)/features.o: src/features.c $(P)/feature_list.h
 $(P)/feature_list.h: FORCE
 	@mkdir -p $(@D)
 	@echo '#define FEATURES(X) $(foreach f,$(BUILT) shell,X($f))' > $@.new
+	@echo '#define ABSENT(X) $(foreach f,$(filter-out $(BUILT),$(EVERY)),$(foreach p,$(PARAMETERS_$f),X($p, $f)))' >> $@.new
 	@cmp -s $@.new $@ || mv $@.new $@
 FORCE:
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The features of this build. The build makes the macro FEATURES from the folders that have a feature.mk. */
+/* The features of this build. The build makes the macros FEATURES and ABSENT from the folders that have a
+ * feature.mk. */
 #include "feature_list.h"
 #include "interpreter/command.h"
 
@@ -8,3 +9,6 @@ FEATURES(FEATURE_DECLARE)
 
 #define FEATURE_LIST(name) &name##_feature,
 const struct feature *const every_feature[] = {FEATURES(FEATURE_LIST) NULL};
+
+#define ABSENT_LIST(name, feature) {#name, #feature},
+const struct absent_parameter absent_parameters[] = {ABSENT(ABSENT_LIST){NULL, NULL}};

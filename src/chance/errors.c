@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kinds of random error, and the commands 'placement' and 'budget' about rows with them. To add a kind,
- * add it to DOM_ERRORS and ERROR_EFFECTS, describe it here, and apply it to a row in model/draw.c. */
+ * add it to DOM_ERRORS, describe it here, and apply it to a row in model/draw.c. */
 #include "chance/chance.h"
 #include "interpreter/command.h"
 #include "language/quad.h"
@@ -14,6 +14,9 @@ struct error_kind {
     struct parameter parameter; /* the effect as a parameter; not used for heights */
     struct domq_effect effect;
 };
+/* The numbers of their effects. */
+static int error_number[DOM_ERROR_COUNT];
+
 static const char *const distributions[] = {"normal", "uniform", NULL};
 
 /* What the kinds with an effect of their own have in common. `usual_` and `most_` are the usual and the
@@ -23,8 +26,9 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
 #define SIZED(kind, unit_, usual_, most_, to_, needs_, rows_)                                                \
     .name = #kind, .unit = unit_, .parameter.name = "error_" #kind,                                          \
     .parameter.value = error_kinds[DOM_ERROR_##kind].effect.argument,                                        \
-    .parameter.effect = &error_kinds[DOM_ERROR_##kind].effect, .parameter.which = EFFECT_error_##kind,       \
-    .parameter.words = effect_words, .parameter.to = to_,                                                    \
+    .parameter.effect = &error_kinds[DOM_ERROR_##kind].effect,                                               \
+    .parameter.number = &error_number[DOM_ERROR_##kind], .parameter.words = effect_words,                    \
+    .parameter.is_minor = true, .parameter.to = to_,                                                         \
     .parameter.example = "set row on; " needs_ "set error_" #kind " on; placement " rows_,                   \
     .effect.name = "error_" #kind,                                                                           \
     .effect.source = "pseudo-random numbers from GSL: the generators taus2 and mrg",                         \
@@ -48,7 +52,7 @@ static const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
          .parameter = {.name = "placement",
                        .value = error_kinds[DOM_ERROR_gap].effect.argument,
                        .effect = &error_kinds[DOM_ERROR_gap].effect,
-                       .which = EFFECT_placement,
+                       .number = &error_number[DOM_ERROR_gap],
                        .words = effect_words,
                        .example =
                            "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
@@ -59,18 +63,21 @@ static const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
                  .synonyms =
                      "probability chance errors precision accuracy error_gap error_height gaps heights",
                  .adds = "random errors in the gaps, and in the heights if HEIGHTS is given",
-                 .help =
-                     "The row is set up many times. Each gap has a normally distributed error with the "
-                     "standard deviation SIGMA, which is a length, and each height has a relative error with "
-                     "the standard deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are limits, "
-                     "and all errors within them are equally likely. Dominoes that would overlap are moved "
-                     "until they touch. 'placement' counts how often all dominoes fall, gives the exact 95 "
-                     "% interval of Clopper and Pearson, and reports where rows stop. 'budget' finds the "
-                     "SIGMA at which a given share of the rows falls. With the same 'seed', row number i "
-                     "is always the same, with any number of 'threads'. Other errors have separate "
-                     "effects: error_place, error_thickness, error_mass, error_lean and error_radius for "
-                     "each domino, and error_friction, error_slope, error_floor and error_push for the "
-                     "whole row.",
+                 .help = "The row is set up many times. Each gap has a normally distributed error with the "
+                         "standard deviation SIGMA, which is a length, and each height has a relative error "
+                         "with "
+                         "the standard deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are "
+                         "limits, "
+                         "and all errors within them are equally likely. Dominoes that would overlap are "
+                         "moved "
+                         "until they touch. 'placement' counts how often all dominoes fall, gives the exact "
+                         "95 "
+                         "% interval of Clopper and Pearson, and reports where rows stop. 'budget' finds the "
+                         "SIGMA at which a given share of the rows falls. With the same 'seed', row number i "
+                         "is always the same, with any number of 'threads'. Other errors have separate "
+                         "effects: error_place, error_thickness, error_mass, error_lean and error_radius for "
+                         "each domino, and error_friction, error_slope, error_floor and error_push for the "
+                         "whole row.",
                  .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
                            "pseudo-random numbers from GSL",
                  .argument = {{.name = "SIGMA",
@@ -150,7 +157,7 @@ static const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
                          .effect.synonyms = "unknown slippery",
                          .effect.adds = "an unknown friction of the floor, the same for all dominoes",
                          .effect.argument[0].meaning = "error in the friction coefficient of the floor",
-                         .effect.needs = 1U << EFFECT_feet, .parameter.feature = "engine",
+                         .parameter.needs = "feet", .parameter.by_engine = true,
                          .effect.help =
                              "One error is drawn for each row and added to the friction coefficient of the "
                              "floor, which 'set feet' sets. If the sum is negative, the coefficient is 0."},
@@ -170,19 +177,30 @@ static const char *error_names(const void *context, int k)
     return k <= DOM_ERROR_COUNT ? error_kinds[k].name : NULL;
 }
 
-/* Lists the parameters of the kinds that have an effect of their own, as in struct feature. */
-static const struct parameter *error_parameter(int k)
+static const struct parameter seed = {
+    .name = "seed",
+    .offset = offsetof(struct state, scene.seed),
+    .meaning = "seed of the random numbers: the same seed gives the same random rows",
+    .value = (const struct domq_effect_argument[]){{.name = "seed",
+                                                    .unit = "",
+                                                    .highest = (domq_real)4294967295.0,
+                                                    .usual = SEED_DEFAULT,
+                                                    .whole = true}},
+    .synonyms = "random chance"};
+
+/* Lists the parameters, as in struct feature: 'seed', and the kinds that have an effect of their own. */
+static const struct parameter *parameter(int k)
 {
     for (int kind = 0; kind < DOM_ERROR_COUNT; kind++)
         if (error_kinds[kind].effect.name && k-- == 0)
             return &error_kinds[kind].parameter;
-    return NULL;
+    return k == 0 ? &seed : NULL;
 }
 
-/* Returns the effect that describes a kind of random error. */
+/* Returns the number of the effect that describes a kind of random error. */
 static int error_effect(int kind)
 {
-    return error_kinds[kind].effect.name ? error_kinds[kind].parameter.which : EFFECT_placement;
+    return error_number[kind == DOM_ERROR_height ? DOM_ERROR_gap : kind];
 }
 
 bool scene_errors(const struct scene *scene, struct dom_random_error error[DOM_ERROR_COUNT])
@@ -191,7 +209,7 @@ bool scene_errors(const struct scene *scene, struct dom_random_error error[DOM_E
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
         const int effect = error_effect(k);
         const struct effect_state *state = &scene->effect[effect];
-        const bool placed = effect == EFFECT_placement;
+        const bool placed = effect == error_number[DOM_ERROR_gap];
         const domq_real size = state->value[k == DOM_ERROR_height], limits = state->value[placed ? 2 : 1];
         error[k] = (struct dom_random_error){.size = state->on ? (double)size : 0,
                                              .uniform = state->on && limits != 0};
@@ -202,13 +220,13 @@ bool scene_errors(const struct scene *scene, struct dom_random_error error[DOM_E
 
 bool errors_check(const struct scene *scene, struct problem *problem)
 {
-    if (!scene->effect[EFFECT_error_lean].on)
+    if (!scene->effect[error_number[DOM_ERROR_lean]].on)
         return true;
-    if (scene_has_engine(scene))
+    if (scene_engine(scene))
         return problem_error(problem,
                              "'set error_lean' cannot be combined with the rigid-body engine, which runs "
                              "this row because %s; first enter 'set error_lean off'",
-                             scene_engine_why(scene));
+                             scene_engine(scene));
     return scene->train.rho == 0 ||
            problem_error(problem, "'set error_lean' cannot be combined with rounded edges; first enter "
                                   "'set edges off', or 'set error_lean off'");
@@ -496,4 +514,4 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-const struct feature chance_feature = {.name = "chance", .groups = groups, .parameter = error_parameter};
+const struct feature chance_feature = {.name = "chance", .groups = groups, .parameter = parameter};

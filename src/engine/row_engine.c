@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs the row of a scene in the engine: converts dominoes to boxes, and what the engine finds to the answers
- * that the library and the commands ask for. To add an effect, add its name to session/scene.h, its
- * description and its value here, and its code to the engine. */
+ * that the library and the commands ask for. To add an effect, add its description and its number here, its
+ * name to feature.mk, and its code to the engine. */
 #include "engine/engine.h"
 #include "interpreter/command.h"
+#include "language/quad.h"
 #include "precision/any.h"
-#include "session/row.h"
+#include "rows/rows.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -98,6 +99,10 @@ static void verdict_fill(const struct engine_fall *fall, const struct dom_row *r
                                     .spare = DOM_NAN};
 }
 
+static enum dom_status row_watch(const struct dom_row *row, const struct dom_compute *compute,
+                                 const double *times, size_t count, dom_moment_visit *visit, void *context,
+                                 double *feet);
+
 /* Runs a row in the engine. The library calls this function through struct dom_engine. */
 static enum dom_status run_row(const struct dom_row *row, const struct dom_compute *compute, bool times,
                                dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
@@ -127,7 +132,9 @@ static enum dom_status run_row(const struct dom_row *row, const struct dom_compu
                                              .change = fall.change,
                                              .steps = fall.grain.steps,
                                              .tolerance = fall.grain.tolerance,
-                                             .zero = fall.zero * unit.time};
+                                             .zero = fall.zero * unit.time,
+                                             .version = engine_version(),
+                                             .watch = row_watch};
         if (visit)
             hits_visit(hit, &fall, unit, visit, context);
     }
@@ -216,33 +223,51 @@ static enum dom_status row_watch(const struct dom_row *row, const struct dom_com
 
 /* ---- Preparation ---- */
 
+/* The smallest relative tolerance of searches that run the engine. */
+#define ENGINE_TOL ((domq_real)1 / 10000)
+
+/* The numbers of the effects. */
+static int feet_number, bounce_number;
+
+/* The values of the parameter 'method'. */
+enum { METHOD_MODEL, METHOD_ENGINE };
+
+static const char *engine_why(const struct scene *scene)
+{
+    return scene->effect[feet_number].on     ? "feet is on"
+           : scene->effect[bounce_number].on ? "bounce is on"
+           : scene->method == METHOD_ENGINE  ? "method is engine"
+                                             : NULL;
+}
+
 /* Returns true if the engine includes all effects that are on. Otherwise reports the problem. */
 static bool effects_check(const struct scene *scene, struct problem *problem)
 {
     const unsigned known = 1U << DOM_EFFECT_friction | 1U << DOM_EFFECT_slope | 1U << DOM_EFFECT_edges |
                            1U << DOM_EFFECT_walls | 1U << DOM_EFFECT_row | 1U << DOM_EFFECT_push |
-                           1U << DOM_EFFECT_release | 1U << EFFECT_placement;
-    for (int k = 0; k < EFFECT_feet; k++)
-        if (scene->effect[k].on && !(known >> k & 1))
+                           1U << DOM_EFFECT_release;
+    for (int k = 0; k <= DOM_EFFECT_COUNT; k++) {
+        const int effect = k < DOM_EFFECT_COUNT ? k : floor_number;
+        if (scene->effect[effect].on && !(known >> k & 1))
             return problem_error(problem,
                                  "the rigid-body engine runs this row because %s, but does not include %s; "
                                  "first enter 'set %s off'",
-                                 scene_engine_why(scene), effect_at(k)->name, effect_at(k)->name);
+                                 engine_why(scene), effect_at(effect)->name, effect_at(effect)->name);
+    }
     return true;
 }
 
-static bool row_make(const struct scene *scene, size_t count, struct scene_engine *engine,
-                     struct problem *problem)
+static bool row_make(const struct scene *scene, struct scene_row *row, struct problem *problem)
 {
-    const struct effect_state *feet = &scene->effect[EFFECT_feet], *bounce = &scene->effect[EFFECT_bounce];
-    const char *why = scene_engine_why(scene);
+    const struct effect_state *feet = &scene->effect[feet_number], *bounce = &scene->effect[bounce_number];
+    const char *why = engine_why(scene);
     if (!effects_check(scene, problem))
         return false;
-    if (count > ENGINE_MOST)
+    if (row->row.count > ENGINE_MOST)
         return problem_error(problem,
                              "a row of %zu dominoes is too long for the rigid-body engine, which runs this "
                              "row because %s; the maximum is %d; enter, for example, 'set row 20'",
-                             count, why, ENGINE_MOST);
+                             row->row.count, why, ENGINE_MOST);
     const enum dom_status loaded = engine_load();
     if (loaded == DOM_NO_MEMORY)
         return problem_status(problem, scene, DOM_NO_MEMORY);
@@ -252,14 +277,15 @@ static bool row_make(const struct scene *scene, size_t count, struct scene_engin
             "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian, run 'apt-get "
             "install libchipmunk7'",
             why);
-    *engine = (struct scene_engine){.engine = {.run = run_row, .context = engine},
-                                    .feet = feet->on ? (double)feet->value[0] : HUGE_VAL,
-                                    .bounce = bounce->on ? (double)bounce->value[0] : 0};
+    row->engine = (struct scene_engine){.engine = {.run = run_row, .context = &row->engine},
+                                        .feet = feet->on ? (double)feet->value[0] : HUGE_VAL,
+                                        .bounce = bounce->on ? (double)bounce->value[0] : 0};
+    row->row.engine = &row->engine.engine;
+    row->compute.tol = quad_larger(row->compute.tol, ENGINE_TOL);
     return true;
 }
 
-static const struct engine_driver chipmunk_driver = {
-    .version = engine_version, .make = row_make, .watch = row_watch};
+static const struct engine_driver chipmunk_driver = {.why = engine_why, .make = row_make};
 
 /* ---- Effects ---- */
 
@@ -305,9 +331,23 @@ static const struct domq_effect bounce = {
 };
 
 #define ENTRY(name_)                                                                                         \
-    .name = #name_, .value = name_.argument, .effect = &name_, .which = EFFECT_##name_, .words = effect_words
+    .name = #name_, .value = name_.argument, .effect = &name_, .number = &name_##_number,                    \
+    .words = effect_words, .by_engine = true
 
 static const struct parameter parameters[] = {
+    {.name = "method",
+     .offset = offsetof(struct state, scene.method),
+     .meaning = "how rows are computed: by the model, or by a rigid-body engine",
+     .value = (const struct domq_effect_argument[]){{.name = "method", .unit = "", .usual = METHOD_MODEL}},
+     .synonyms = "engine chipmunk simulation second opinion compare check",
+     .words = (const struct word[]){{"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}, {NULL, 0}},
+     .words_only = true,
+     .help =
+         "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check: it uses "
+         "none of the program's equations, and includes contacts that the model lacks. The time step is "
+         "halved until the verdict no longer changes. One run takes about a hundred times as long, and a row "
+         "can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or 'set "
+         "bounce'. Endless trains always use the model."},
     {ENTRY(feet), .example = "set q hollow; set row 8; set feet 0.4; fall; set feet off; set row off",
      .from = 0.05, .to = 2},
     {ENTRY(bounce),

@@ -143,7 +143,7 @@ static bool compute(const struct command *c, const struct query *query, struct a
                     struct problem *problem)
 {
     /* The engine computes in double precision only. */
-    const bool has_errors = c->precision == PRECISION_AS_SET && (c->train || !scene_has_engine(query->scene));
+    const bool has_errors = c->precision == PRECISION_AS_SET && (c->train || !scene_engine(query->scene));
     if (query->reference && !(has_errors && query->scene->compute.precision == IN_QUAD))
         query->reference->is_void = true;
     if (!has_errors || !query->state->settings.style.errors || (!answer->out && !answer->sink.take))
@@ -158,4 +158,27 @@ static bool compute(const struct command *c, const struct query *query, struct a
     return done;
 }
 
-const struct feature errors_feature = {.name = "errors", .compute = compute};
+static const struct parameter errors = {
+    .name = "errors",
+    .offset = offsetof(struct state, settings.style.errors),
+    .meaning = "whether each number is followed by its difference from a computation with 30 digits",
+    .value = (const struct domq_effect_argument[]){{.name = "errors", .unit = ""}},
+    .synonyms = "accuracy uncertainty precision difference",
+    .words = (const struct word[]){{"off", 0}, {"on", 1}, {NULL, 0}},
+    .words_only = true,
+    .setting = true,
+    .help =
+        "Each answer is computed a second time, with 30 digits. A number in a table is then followed by +/- "
+        "and its error ('details' has the numbers of an answer in words): the difference between the two "
+        "computations, plus the rounding error of the number and the digits that are not printed. This is no"
+        " proof: a mistake that both computations make does not show. No error is shown if the two come to "
+        "different conclusions, and where only double precision is available, as in studies of many rows. "
+        "While errors are on, 'digits' affects only numbers without an error. In csv and json the error has "
+        "a column or key of its own, named KEY_error."};
+
+static const struct parameter *parameter(int k)
+{
+    return k == 0 ? &errors : NULL;
+}
+
+const struct feature errors_feature = {.name = "errors", .parameter = parameter, .compute = compute};

@@ -1,1 +1,2 @@
 NEEDS_errors :=
+PARAMETERS_errors := errors

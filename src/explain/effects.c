@@ -2,15 +2,12 @@
 /* The command 'effects', which lists the effects that go beyond the paper. */
 #include "explain/derivation.h"
 
-static const char *method_of(int effect)
+static const char *method_of(const struct parameter *p)
 {
-    const unsigned needs = effect_at(effect)->needs;
-    const bool engine =
-        (effect >= EFFECT_feet && effect < EFFECT_ENGINE_END) || (needs >> EFFECT_feet & 1) != 0;
-    bool loses = effect_at(effect)->dissipates;
+    bool loses = p->effect->dissipates;
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
-        loses = loses || ((needs >> k & 1) != 0 && effect_at(k)->dissipates);
-    return engine ? "engine" : loses ? "motion" : "balance";
+        loses = loses || ((p->effect->needs >> k & 1) != 0 && effect_at(k)->dissipates);
+    return p->by_engine ? "engine" : loses ? "motion" : "balance";
 }
 
 static const struct column effects_columns[] = {
@@ -27,15 +24,14 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     (void)problem;
     const struct parameter *p = session_parameters;
     for (; p->name; p++)
-        if (p->effect && p->which < EFFECT_ENGINE_END)
+        if (p->effect && !p->is_minor)
             column_fit(&answer_columns(a, a->columns)[1], effect_setting(query->scene, p->which));
     for (p = session_parameters; p->name && !answer_lost(a); p++)
-        /* there are many kinds of random errors, so only those that are on are listed */
-        if (p->effect && (p->which < EFFECT_ENGINE_END || query->scene->effect[p->which].on))
+        if (p->effect && (!p->is_minor || query->scene->effect[p->which].on))
             answer_cells(a, cell_word(p->name), cell_word(effect_setting(query->scene, p->which)),
-                         cell_word(method_of(p->which)), cell_word(p->meaning), cell_word(p->effect->source));
+                         cell_word(method_of(p)), cell_word(p->meaning), cell_word(p->effect->source));
     answer_say(a, "An effect that is off costs nothing. This scene is computed by %s.",
-               scene_has_engine(query->scene)          ? "the rigid-body engine"
+               scene_engine(query->scene)              ? "the rigid-body engine"
                : domq_dissipates(&query->scene->train) ? "the equation of motion"
                                                        : "the energy balance");
     return true;

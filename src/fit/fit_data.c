@@ -134,7 +134,7 @@ static bool row_add(const struct query *query, struct fit_data *d, struct csv_ta
         point.domino = (size_t)value[DOMINO];
     else if (d->kind == FIT_TOTALS && csv->column[DOMINOES])
         point.domino = (size_t)value[DOMINOES];
-    else if (d->kind == FIT_TOTALS && row->on && !scene->listed.domino)
+    else if (d->kind == FIT_TOTALS && row->on && !row_has_file(scene))
         point.domino = (size_t)row->value[0];
     if (d->kind == FIT_TOTALS && isnan(point.gap))
         return csv_wrong(&csv->file, csv->head.at,

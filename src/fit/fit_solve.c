@@ -248,8 +248,7 @@ static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 {
     struct fit *f = context;
     const struct scene *scene = f->query->scene;
-    const double relative =
-        scene_has_engine(scene) ? 0.02 : fmax(1e-5, 10 * sqrt((double)scene->compute.tol));
+    const double relative = scene_engine(scene) ? 0.02 : fmax(1e-5, 10 * sqrt((double)scene->compute.tol));
     gsl_vector *at = gsl_vector_alloc(x->size), *left = gsl_vector_alloc(J->size1),
                *right = gsl_vector_alloc(J->size1);
     for (size_t i = 0; i < x->size && at && left && right; i++) {

@@ -1,1 +1,2 @@
 NEEDS_parallel :=
+PARAMETERS_parallel := threads

@@ -200,4 +200,18 @@ enum dom_status workers_tasks(size_t count, dom_task *run, void *context, void *
     return workers_run(&job, pool, NULL);
 }
 
-const struct feature parallel_feature = {.name = "parallel"};
+static const struct parameter threads = {
+    .name = "threads",
+    .offset = offsetof(struct state, settings.threads),
+    .meaning = "number of threads for curves, sweeps and studies; 0 means one for each processor",
+    .value =
+        (const struct domq_effect_argument[]){{.name = "threads", .unit = "", .highest = 256, .whole = true}},
+    .synonyms = "parallel cores processors cpu fast",
+    .setting = true};
+
+static const struct parameter *parameter(int k)
+{
+    return k == 0 ? &threads : NULL;
+}
+
+const struct feature parallel_feature = {.name = "parallel", .parameter = parameter};

@@ -369,12 +369,12 @@ static void design_say(const struct query *query, struct answer *a, const struct
         snprintf(boxes, sizeof boxes, "%s", dominoes_words(scene->train.q, "dominoes").text);
     answer_say(a, "%zu %s%s; the last is %s tall, and the row %s long.%s", f->steps + 1, boxes, growth,
                measured(d->wish.height, "m", 4).text, measured(f->length, "m", 4).text, weakest);
-    if (query->next && scene_has_engine(&query->next->scene))
+    if (query->next && scene_engine(&query->next->scene))
         answer_say(
             a,
             "This is an answer of the model, which treats feet as hinges; 'verdict' runs the row in the "
             "rigid-body engine, because %s.",
-            scene_engine_why(&query->next->scene));
+            scene_engine(&query->next->scene));
 }
 
 /* Makes the design the row of the session. */
@@ -402,14 +402,14 @@ static bool design_study(const struct query *query, struct designing *d, domq_re
     struct state state = *query->state;
     struct query of_row = *query;
     struct dom_random_error error[DOM_ERROR_COUNT];
-    const bool engine = query->next && scene_has_engine(&query->next->scene);
+    const bool engine = query->next && scene_engine(&query->next->scene);
     const double rows = ceil((engine ? 10 : 20) / (double)(1 - falls));
-    state.scene.listed = (struct listed_row){.domino = NULL};
+    state.scene.slot = NULL;
     of_row.state = &state;
     of_row.scene = &state.scene;
     const bool good = design_keep(&state, d, problem) &&
                       study_run(&of_row, problem, (size_t)fmax(rows, engine ? 100 : 2000), &d->study, error);
-    listed_free(&state.scene.listed);
+    slot_drop(state.scene.slot);
     return good;
 }
 

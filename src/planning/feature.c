@@ -107,7 +107,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
             a,
             "The search used the model, which treats feet as hinges. The probability comes from the "
             "rigid-body engine, which is used because %s.",
-            scene_engine_why(query->scene));
+            scene_engine(query->scene));
     if (i->changed == 0)
         return;
     if (study[1].fall < study[0].fall)

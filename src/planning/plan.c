@@ -79,7 +79,7 @@ static void plan_free(struct plan *p)
 static bool plan_make(const struct query *query, struct problem *problem, struct plan *p)
 {
     const struct scene *of = query->scene;
-    *p = (struct plan){.is_thin = !of->listed.domino && of->train.q < 4 && scene_walls(of) == 0};
+    *p = (struct plan){.is_thin = !row_has_file(of) && of->train.q < 4 && scene_walls(of) == 0};
     if (!falling_row_make(query, problem, false, &p->row))
         return false;
     struct scene_row *scene = &p->row.run.scene;

@@ -151,8 +151,8 @@ static domq_real measure_now(const struct scene *scene, const struct domq_domino
 }
 
 /* Computes the value that a measurement of domino k, counted from 0, has after a change. Stores the value in
- * *kept in the form of listed_row.change: a mass as a factor, and a lean as an angle. If the domino cannot
- * have this value, sets *problem and returns false. */
+ * *kept in the form of struct changed_domino: a mass as a factor, and a lean as an angle. If the domino
+ * cannot have this value, sets *problem and returns false. */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
                           const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
 {
@@ -164,8 +164,8 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
               value = change->how == CHANGE_TO   ? change->value
                       : change->how == CHANGE_BY ? now + change->value
                                                  : now * change->value;
-    const struct listed_row *listed = &scene->listed;
-    const domq_real before = is_mass && listed->changes > 0 ? listed->change[k].to.mass : DOMQ_NAN;
+    const struct listed_row *listed = row_of(scene);
+    const domq_real before = is_mass && listed && listed->changes > 0 ? listed->change[k].to.mass : DOMQ_NAN;
     char message[MISFIT_MESSAGE];
     if (!csv_fits(&rowfile_kind.column[measure], value, message))
         return problem_no_answer(problem, "domino %zu: %s", k + 1, message);
@@ -208,15 +208,6 @@ static bool dominoes_check(const struct row_change *change, size_t count, bool g
     return true;
 }
 
-/* Copies the row of a scene and opens its changes. After a failure nothing needs to be freed. */
-static bool edit_begin(const struct scene *scene, struct listed_row *next, struct problem *problem)
-{
-    if (listed_share(next, &scene->listed) && row_changes_open(next, scene_row_count(scene)))
-        return true;
-    listed_free(next);
-    return problem_status(problem, scene, DOM_NO_MEMORY);
-}
-
 /* Returns true if there is a row into whose dominoes the walls fit. */
 static bool walls_fit(const struct scene *scene, struct problem *problem)
 {
@@ -234,15 +225,15 @@ static bool walls_fit(const struct scene *scene, struct problem *problem)
 static bool edit_end(struct scene *scene, struct listed_row *next, bool good, struct problem *problem)
 {
     struct problem ignored = {.kind = PROBLEM_NONE};
-    struct listed_row before = scene->listed;
+    struct slot *before = scene->slot;
     const bool fitted = good && walls_fit(scene, &ignored);
-    scene->listed = *next;
+    scene->slot = &next->slot;
     good = good && (!fitted || walls_fit(scene, problem));
     if (good)
         scene_apply_lengths(scene);
     else
-        scene->listed = before;
-    listed_free(good ? &before : next);
+        scene->slot = before;
+    slot_drop(good ? before : &next->slot);
     return good;
 }
 
@@ -289,7 +280,6 @@ bool run_change(const struct query *query, struct answer *a, struct problem *pro
 {
     const struct row_change *change = query->given->bound;
     struct scene_row row;
-    struct listed_row next;
     if (!query->next)
         return true;
     struct scene *scene = &query->next->scene;
@@ -300,14 +290,14 @@ bool run_change(const struct query *query, struct answer *a, struct problem *pro
     if (good && change->measure == MEASURE_MASS && change->how != CHANGE_TIMES && !scene_has_masses(scene))
         good = problem_error(problem, "the masses of this row are not known; enter the mass of its first "
                                       "domino with 'set mass', or a relative change such as '+10 %%'");
-    const bool begun = good && edit_begin(scene, &next, problem);
-    good = begun;
+    struct listed_row *next = good ? row_edit(scene, problem) : NULL;
+    good = next;
     for (size_t k = gaps; k < row.row.count && good; k++)
         if (is_selected(change, k + 1))
-            good = domino_change(scene, change, &row, k, row_measure_at(&next.change[k].to, change->measure),
+            good = domino_change(scene, change, &row, k, row_measure_at(&next->change[k].to, change->measure),
                                  problem) &&
                    (!dom_raised(scene->compute.interrupt) || problem_status(problem, scene, DOM_INTERRUPTED));
-    good = begun && edit_end(scene, &next, good, problem);
+    good = next && edit_end(scene, next, good, problem);
     if (good && answer_for_people(a) && !query->run_context->sourced)
         good = change_say(query, a, change, &row, problem);
     free(row.domino);
@@ -345,15 +335,16 @@ bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t cou
     /* A change of size also changes the mass, because a domino keeps its density. So masses come second. */
     for (int masses = 0; masses <= (int)sizes && good; masses++) {
         struct scene_row now;
-        struct listed_row next;
+        struct listed_row *next;
         if (!scene_row_list(scene, &now, problem))
             return false;
-        good = edit_begin(scene, &next, problem);
+        next = row_edit(scene, problem);
+        good = next;
         for (size_t k = 0; k < count && good; k++)
-            domino_set(&next.change[k], &now.domino[k], to[k], sizes,
+            domino_set(&next->change[k], &now.domino[k], to[k], sizes,
                        masses ? now.domino[0].mass / to[0].mass : 0);
         free(now.domino);
-        good = good && edit_end(scene, &next, true, problem);
+        good = good && edit_end(scene, next, true, problem);
     }
     return good;
 }
@@ -364,7 +355,7 @@ bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t cou
 bool run_remove(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct row_change *change = query->given->bound;
-    struct listed_row next;
+    struct listed_row *next;
     size_t kept = 0;
     if (!query->next)
         return true;
@@ -372,14 +363,14 @@ bool run_remove(const struct query *query, struct answer *a, struct problem *pro
     const size_t count = scene_row_count(scene);
     if (count == 0)
         return problem_no_row(problem);
-    if (!dominoes_check(change, count, false, problem) || !edit_begin(scene, &next, problem))
+    if (!dominoes_check(change, count, false, problem) || !(next = row_edit(scene, problem)))
         return false;
     for (size_t k = 0; k < count; k++)
         if (!is_selected(change, k + 1))
-            next.change[kept++] = next.change[k];
-    next.changes = kept;
-    next.change->to.gap = DOMQ_NAN;
-    if (!edit_end(scene, &next,
+            next->change[kept++] = next->change[k];
+    next->changes = kept;
+    next->change->to.gap = DOMQ_NAN;
+    if (!edit_end(scene, next,
                   kept > 0 || problem_error(problem, "a row has at least one domino; 'set row off' removes "
                                                      "the row"),
                   problem))
@@ -397,7 +388,7 @@ bool run_insert(const struct query *query, struct answer *a, struct problem *pro
     const size_t most = (size_t)domq_effect(DOM_EFFECT_row)->argument[0].highest,
                  k = (size_t)query->given->number[0], at = k - 1;
     struct scene_row row;
-    struct listed_row next;
+    struct listed_row *next;
     if (!query->next)
         return true;
     struct scene *scene = &query->next->scene;
@@ -418,69 +409,20 @@ bool run_insert(const struct query *query, struct answer *a, struct problem *pro
             k, count, count == 1 ? "" : "es", count + 1);
     if (count >= most)
         return problem_error(problem, "a row has at most %zu dominoes", most);
-    if (!edit_begin(scene, &next, problem))
+    if (!(next = row_edit(scene, problem)))
         return false;
-    struct changed_domino *more = realloc(next.change, (count + 1) * sizeof *more);
-    if (!more) {
-        listed_free(&next);
-        return problem_status(problem, scene, DOM_NO_MEMORY);
-    }
-    const struct changed_domino copy = more[like];
-    memmove(&more[at + 1], &more[at], (count - at) * sizeof *more);
-    more[at] = copy;
-    if (like == 0 && copy.origin == 0)
-        more[1].to.gap = gap;
-    more[0].to.gap = DOMQ_NAN;
-    next.change = more;
-    next.changes = count + 1;
-    if (!edit_end(scene, &next, true, problem))
+    struct changed_domino *const to = next->change; /* it has room for one more */
+    memmove(&to[at + 1], &to[at], (count - at) * sizeof *to);
+    to[at] = to[like];
+    if (like == 0 && to[at].origin == 0)
+        to[1].to.gap = gap;
+    to->to.gap = DOMQ_NAN;
+    next->changes = count + 1;
+    if (!edit_end(scene, next, true, problem))
         return false;
     if (answer_for_people(a) && !query->run_context->sourced)
         answer_say(a, "domino %zu: %s tall and %s thick; the row has %zu.", k,
                    measured(copied.height, "m", 4).text, measured(copied.thickness, "m", 4).text, count + 1);
     a->progress.wrote_text = answer_for_people(a);
     return true;
-}
-
-/* ---- Save ---- */
-
-/* Writes the commands that remove and insert dominoes. Dominoes are removed from the end of the row, so that
- * the numbers of those before them stay the same. */
-static void origins_save(const struct listed_row *row, size_t planned, FILE *out)
-{
-    for (size_t k = row->changes, end = planned; end > 0;) {
-        const size_t last = k > 0 ? row->change[k - 1].origin + 1 : 0; /* the last domino that is left */
-        if (last + 1 < end)
-            fprintf(out, "remove %zu-%zu\n", last + 1, end);
-        else if (last < end)
-            fprintf(out, "remove %zu\n", end);
-        end = last > 0 ? last - 1 : 0;
-        while (k > 0 && row->change[k - 1].origin + 1 == last)
-            k--;
-    }
-    for (size_t k = 1; k < row->changes; k++)
-        if (row->change[k].origin == row->change[k - 1].origin)
-            fprintf(out, "insert %zu\n", k);
-}
-
-void row_changes_save(const struct scene *scene, FILE *out)
-{
-    const struct listed_row *row = &scene->listed;
-    char number[WIDE_TEXT];
-    if (row->changes > 0)
-        origins_save(row, scene_row_planned(scene), out);
-    for (size_t k = 0; k < row->changes; k++)
-        for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
-            domq_real value = *row_measure_at(&row->change[k].to, m);
-            if (isnan(value))
-                continue;
-            /* A lean needs the '=', because it can be negative. Without the '=', 'change' would add a
-             * negative value to the current lean. */
-            fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
-                    m == MEASURE_LEAN ? "= " : "",
-                    quad_exact(m == MEASURE_MASS ? 100 * value : value, WIDE_DIGITS, number),
-                    m == MEASURE_LEAN   ? "rad"
-                    : m == MEASURE_MASS ? "%"
-                                        : "m");
-        }
 }

@@ -40,11 +40,13 @@ const struct column verdict_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+int floor_number;
+
 /* ---- A run of the row ---- */
 
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status)
 {
-    const bool engine = scene_has_engine(query->scene);
+    const bool engine = scene_engine(query->scene);
     enum precision precision = query->scene->compute.precision;
     if (status == DOM_NOT_CONVERGED && engine)
         return problem_no_answer(problem, "%s", engine_undecided);
@@ -77,9 +79,9 @@ bool row_run_begin(const struct query *query, struct problem *problem, struct ro
         return false;
     if (!scene->row.engine)
         return true;
-    scene->engine.report = &scene->report;
-    scene->report.slid = malloc(scene->row.count * sizeof *scene->report.slid);
-    if (scene->report.slid)
+    scene->engine.report = &run->report;
+    run->report.slid = malloc(scene->row.count * sizeof *run->report.slid);
+    if (run->report.slid)
         return true;
     row_run_free(run);
     (void)query_status(query, problem, DOM_NO_MEMORY);
@@ -110,7 +112,7 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
 
 void row_run_free(struct row_run *run)
 {
-    free(run->scene.report.slid);
+    free(run->report.slid);
     free(run->scene.domino);
     free(run->fall);
 }
@@ -118,15 +120,6 @@ void row_run_free(struct row_run *run)
 bool row_run_tipped(const struct row_run *run, size_t k)
 {
     return k == 0 && isnan(run->scene.row.push);
-}
-
-struct words all_fall_words(size_t count)
-{
-    struct words words;
-    snprintf(words.text, sizeof words.text, "%s", count == 2 ? "Both fall" : "It falls");
-    if (count > 2)
-        snprintf(words.text, sizeof words.text, "All %zu fall", count);
-    return words;
 }
 
 domq_real fall_share(const struct domq_fall *f)
@@ -213,7 +206,7 @@ static void feet_say(struct answer *a, const struct falling *f)
 static const char *end_reason(const struct row_run *run)
 {
     const struct domq_verdict *v = &run->verdict;
-    if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->scene.report.lies)
+    if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->report.lies)
         return "this domino falls, and the next one stays upright";
     if (!run->scene.row.engine && v->end == DOM_ROW_STOPS && !isfinite(v->short_by))
         return "its energy is too small; with more energy, friction would lock the row at a larger tilt";
@@ -244,14 +237,14 @@ static void verdict_say(struct answer *a, const struct falling *f, bool listed)
 /* If the engine ran the row, prints how accurate it is. */
 static void engine_say(struct answer *a, const struct row_run *run)
 {
-    const struct engine_report *s = &run->scene.report;
+    const struct engine_report *s = &run->report;
     if (run->scene.row.engine)
         answer_detail(
             a,
             "Chipmunk %s, a rigid-body engine, ran the row with at least %g time steps per sqrt(h/g), where "
             "h is the height of the domino that was hit last. With half as many steps the verdict is the "
             "same, and times agree within %.2g %%.",
-            row_engine->version(), s->steps, 100 * s->change);
+            s->version, s->steps, 100 * s->change);
 }
 
 /* ---- The run ---- */
@@ -299,7 +292,7 @@ static bool fall_row(const struct domq_fall *fall, void *context)
                    cell_narrow(fall->margin, 4),
                    has_plenty && people ? cell_word("> 10000") : cell_narrow(share, 4),
                    cell_narrow((domq_real)floor->motion, 3), cell_narrow((domq_real)floor->hit, 3),
-                   cell_narrow(scene->row.engine ? (domq_real)scene->report.slid[k] : DOMQ_NAN, 3)),
+                   cell_narrow(scene->row.engine ? (domq_real)f->run.report.slid[k] : DOMQ_NAN, 3)),
                lifted && !people ? foot_lifted : NULL);
     return fall_note(fall, context) && !answer_lost(f->answer);
 }
@@ -313,15 +306,15 @@ static void verdict_row(struct answer *a, const struct row_run *run)
     char reason[ANSWER_REASON];
     const struct domq_verdict *v = &run->verdict;
     bool falls = v->end == DOM_ROW_FALLS;
-    const struct cell cells[] = {
-        cell_word(words[v->end]),
-        cell_count((domq_real)v->domino),
-        cell_computed(v->short_by),
-        cell_uncertain(falls ? v->seconds : DOMQ_NAN,
-                       run->scene.row.engine ? (domq_real)(run->scene.report.change * (double)v->seconds)
-                                             : DOMQ_NAN),
-        v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
-        cell_computed(v->spare)};
+    const struct cell cells[] = {cell_word(words[v->end]),
+                                 cell_count((domq_real)v->domino),
+                                 cell_computed(v->short_by),
+                                 cell_uncertain(falls ? v->seconds : DOMQ_NAN,
+                                                run->scene.row.engine
+                                                    ? (domq_real)(run->report.change * (double)v->seconds)
+                                                    : DOMQ_NAN),
+                                 v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
+                                 cell_computed(v->spare)};
     snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
     answer_row(a, cells, falls || answer_for_people(a) ? NULL : reason); /* sentences have the reason */
 }
@@ -342,7 +335,7 @@ static enum dom_status floor_find(struct falling *f)
  * false. */
 static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
 {
-    struct falling f = {.answer = a, .mu = query->scene->effect[EFFECT_floor].value[0]};
+    struct falling f = {.answer = a, .mu = query->scene->effect[floor_number].value[0]};
     const struct domq_verdict *v = &f.run.verdict;
     const struct scene_row *scene = &f.run.scene;
     if (!row_run_begin(query, problem, &f.run))
@@ -350,7 +343,7 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
     if (scene_has_masses(query->scene))
         columns_in_joules(a);
     enum dom_status status = DOM_OK;
-    if (query->scene->effect[EFFECT_floor].on)
+    if (query->scene->effect[floor_number].on)
         status = floor_find(&f);
     if (listed)
         columns_choose(a, &f, scene_has_masses(query->scene));
@@ -414,7 +407,7 @@ const struct column slip_columns[] = {
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct dom_floor f;
-    const struct effect_state *floor = &query->scene->effect[EFFECT_floor];
+    const struct effect_state *floor = &query->scene->effect[floor_number];
     const struct dom_train train = train_in_double(&query->scene->train);
     const struct dom_compute compute = compute_in_double(&query->scene->compute);
     const enum dom_status status = dom_cycle_floor(&train, &compute, &f);

@@ -1,1 +1,2 @@
 NEEDS_rows := tables parallel
+PARAMETERS_rows := row floor

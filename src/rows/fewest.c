@@ -224,7 +224,7 @@ bool run_fewest(const struct query *query, struct answer *a, struct problem *pro
     for (size_t k = 0; k < 2 * kinds && !answer_lost(a); k++) {
         struct search s = {.query = query, .train = *train, .moves = k % 2 == 1, .ratio = height / h};
         s.train.q = kind[k / 2];
-        if (!row_answer(query, a, s, scene_has_engine(&row), &first, problem))
+        if (!row_answer(query, a, s, scene_engine(&row), &first, problem))
             return false;
     }
     if (isnan(first.q))

@@ -109,7 +109,9 @@ static double falls_at(double r, void *context)
 {
     struct growths *g = context;
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
-    row_grow((domq_real)r, g->domino, g->made.row.count, g->scene);
+    struct scene grown = *g->scene;
+    grown.train.r = (domq_real)r;
+    scene_row_fill(&grown, g->domino, g->made.row.count);
     for (size_t k = 0; k < g->made.row.count; k++)
         g->made.domino[k] = domino_in_double(&g->domino[k]);
     if (g->status == DOM_OK)
@@ -150,7 +152,7 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
     struct growths g = {.scene = query->scene, .domino = scene.domino};
     const double reach = (double)domq_train_reach(&query->scene->train);
     char reason[96];
-    if (query->scene->listed.domino) {
+    if (row_has_file(query->scene)) {
         free(scene.domino);
         return problem_error(problem, "a row from a file has no growth r; first enter 'set row N'");
     }
@@ -398,12 +400,11 @@ static const struct parameter *parameter(int k)
                                          .which = DOM_EFFECT_row,
                                          .words = effect_words,
                                          .example = "set row 13; fall; set row off",
-                                         .load = rowfile_load,
-                                         .save = row_changes_save};
+                                         .load = rowfile_load};
     static const struct parameter floor = {.name = "floor",
                                            .value = floor_effect.argument,
                                            .effect = &floor_effect,
-                                           .which = EFFECT_floor,
+                                           .number = &floor_number,
                                            .words = effect_words,
                                            .example =
                                                "set row 5; set floor 0.4; fall; set floor off; set row off",

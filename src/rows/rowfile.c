@@ -46,8 +46,45 @@ const char *row_measure_names(const void *context, int k)
     return k < ROW_MEASURES ? rowfile_kind.column[k].name : NULL;
 }
 
+/* ---- Measurements ---- */
+
+domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure)
+{
+    static const size_t member[ROW_MEASURES] = {
+        [MEASURE_HEIGHT] = offsetof(struct domq_domino, height),
+        [MEASURE_THICKNESS] = offsetof(struct domq_domino, thickness),
+        [MEASURE_GAP] = offsetof(struct domq_domino, gap),
+        [MEASURE_MASS] = offsetof(struct domq_domino, mass),
+        [MEASURE_RADIUS] = offsetof(struct domq_domino, radius),
+        [MEASURE_LEAN] = offsetof(struct domq_domino, lean),
+        [MEASURE_WIDTH] = offsetof(struct domq_domino, width),
+    };
+    return (void *)((char *)domino + member[measure]);
+}
+
+domq_real lean_offset(const struct domq_domino *domino)
+{
+    return domino->height * quad(sin)(domino->lean);
+}
+
+bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE])
+{
+    domq_real lean[2], limit;
+    domq_lean_limits(domino, alpha, 0, lean);
+    if (domino->lean > lean[0] && domino->lean < lean[1])
+        return true;
+    limit = domino->lean < 0 ? lean[0] : lean[1];
+    snprintf(message, LEAN_MESSAGE,
+             "with its top %s off plumb, this domino falls over by itself; the limit%s is %s",
+             measured(lean_offset(domino), "m", 4).text, alpha != 0 ? " on this slope" : "",
+             measured(domino->height * quad(sin)(limit), "m", 4).text);
+    return false;
+}
+
+/* ---- The file ---- */
+
 /* Makes room for one more domino. */
-static bool listed_grow(struct listed_row *rows)
+static bool rows_grow(struct row_file *rows)
 {
     /* the array grows when the count is 0 or a power of 2 */
     if ((rows->count & (rows->count - 1)) != 0)
@@ -100,7 +137,7 @@ static bool gap_find(struct csv_table *csv, size_t before, domq_real position, d
 }
 
 /* Adds the domino in the current row of the file. `position` is that of the domino before. */
-static bool row_keep(struct csv_table *csv, domq_real slope, domq_real position, struct listed_row *rows)
+static bool row_keep(struct csv_table *csv, domq_real slope, domq_real position, struct row_file *rows)
 {
     const domq_real *value = csv->value, height = value[MEASURE_HEIGHT], thickness = value[MEASURE_THICKNESS];
     const domq_real width = csv->column[MEASURE_WIDTH] ? value[MEASURE_WIDTH] : 0;
@@ -123,71 +160,42 @@ static bool row_keep(struct csv_table *csv, domq_real slope, domq_real position,
         return csv_wrong(&csv->file, csv_cell(csv, (int)misfit).at, "%s", message);
     if (!csv_check(csv, MEASURE_MASS, domino.mass))
         return false;
-    if (!listed_grow(rows))
+    if (!rows_grow(rows))
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
     rows->domino[rows->count++] = domino;
     return true;
 }
 
-bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows)
+void rowfile_drop(struct row_file *file)
 {
-    bool good = true;
+    if (file && --file->holders == 0) {
+        free(file->domino);
+        free(file->path);
+        free(file);
+    }
+}
+
+struct row_file *rowfile_read(struct csv_table *csv, domq_real slope)
+{
     domq_real position = 0;
-    *rows = (struct listed_row){.holders = malloc(sizeof *rows->holders)};
-    if (rows->holders)
-        *rows->holders = 1;
-    else
+    struct row_file *file = malloc(sizeof *file);
+    if (!file) {
         csv_wrong(&csv->file, csv->file.at, "out of memory");
+        return NULL;
+    }
+    const bool has_masses = csv->column[MEASURE_MASS] || csv->column[DENSITY];
+    *file = (struct row_file){.holders = 1,
+                              .has_masses = has_masses,
+                              .from_volumes =
+                                  !csv->column[MEASURE_MASS] && (has_masses || !csv->column[RELATIVE])};
     if (csv->column[MEASURE_MASS] && csv->column[DENSITY])
         csv_wrong(&csv->file, csv->head.cell[csv->column[DENSITY] - 1].at,
                   "both mass and density are given; leave one of these columns out");
-    rows->has_masses = csv->column[MEASURE_MASS] || csv->column[DENSITY];
-    rows->from_volumes = !csv->column[MEASURE_MASS] && (rows->has_masses || !csv->column[RELATIVE]);
+    bool good = true;
     for (; good && !*csv->file.problem.text && csv_next(csv); position = csv->value[POSITION])
-        good = row_keep(csv, slope, position, rows);
-    if (*csv->file.problem.text)
-        listed_free(rows);
-    return !*csv->file.problem.text;
-}
-
-static bool row_read(const struct scene *scene, const char *name, const struct run_context *run_context,
-                     struct listed_row *row, struct problem *problem)
-{
-    struct csv_table *csv = csv_named(scene, run_context, name, &rowfile_kind, problem);
-    if (!csv)
-        return false;
-    bool good = rowfile_read(csv, scene->train.alpha, row), rounded = false;
-    for (size_t k = 0; k < row->count; k++)
-        rounded = rounded || row->domino[k].radius > 0;
-    if (rounded && !scene->effect[DOM_EFFECT_edges].on)
-        run_context_note(run_context, "%s:%ld: the radii have no effect until you enter 'set edges on'",
-                         csv->path, csv->head.at.line);
-    if (good && *csv->unused)
-        run_context_note(run_context, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path,
-                         csv->head.at.line, csv->unused, csv->kind->names);
-    /* 'save' needs an absolute path, since its script may be in another directory. */
-    row->path = good ? realpath(csv->path, NULL) : NULL;
-    /* A pipe has no absolute path. */
-    if (good && !row->path) {
-        row->path = csv->path;
-        csv->path = NULL;
-    }
-    return csv_end(csv, problem);
-}
-
-bool rowfile_load(struct scene *scene, const char *name, const struct run_context *run_context,
-                  struct problem *problem)
-{
-    struct listed_row file = {.domino = NULL};
-    if (run_context->safe)
-        return problem_error(problem,
-                             "'set row %s' reads a file, which a safe session cannot do; use 'set row N'",
-                             names_shown(name));
-    if (!row_read(scene, name, run_context, &file, problem))
-        return false;
-    listed_free(&scene->listed);
-    scene->listed = file;
-    scene->effect[DOM_EFFECT_row] = (struct effect_state){.on = true};
-    scene_apply_lengths(scene);
-    return true;
+        good = row_keep(csv, slope, position, file);
+    if (!*csv->file.problem.text)
+        return file;
+    rowfile_drop(file);
+    return NULL;
 }

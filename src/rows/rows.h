@@ -27,11 +27,140 @@ bool run_change(const struct query *query, struct answer *a, struct problem *pro
 bool run_remove(const struct query *query, struct answer *a, struct problem *problem);
 bool run_insert(const struct query *query, struct answer *a, struct problem *problem);
 
+/* ---- A row of one's own (listed.c) ---- */
+
+/* The measurements of a domino that 'change' can change. */
+enum row_measure {
+    MEASURE_HEIGHT,
+    MEASURE_THICKNESS,
+    MEASURE_GAP,
+    MEASURE_MASS,
+    MEASURE_RADIUS,
+    MEASURE_LEAN,
+    MEASURE_WIDTH,
+    ROW_MEASURES
+};
+
+/* The dominoes of a file. */
+struct row_file {
+    size_t holders; /* reference count */
+    struct domq_domino *domino;
+    size_t count;
+    bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
+    bool from_volumes; /* the masses follow from the volumes, not from a column "mass" or "relative" */
+    char *path;
+};
+
+/* A domino of a row that has been changed. */
+struct changed_domino {
+    /* The domino that it is, or that it was copied from: its index in the file, or in the row that 'set row
+     * N' makes. Along the row, these indices never decrease. */
+    size_t origin;
+    /* The changed measurements, and NaN for the others. A changed mass is stored as a factor, because the
+     * mass also changes with the size. */
+    struct domq_domino to;
+};
+
+/* The slot of a scene whose row comes from a file, or whose dominoes have been changed. Once it is in a
+ * scene, it does not change. */
+struct listed_row {
+    struct slot slot;
+    struct row_file *file;          /* NULL if the row is a changed 'set row N' */
+    size_t changes;                 /* the number of dominoes in `change`, or 0 if none has been changed */
+    struct changed_domino change[]; /* all dominoes of the row */
+};
+
+/* Returns NULL if the scene has no row, or the plain row of 'set row N'. */
+static inline const struct listed_row *row_of(const struct scene *scene)
+{
+    return (const void *)scene->slot;
+}
+
+/* Returns true if the row comes from a file. */
+static inline bool row_has_file(const struct scene *scene)
+{
+    return scene->slot && row_of(scene)->file;
+}
+
+/* Returns a row without changes and with room for `room` of them, or NULL if memory runs out. Shares the
+ * file, which may be NULL. Until the row is in a scene, the caller owns it. */
+struct listed_row *row_new(struct row_file *file, size_t room);
+
+/* Returns a copy of the row of a scene that may be changed, with room for one more domino. If memory runs
+ * out, sets *problem and returns NULL. */
+struct listed_row *row_edit(const struct scene *scene, struct problem *problem);
+
+/* Turns on the effect 'row' with the dominoes of a file. It is an error if a leaning domino would fall over
+ * by itself on the slope of the scene. On failure, sets *problem, changes nothing and returns false. */
+bool rowfile_load(struct scene *scene, const char *name, const struct run_context *run_context,
+                  struct problem *problem);
+
+/* Returns the number of dominoes in the row, or 0 if there is no row. */
+size_t scene_row_count(const struct scene *scene);
+
+/* Makes the row of a scene and prepares it for a run in the model or in the engine. If there is no row, or if
+ * the row cannot be run, sets *problem and returns false. */
+bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
+
+/* Only fills in the dominoes and their number. */
+bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
+
+/* Fills in the first `count` dominoes of the row, with their masses and with the changes that the user has
+ * made. If 'change' changes the height, the width stays as it was. */
+void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
+
+/* Returns true if the masses of the row are known in kg. Energies are then in J. If the masses are not known,
+ * the unit of energy is m g h/2 of the first domino. */
+bool scene_has_masses(const struct scene *scene);
+
+/* Reports that the session has no row. Returns false. */
+bool problem_no_row(struct problem *problem);
+
+/* Returns how far the top of a domino is off plumb, in m. A backward lean is negative. */
+domq_real lean_offset(const struct domq_domino *domino);
+
+/* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`
+ * radians. If the domino would fall over, writes a message with the limit of the lean, and returns false. */
+enum { LEAN_MESSAGE = 400 };
+bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
+
+/* Returns a pointer to the member that holds a measurement. `domino` may be the
+ * member `to` of struct changed_domino. */
+domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure);
+
+/* Returns true if the measurement is a size: the height, the thickness or the width. When a size changes, the
+ * domino keeps its density. */
+static inline bool row_measure_is_size(enum row_measure measure)
+{
+    return measure == MEASURE_HEIGHT || measure == MEASURE_THICKNESS || measure == MEASURE_WIDTH;
+}
+
 /* ---- A run of the row ---- */
+
+/* Results of a run of the rigid-body engine that commands show but the library does not need. */
+struct engine_report {
+    /* How far the foot of each domino that was hit has slid, in m; negative if it slid backwards. The caller
+     * provides an element for each domino. */
+    double *slid;
+    bool lies; /* the last domino that was hit has fallen to the floor */
+    /* How much the last halving of the time step changed the times: the largest change of any time, divided
+     * by the duration. */
+    double change;
+    double steps;     /* time steps per sqrt(h/g) in the last run */
+    double tolerance; /* how accurate the velocities are after each step of that run */
+    double zero; /* the time in s from the start of that run to the moment from which times are measured */
+    const char *version; /* of the engine */
+    /* Does the same as dom_row_watch, but in the engine. The step size comes from this report. Before each
+     * call of `visit`, stores in feet[k] how far the foot of domino k has slid, in m. k is counted from 0. */
+    enum dom_status (*watch)(const struct dom_row *row, const struct dom_compute *compute,
+                             const double *times, size_t count, dom_moment_visit *visit, void *context,
+                             double *feet);
+};
 
 /* The row of the scene and the result of its run. Do not copy this struct: the engine points into it. */
 struct row_run {
     struct scene_row scene;
+    struct engine_report report; /* if the engine has run the row */
     struct domq_verdict verdict;
     struct domq_fall *fall; /* row_run stores an element for each domino that is hit, in order */
     size_t hits;
@@ -61,6 +190,9 @@ domq_real fall_share(const struct domq_fall *fall);
 
 /* Prints which domino has the least energy to spare, if this is known; with as_detail, among the details. */
 void weakest_say(struct answer *answer, const struct domq_verdict *verdict, bool as_detail);
+
+/* The number of the effect 'floor'. */
+extern int floor_number;
 
 /* Lists the dominoes of the row as 'row' does: all, or only one, counted from 1, if `only` is not 0. */
 bool row_list(const struct query *query, size_t only, struct answer *a, struct problem *problem);
@@ -122,14 +254,11 @@ enum { MISFIT_MESSAGE = LEAN_MESSAGE };
 enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope,
                                char message[MISFIT_MESSAGE]);
 
-/* Reads all dominoes of a table. On failure, stores the problem in the table, leaves *rows empty and returns
- * false. Free *rows with listed_free. */
-bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);
+/* Reads all dominoes of a table. On failure, stores the problem in the table and returns NULL. */
+struct row_file *rowfile_read(struct csv_table *csv, domq_real slope);
 
-/* Turns on the effect 'row' with the dominoes of a file. It is an error if a leaning domino would fall over
- * by itself on the slope of the scene. On failure, sets *problem, changes nothing and returns false. */
-bool rowfile_load(struct scene *scene, const char *name, const struct run_context *run_context,
-                  struct problem *problem);
+/* A row that owned the file no longer does. The last owner frees it. */
+void rowfile_drop(struct row_file *file);
 
 /* A names_list (see names.h) of the measurements that can change. */
 const char *row_measure_names(const void *context, int k);
@@ -156,6 +285,3 @@ struct row_change {
  * false; the row may have changed. */
 bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
                    struct problem *problem);
-
-/* Writes the changes as commands for a saved script: 'remove', 'insert' and 'change'. */
-void row_changes_save(const struct scene *scene, FILE *out);

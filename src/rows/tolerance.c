@@ -269,6 +269,15 @@ void progress_count(size_t part, size_t of, void *context)
     progress_show((double)part / (double)of);
 }
 
+struct words all_fall_words(size_t count)
+{
+    struct words words;
+    snprintf(words.text, sizeof words.text, "%s", count == 2 ? "Both fall" : "It falls");
+    if (count > 2)
+        snprintf(words.text, sizeof words.text, "All %zu fall", count);
+    return words;
+}
+
 void weakest_say(struct answer *a, const struct domq_verdict *v, bool as_detail)
 {
     if (v->weakest > 0 && isfinite(v->spare))
@@ -390,7 +399,7 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
         answer_say(a,
                    "The search found no change of a single gap that saves this row; change several gaps, the "
                    "push, or the dominoes.%s",
-                   query->scene->listed.domino
+                   row_has_file(query->scene)
                        ? ""
                        : " 'why' says with which gaps or growth an endless train keeps falling.");
     if (falls)

@@ -69,7 +69,7 @@ static bool class_make(struct class_row *class, struct problem *problem)
     const struct scene *scene = query->scene;
     const struct row_run *run = &class->row.run;
     const size_t count = run->scene.row.count;
-    if (count < 2 || scene->train.r != 1 || scene->listed.domino || scene->listed.changes > 0)
+    if (count < 2 || scene->train.r != 1 || scene->slot)
         return problem_no_answer(problem, "a sheet needs a row of at least two dominoes, all equal, with "
                                           "equal gaps; 'plan' describes other rows");
     if (run->verdict.end != DOM_ROW_FALLS)

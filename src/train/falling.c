@@ -4,13 +4,6 @@
 #include <float.h>
 #include <stdlib.h>
 
-void row_grow(domq_real r, struct domq_domino *domino, size_t count, const struct scene *scene)
-{
-    struct scene grown = *scene;
-    grown.train.r = r;
-    scene_row_fill(&grown, domino, count);
-}
-
 /* ---- Words and numbers ---- */
 
 struct cell cell_narrow(domq_real value, int digits)
@@ -168,12 +161,12 @@ bool start_run(const struct query *query, const struct domq_train *train, domq_r
         start_scene(query, train, (size_t)quad_smaller(dominoes, (domq_real)START_DOMINOES));
     const struct domq_row *row = &run.made.row;
     *start = (struct start){.push = DOMQ_NAN};
-    if (!scene_row_make(&scene, &run.made, problem))
+    if (!train_row_make(&scene, &run.made, problem))
         return false;
     plain_run(&run);
     enum dom_status status = start->status = run.status;
     start->count = row->count;
-    start->engine = row->engine ? scene_engine_why(&scene) : NULL;
+    start->engine = scene_engine(&scene);
     start->end = run.verdict.end;
     start->stops_at = run.verdict.domino;
     start->spare = run.spare;
@@ -214,7 +207,8 @@ static double growth_spare(double r, void *context)
     bool is_decided = false;
     for (size_t most = START_FEW; !is_decided; most = START_SEARCHED) {
         *count = most;
-        row_grow((domq_real)r, run->made.domino, most, &s->scene);
+        s->scene.train.r = (domq_real)r;
+        train_row_fill(&s->scene, run->made.domino, most);
         plain_run(run);
         is_decided = run->status != DOM_OK || run->is_settled || *count < most || most == START_SEARCHED ||
                      (v->end != DOM_ROW_FALLS && v->domino < most);
@@ -230,7 +224,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
 {
     struct search s = {.scene = start_scene(query, train, 2)};
     struct scene_row *made = &s.run.made;
-    *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, scene_has_engine(&s.scene)};
+    *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, scene_engine(&s.scene)};
     if (growths->is_too_slow)
         return true;
     /* The dominoes of a train lean and stand alike, so two equal ones show whether they stand. The first
@@ -238,7 +232,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     s.scene.train.r = 1;
     if (s.scene.effect[DOM_EFFECT_release].on)
         s.scene.effect[DOM_EFFECT_release].value[0] = RELEASE_TOUCH;
-    if (!scene_row_make(&s.scene, made, problem))
+    if (!train_row_make(&s.scene, made, problem))
         return false;
     free(made->domino);
     made->row.domino = made->domino = malloc(START_SEARCHED * sizeof *made->domino);

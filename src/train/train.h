@@ -64,10 +64,6 @@ void walk_columns_in(const struct query *query, struct answer *answer);
 /* Formats an angle in the session's unit for a sentence, for example as "28.65 deg" or "0.5 rad". */
 struct measured angle_text(const struct query *query, domq_real theta, int digits);
 
-/* Fills in the dominoes that the row of `scene` would have if the growth were
- * r. Keeps the changes that 'change' made to single dominoes. */
-void row_grow(domq_real r, struct domq_domino *domino, size_t count, const struct scene *scene);
-
 /* ---- Words and numbers ---- */
 
 /* Returns a cell that a table shows with this many digits and without an error bound. */

@@ -197,7 +197,7 @@ END
         "$DOMINO" -n -e "effect ${method#*|}; effects" | grep -q "computed by the ${method%|*}\.$"
     done
     local on='effect row 3; effect feet 1; effect error_floor 1; effect error_mass 1 %; effects'
-    same 'method of each' 'motion balance balance engine balance engine' "$(json "$on" |
+    same 'method of each' 'motion balance balance balance engine engine' "$(json "$on" |
         jq -r 'select(.effect | IN("friction", "slope", "floor", "feet", "error_mass", "error_floor")).method' | paste -sd ' ')"
     same 'air' 'motion motion' "$(json 'effects' | jq -r 'select(.effect == "air" or .effect == "drag").method' | paste -sd ' ')"
 }

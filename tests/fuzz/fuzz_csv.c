@@ -33,38 +33,36 @@ static void byte_write(FILE *out, uint8_t byte)
         putc(byte == 0xff ? '\0' : byte, out);
 }
 
-/* Reads a row. Returns false if the row is rejected. Aborts if there is no message that says why. */
-static bool row_read(const char *text, size_t size, struct listed_row *row)
+/* Reads a row. Returns NULL if the row is rejected. Aborts if there is no message that says why. */
+static struct row_file *row_read(const char *text, size_t size)
 {
     FILE *in = fmemopen((void *)(uintptr_t)text, size, "r");
     struct csv_table *csv = in ? csv_open(in, NULL, &rowfile_kind) : NULL;
     if (!csv)
         abort();
-    bool good = !*csv->file.problem.text && rowfile_read(csv, 0, row);
-    if (good == (*csv->file.problem.text != '\0') ||
-        (!good && (csv->file.problem.at.line < 1 || csv->file.problem.at.column < 1)))
+    struct row_file *row = *csv->file.problem.text ? NULL : rowfile_read(csv, 0);
+    if ((row != NULL) == (*csv->file.problem.text != '\0') ||
+        (!row && (csv->file.problem.at.line < 1 || csv->file.problem.at.column < 1)))
         abort();
     csv_close(csv);
     fclose(in);
-    return good;
+    return row;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     char *text;
     size_t length;
-    struct listed_row row;
     FILE *out = open_memstream(&text, &length);
     for (size_t i = 0; i < size && ftell(out) < 1 << 20; i++)
         byte_write(out, data[i]);
     fclose(out);
-    if (length > 0 && row_read(text, length, &row)) {
-        for (size_t k = 0; k < row.count; k++)
-            if (!(row.domino[k].height > 0 && row.domino[k].thickness > 0 && row.domino[k].gap >= 0 &&
-                  row.domino[k].mass > 0))
-                abort();
-        listed_free(&row);
-    }
+    struct row_file *row = length > 0 ? row_read(text, length) : NULL;
+    for (size_t k = 0; row && k < row->count; k++)
+        if (!(row->domino[k].height > 0 && row->domino[k].thickness > 0 && row->domino[k].gap >= 0 &&
+              row->domino[k].mass > 0))
+            abort();
+    rowfile_drop(row);
     free(text);
     return 0;
 }

@@ -7,7 +7,7 @@ load common
 # bats test_tags=rows,chance,engine
 @test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
     json show >all
-    same names 's r d q width tol h g mass density fuel precision method seed threads output header digits angle errors' "$(values name <all | paste -sd ' ' -)"
+    same names 's r d q width tol h g mass density fuel precision output header digits angle threads seed method errors' "$(values name <all | paste -sd ' ' -)"
     while read -r name unit value; do
         row=$(json "show $name")
         same "show $name" "$(grep "\"name\":\"$name\"" "$PWD/all")" "$row"

@@ -58,6 +58,6 @@ END
 @test "show lists differences from the defaults" {
     same none "All parameters have their defaults, and no effect is on. 'show all' lists them." "$("$DOMINO" -e show)"
     same some 's r friction x f(a)' "$("$DOMINO" -e 's = 0.3; friction = 0.2; r = 2; let x = 2; let f(a) = 2*a; show' | awk 'NR > 1 { print $1 }' | paste -sd ' ' -)"
-    same 'and gaps' "Single dominoes have been changed; 'row' lists the row." \
-        "$("$DOMINO" -e 'effect row 3; place 2 20 mm; show' | tail -n 1)"
+    same 'and changed rows' 'row 3, changed' "$("$DOMINO" -e 'effect row 3; place 2 20 mm; show' | awk '/^row/ { print $1, $2, $3 }')"
+    same 'and longer rows' 'row 3, now 4' "$("$DOMINO" -e 'effect row 3; insert 2; show' | awk '/^row/ { print $1, $2, $3, $4 }' | tail -n 1)"
 }

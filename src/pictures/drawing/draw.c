@@ -300,7 +300,7 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
     if (words & DRAW_TOWER) {
         struct tower tower;
         const bool good = tower_make(query, &tower, problem) && draw_row(&tower.query, a, problem, words);
-        free(tower.change);
+        tower_free(&tower);
         return good;
     }
     return row && !train ? draw_row(query, a, problem, words) : draw_train(query, a, problem, words);

@@ -118,8 +118,9 @@ enum dom_status falling_row_watch(const struct falling_row *row, const double *t
     if (!double_row_make(&row->run.scene.row, &row->run.scene.compute, &made))
         return DOM_NO_MEMORY;
     const enum dom_status status =
-        made.row.engine ? row_engine->watch(&made.row, &made.compute, times, count, visit, context, row->slid)
-                        : dom_row_watch(&made.row, &made.compute, times, count, visit, context, &verdict);
+        made.row.engine
+            ? row->run.report.watch(&made.row, &made.compute, times, count, visit, context, row->slid)
+            : dom_row_watch(&made.row, &made.compute, times, count, visit, context, &verdict);
     free(made.domino);
     return status;
 }
@@ -128,16 +129,15 @@ enum dom_status falling_row_watch(const struct falling_row *row, const double *t
 
 /* Turns the last domino of the row into the tower: a domino of this height, with the proportions of the
  * others. The gap before it is s times its height, as for every domino. */
-static bool tower_stand(struct tower *tower, size_t dominoes, domq_real height)
+static bool tower_stand(struct tower *tower, size_t dominoes, domq_real height, struct problem *problem)
 {
     struct scene *scene = &tower->state.scene;
     const struct domq_train *train = &scene->train;
-    struct listed_row listed = {.domino = NULL};
-    if (!row_changes_open(&listed, dominoes + 1))
+    tower->row = row_edit(scene, problem);
+    if (!tower->row)
         return false;
-    scene->listed = listed;
-    tower->change = listed.change;
-    struct domq_domino *change = &tower->change[dominoes].to;
+    scene->slot = &tower->row->slot;
+    struct domq_domino *change = &tower->row->change[dominoes].to;
     change->height = height;
     change->thickness = train->d * height;
     change->width = train->width * height;
@@ -154,7 +154,7 @@ bool tower_make(const struct query *query, struct tower *tower, struct problem *
     /* Indices of the first columns in the answer of 'count'. */
     enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES };
     const struct last_answer *ans = query->ans;
-    *tower = (struct tower){.change = NULL};
+    *tower = (struct tower){.row = NULL};
     if (!ans->command || ans->command->run != run_count)
         return problem_error(problem,
                              "'tower' works only if the last answer was a count; first enter 'count 112 m'");
@@ -172,8 +172,13 @@ bool tower_make(const struct query *query, struct tower *tower, struct problem *
         {.parameter = parameter_find("r"), .value = ans->cells[COUNT_GROWTH].number},
         {.parameter = parameter_find("row"), .value = dominoes + 1}};
     return query_with(query, assigned, 2, &tower->state, &tower->query, problem) &&
-           (tower_stand(tower, (size_t)dominoes, ans->cells[COUNT_HEIGHT].number) ||
-            problem_status(problem, query->scene, DOM_NO_MEMORY));
+           tower_stand(tower, (size_t)dominoes, ans->cells[COUNT_HEIGHT].number, problem);
+}
+
+void tower_free(struct tower *tower)
+{
+    if (tower->row)
+        slot_drop(&tower->row->slot);
 }
 
 /* ---- Sentences ---- */

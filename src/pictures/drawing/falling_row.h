@@ -47,11 +47,12 @@ double falling_row_extreme(const struct falling_row *row, size_t count, bool tal
 struct tower {
     struct query query;
     struct state state; /* shares memory with the state of the original query */
-    struct changed_domino *change;
+    struct listed_row *row;
 };
 
-/* On failure, sets *problem and returns false. Even then, the caller must free tower->change. */
+/* On failure, sets *problem and returns false. Even then, the caller must call tower_free. */
 bool tower_make(const struct query *query, struct tower *tower, struct problem *problem);
+void tower_free(struct tower *tower);
 
 /* ---- Sentences ---- */
 

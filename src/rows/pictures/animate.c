@@ -290,13 +290,13 @@ static bool run_animate(const struct query *query, struct answer *a, struct prob
                         .out = a,
                         .is_data = !answer_for_people(a),
                         .words = query->given->bound ? *(const unsigned *)query->given->bound : 0};
-    struct tower tower = {.change = NULL};
+    struct tower tower = {.row = NULL};
     a->note = NULL;      /* no TRAIN_NOTE, because the film shows the row */
     a->style.errors = 0; /* a picture shows no errors */
     if (film.words & FILM_TOWER)
         film.query = &tower.query;
     const bool good = (!(film.words & FILM_TOWER) || tower_make(query, &tower, problem)) && film_make(&film);
-    free(tower.change);
+    tower_free(&tower);
     return good;
 }
 

@@ -22,12 +22,12 @@ static bool plot_fall(const struct query *query, struct answer *a, struct chart 
     struct falling_row row;
     const struct row_run *run = &row.run;
     double least = HUGE_VAL, most = 0, spare = (double)NAN;
-    if (scene_has_engine(query->scene))
+    if (scene_engine(query->scene))
         return problem_no_answer(
             problem,
             "the rigid-body engine runs this row because %s, and the engine does not compute the energy that "
             "a domino needs; 'plot speed' shows how the row falls",
-            scene_engine_why(query->scene));
+            scene_engine(query->scene));
     if (!plotted_run(query, false, &row, problem))
         return false;
     if (scene_has_masses(query->scene))

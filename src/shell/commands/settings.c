@@ -45,7 +45,7 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
     char number[WIDE_TEXT];
     domq_real value = parameter_get(query->state, p), fallback = parameter_fallback(query->state, p);
     bool is_number = parameter_is_number(p), as_number = is_number && !people,
-         is_on = p->effect && value != EFFECT_OFF && !effect_file(query->scene, p->which);
+         is_on = p->effect && value != EFFECT_OFF && !effect_slot(query->scene, p->which);
     parameter_range_write(query->state, p, 0, shown->range);
     if (p->effect)
         effect_setting_write(query->scene, p->which, shown->value);
@@ -133,8 +133,6 @@ static bool run_show(const struct query *query, struct answer *a, struct problem
         variable_row(a, &variables->list[i]);
     if (is_empty)
         answer_say(a, "All parameters have their defaults, and no effect is on. 'show all' lists them.");
-    if (is_short && query->scene->listed.changes > 0)
-        answer_say(a, "Single dominoes have been changed; 'row' lists the row.");
     return true;
 }
 
@@ -172,25 +170,6 @@ static struct typed_length length_typed(const struct arguments *given)
     return length;
 }
 
-/* Says what in the row a change of a parameter leaves as it was. */
-static void row_say(const struct query *query, struct answer *a, const struct parameter *p)
-{
-    const struct listed_row *listed = &query->next->scene.listed;
-    const bool is_width = p->share == SHARE_width;
-    size_t kept = 0; /* gaps that were changed individually and so no longer follow from s */
-    for (size_t k = 0; k < listed->changes && p->share == SHARE_s; k++)
-        kept += isnan(listed->change[k].to.gap) ? 0 : 1;
-    if (listed->domino && (p->of_row || (is_width && listed->domino->width > 0)))
-        change_say(query, a, "%s does not change the row, whose %s come from %s%s.", p->name,
-                   is_width ? "widths" : "dominoes", effect_setting(query->scene, DOM_EFFECT_row),
-                   is_width ? "" : "; 'set row N' makes a row from s, r, d and h");
-    else if (kept > 0)
-        change_say(query, a,
-                   "s does not change the gaps that 'change', 'place' or 'improve' has set (%zu of %zu); "
-                   "'set row N' makes a row from s and r.",
-                   kept, listed->changes - 1);
-}
-
 static bool run_set(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
@@ -205,8 +184,11 @@ static bool run_set(const struct query *query, struct answer *a, struct problem 
     /* In a script, the next line may set the parameter `moved` too, so no message is printed. */
     if (moved && parameter_get(next, moved) != was && !query->run_context->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
-    if (!query->run_context->sourced)
-        row_say(query, a, p);
+    char kept[PROBLEM_TEXT] = "";
+    if (next->scene.slot && !query->run_context->sourced)
+        next->scene.slot->kind->kept(&next->scene, p, kept);
+    if (*kept)
+        change_say(query, a, "%s", kept);
     /* The user may not know the value that 'on' has given. */
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         change_say(query, a, "%s is on: %s. 'set %s' sets another value.", p->name,
@@ -271,7 +253,7 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
 static bool save_allowed(const struct scene *scene, const char *path, struct problem *problem)
 {
     const struct extension *extension = extension_of(path);
-    const char *shown = names_shown(path), *row = scene->listed.path;
+    const char *shown = names_shown(path), *row = scene->slot ? scene->slot->file : NULL;
     struct stat file, row_file;
     if (extension->kind >= EXTENSION_DATA)
         return problem_error(problem,

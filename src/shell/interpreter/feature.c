@@ -25,14 +25,6 @@ bool command_compute(const struct command *c, const struct query *query, struct 
     return computes(c, query, answer, problem);
 }
 
-static bool feature_has(const char *name)
-{
-    for (int k = 0; features[k]; k++)
-        if (strcmp(features[k]->name, name) == 0)
-            return true;
-    return false;
-}
-
 void features_register(const struct feature *const *list)
 {
     const struct parameter *p;
@@ -40,10 +32,13 @@ void features_register(const struct feature *const *list)
     features = list;
     every_count = named_count = 0;
     computes = command_answer;
-    parameters_of_features(feature_has);
+    parameters_begin();
+    for (int needs = 0; needs <= 1; needs++) /* parameters that need an effect come after it */
+        for (const struct feature *const *f = features; *f; f++)
+            for (int k = 0; (*f)->parameter && (p = (*f)->parameter(k)) != NULL; k++)
+                if ((p->needs != NULL) == needs)
+                    parameters_add(p);
     for (const struct feature *const *f = features; *f; f++) {
-        for (int k = 0; (*f)->parameter && (p = (*f)->parameter(k)) != NULL; k++)
-            parameters_add(p, feature_has);
         for (int k = 0; (*f)->names && named_count < NAMED_MOST && (*f)->names(NULL, k); k++)
             named[named_count++] = (*f)->names(NULL, k);
         if ((*f)->compute)

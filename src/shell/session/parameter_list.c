@@ -3,7 +3,7 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
-#include "session/row.h"
+#include <string.h>
 
 static const char s_help[] =
     "The gap before a domino is the clear distance from the previous domino. s is this gap divided by the "
@@ -33,26 +33,9 @@ static const char precision_help[] =
     "The equations are solved in float, double or quad arithmetic. Parameters keep all their digits, and are "
     "rounded when they are used: in quad, 7/48 has 34 digits. 'set digits 33' shows all digits that quad "
     "gives. Commands that search for a row or run many rows compute in double, and say so.";
-static const char errors_help[] =
-    "Each answer is computed a second time, with 30 digits. A number in a table is then followed by +/- and "
-    "its error ('details' has the numbers of an answer in words): the difference between the two "
-    "computations, plus the rounding error of the number and the digits that are not printed. This is no "
-    "proof: a mistake that both computations make does not show. No error is shown if the two come to "
-    "different conclusions, and where only double precision is available, as in studies of many rows. While "
-    "errors are on, 'digits' affects only numbers without an error. In csv and json the error has a column "
-    "or key of its own, named KEY_error.";
 static const char density_help[] =
     "If 'mass' is 0, the mass of the first domino is the density times its volume, for which 'set width' "
     "gives the width. With 'set walls', only the volume of the walls counts.";
-static const char method_help[] =
-    "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check: it uses none "
-    "of "
-    "the program's equations, and includes contacts that the model lacks. The time step is halved until the "
-    "verdict no longer changes. One run takes about a hundred times as long, and a row can have at most 200 "
-    "dominoes. With 'model', the engine runs only rows with 'set feet' or 'set bounce'. Endless trains "
-    "always "
-    "use the model.";
-
 static bool fuel_check(const struct state *state, const struct parameter *p, domq_real fuel,
                        struct problem *problem)
 {
@@ -92,14 +75,14 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
 /* The library's lists of parameters and effects give only some members of an entry. These macros give the others. */
 #define RANGE(from_, to_) .from = from_, .to = to_
-#define MORE_s .share = SHARE_s, .synonyms = "gap separation spacing distance apart", .help = s_help, RANGE(0.02, 1), .of_row = true,
-#define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help, RANGE(1, 4), .of_row = true,
-#define MORE_d .share = SHARE_d, .synonyms = "thickness thin thick depth", .help = d_help, RANGE(0.01, 1), .of_row = true,
+#define MORE_s .share = SHARE_s, .synonyms = "gap separation spacing distance apart", .help = s_help, RANGE(0.02, 1),
+#define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help, RANGE(1, 4),
+#define MORE_d .share = SHARE_d, .synonyms = "thickness thin thick depth", .help = d_help, RANGE(0.01, 1),
 #define MORE_q .synonyms = "exponent wood block box weight material", .help = q_help, RANGE(1, 6), \
     .words = WORD_LIST({"hollow", 3}, {"solid", 4}, {"massive", 4}),
 #define MORE_width .share = SHARE_width, .synonyms = "wide broad breadth", .help = width_help, RANGE(0.05, 5),
 #define MORE_tol .synonyms = "tolerance accuracy precision", .help = tol_help, .of_precision = true,
-#define MORE_h .synonyms = "height size tall scale", RANGE(0.005, 10), .of_row = true,
+#define MORE_h .synonyms = "height size tall scale", RANGE(0.005, 10),
 #define MORE_g .synonyms = "gravity acceleration weight moon planet", RANGE(0.1, 30),
 #define MORE_friction .example = "set q hollow; set friction 0.2; rmax 0.4; set friction off", RANGE(0, 2),
 #define MORE_slope .example = "set slope on; rmax", RANGE(-0.14, 0.14),
@@ -107,7 +90,6 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define MORE_walls .share = SHARE_walls, .example = "set walls 1 mm; duration; set walls off", RANGE(1e-4, 0.07),
 #define MORE_air .example = "set density 650; set air on; rmax 0.4; set air off", RANGE(0, 5),
 #define MORE_drag .example = "set density 650; set air on; set drag 2; rmax 0.4; set drag off; set air off", RANGE(0.5, 3),
-#define MORE_row .feature = "rows",
 #define MORE_push .share = SHARE_push, .example = "set push 3; rmax 0.4; set push off", RANGE(0, 30),
 #define MORE_release .example = "set release 20 deg; rmax 0.4; set release off", RANGE(0, 1.5),
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
@@ -126,9 +108,6 @@ enum { FORMATS(FORMAT_NUMBER) };
     {.name = #name_, MORE_##name_ .value = domq_effect_##name_.argument, .effect = &domq_effect_##name_, \
      .which = DOM_EFFECT_##name_, \
      .words = (int)DOM_EFFECT_##name_ == (int)DOM_EFFECT_release ? release_words : effect_words},
-/* Features provide these entries. Here are only their names, and the features that they need. */
-#define ENGINE_EFFECT(name_) {.name = #name_, .feature = "engine"},
-#define ERROR_EFFECT(name_, feature_) {.name = "error_" #name_, .feature = feature_},
 
 const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON}, {NULL, 0}};
 
@@ -152,16 +131,6 @@ static const struct parameter every_parameter[] = {
      .synonyms = "accuracy digits float double quad",
      .words = WORD_LIST({"float", IN_FLOAT}, {"double", IN_DOUBLE}, {"quad", IN_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .before = precision_before},
-    {ENTRY("method", scene.method, "", "how rows are computed: by the model, or by a rigid-body engine", .usual = METHOD_MODEL),
-     .feature = "engine", .synonyms = "engine chipmunk simulation second opinion compare check",
-     .words = WORD_LIST({"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}), .words_only = true,
-     .help = method_help},
-    {ENTRY("seed", scene.seed, "", "seed of the random numbers: the same seed gives the same random rows", .highest = (domq_real)4294967295.0,
-         .usual = SEED_DEFAULT, .whole = true),
-     .feature = "chance", .synonyms = "random chance"},
-    {ENTRY("threads", settings.threads, "", "number of threads for curves, sweeps and studies; 0 means one for each processor",
-         .highest = 256, .whole = true),
-     .feature = "parallel", .synonyms = "parallel cores processors cpu fast", .setting = true},
     {ENTRY("output", settings.style.output, "", "format in which answers are printed", .usual = 0),
      .synonyms = "csv json format spreadsheet",
      .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
@@ -174,39 +143,44 @@ static const struct parameter every_parameter[] = {
     {ENTRY("angle", settings.style.angle, "", "unit of angles, both in input and in answers", .usual = ANGLE_RAD),
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
-    {ENTRY("errors", settings.style.errors, "", "whether each number is followed by its difference from a computation with 30 digits", .usual = 0),
-     .feature = "errors", .synonyms = "accuracy uncertainty precision difference",
-     .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
     DOM_DYNAMICS(DYNAMICS)
-    DOM_EFFECTS(EFFECT)
-    {.name = "placement", .feature = "chance"},
-    {.name = "floor", .feature = "rows"},
-    ENGINE_EFFECT(feet)
-    ENGINE_EFFECT(bounce)
-    ERROR_EFFECTS(ERROR_EFFECT)
+    EFFECT(push) /* and 'row', which a feature adds */
+    EFFECT(release)
     {.name = NULL},
 };
 /* clang-format on */
 
-enum { EVERY = sizeof every_parameter / sizeof *every_parameter };
-static struct parameter built[EVERY], *end = built;
+enum { PARAMETERS_MOST = 64 };
+static struct parameter built[PARAMETERS_MOST], *end = built;
 const struct parameter *session_parameters = built;
 
-static const struct domq_effect *effects[EFFECT_COUNT]; /* those that features describe */
+/* The effects that features describe, from number DOM_EFFECT_COUNT on. */
+static const struct parameter *effects[EFFECTS_MOST];
+static int effect_count;
 
 const struct domq_effect *effect_at(int k)
 {
-    return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k) : effects[k];
+    return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k) : effects[k]->effect;
+}
+
+const struct parameter *parameter_find(const char *name)
+{
+    const struct parameter *p = session_parameters;
+    while (p->name && (*p->name != *name || strcmp(p->name, name) != 0))
+        p++;
+    return p->name ? p : NULL;
 }
 
 bool effect_needs(int effect, int other)
 {
-    return other != DOM_EFFECT_row && (effect_at(effect)->needs >> other & 1) != 0;
+    const char *name = effect < DOM_EFFECT_COUNT ? NULL : effects[effect]->needs;
+    return other != DOM_EFFECT_row && ((effect_at(effect)->needs >> other & 1) != 0 ||
+                                       (name && strcmp(name, effect_at(other)->name) == 0));
 }
 
 bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem)
 {
-    for (int k = 0; k < EFFECT_COUNT; k++)
+    for (int k = 0; k < effect_count; k++)
         if (effect_needs(effect, k) && !scene->effect[k].on)
             return problem_error(problem, "'set %s' needs the effect %s; first enter 'set %s %s'",
                                  effect_at(effect)->name, effect_at(k)->name, effect_at(k)->name,
@@ -239,36 +213,28 @@ static struct parameter complete(const struct parameter *p)
     return whole;
 }
 
-void parameters_of_features(bool (*has)(const char *feature))
+void parameters_begin(void)
 {
+    effect_count = DOM_EFFECT_COUNT;
     end = built;
     for (const struct parameter *p = every_parameter; p->name; p++)
-        if (p->value && (!p->feature || has(p->feature)))
-            *end++ = complete(p);
+        *end++ = complete(p);
     end->name = NULL;
 }
 
-void parameters_add(const struct parameter *p, bool (*has)(const char *feature))
+void parameters_add(const struct parameter *p)
 {
-    effects[p->which] = p->effect;
-    if (end == built + EVERY - 1 || (p->feature && !has(p->feature)))
-        return;
-    /* in the order of the effects, whatever the order of the features */
-    struct parameter *at = end++;
-    for (; at > built && at[-1].effect && at[-1].which > p->which; at--)
-        *at = at[-1];
-    if (at > built && at[-1].effect == p->effect) {
-        memmove(at, at + 1, (size_t)(end-- - at) * sizeof *at);
-        at--;
+    struct parameter added = *p;
+    if (p->number) {
+        effects[effect_count] = p;
+        added.which = *p->number = effect_count++;
     }
-    *at = complete(p);
+    if ((p->needs && !parameter_find(p->needs)) || end == built + PARAMETERS_MOST - 1)
+        return;
+    /* effects come last, in the order of their numbers */
+    struct parameter *at = end++;
+    for (; at > built && at[-1].effect && (!p->effect || at[-1].which > added.which); at--)
+        *at = at[-1];
+    *at = complete(&added);
     end->name = NULL;
-}
-
-const char *parameter_missing(const char *name)
-{
-    for (const struct parameter *p = every_parameter; p->name; p++)
-        if (strcmp(p->name, name) == 0)
-            return p->feature;
-    return NULL;
 }

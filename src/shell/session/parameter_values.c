@@ -27,14 +27,6 @@ const char *parameter_offered(const void *parameter, int k)
     return NULL;
 }
 
-const struct parameter *parameter_find(const char *name)
-{
-    const struct parameter *p = session_parameters;
-    while (p->name && (*p->name != *name || strcmp(p->name, name) != 0))
-        p++;
-    return p->name ? p : NULL;
-}
-
 const struct parameter *parameter_by_synonym(const char *word, bool any)
 {
     const struct parameter *found = NULL;
@@ -79,12 +71,12 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
 {
     word = strcmp(word, "w") == 0 ? "width" : word;
     int k = names_find(list, NULL, what, word, message);
-    const char *feature = k < 0 && !parameter_find(word) ? parameter_missing(word) : NULL;
-    if (feature) {
-        snprintf(message, NAMES_MESSAGE, "'%s' belongs to the feature '%s', which this build leaves out",
-                 word, feature);
-        return NAMES_UNKNOWN;
-    }
+    for (const struct absent_parameter *p = absent_parameters; p->name && k < 0; p++)
+        if (strcmp(p->name, word) == 0) {
+            snprintf(message, NAMES_MESSAGE, "'%s' belongs to the feature '%s', which this build leaves out",
+                     word, p->feature);
+            return NAMES_UNKNOWN;
+        }
     if (k < 0 && parameter_by_value(word, message))
         return NAMES_CLOSE;
     const struct parameter *p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
@@ -214,7 +206,7 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
         all[i] = i < given && !usual ? value[i] : a->usual;
     }
     all[0] = off ? EFFECT_OFF : all[0];
-    for (int k = 0; off && k < EFFECT_COUNT; k++)
+    for (int k = 0; off && k < EFFECTS_MOST; k++)
         if (state->scene.effect[k].on && effect_needs(k, p->which))
             return problem_error(problem, "'set %s' needs the %s; first enter 'set %s off'",
                                  effect_at(k)->name, p->name, effect_at(k)->name);
@@ -223,8 +215,8 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
         assigned.length = *length;
     if (!state_assign(&next, &assigned, 1, problem))
         return false;
-    if (p->effect && p->which == DOM_EFFECT_row)
-        listed_free(&state->scene.listed);
+    if (next.scene.slot != state->scene.slot)
+        slot_drop(state->scene.slot);
     *state = next;
     return true;
 }
@@ -257,31 +249,23 @@ static void save_value(const struct parameter *p, int i, domq_real value, FILE *
 }
 
 /* Writes the commands that set a parameter to its current values. */
-static void parameter_save(const struct state *state, const struct parameter *p, const char *folder,
-                           FILE *out)
+static bool parameter_save(const struct state *state, const struct parameter *p, const char *folder,
+                           FILE *out, struct problem *problem)
 {
-    const char *path = p->effect ? effect_file(&state->scene, p->which) : NULL;
+    const struct slot *slot = p->effect ? effect_slot(&state->scene, p->which) : NULL;
+    if (slot)
+        return slot->kind->save(&state->scene, folder, out, problem);
     const struct typed_length *length = &state->scene.length[p->share];
     fprintf(out, "set %s", p->name);
-    if (path) {
-        /* If the file is below the directory of the script, its path is written relative to the script. The
-         * script and the file can then be moved together. */
-        const size_t size = folder ? strlen(folder) : 0;
-        const bool below = size > 0 && strncmp(path, folder, size) == 0 && path[size] == '/';
-        fputs(below ? " \"." : " \"", out);
-        for (const char *c = below ? path + size : path; *c; c++)
-            fputs(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, out);
-        putc('"', out);
-    } else if (length->m > 0 && parameter_get(state, p) != EFFECT_OFF)
+    if (length->m > 0 && parameter_get(state, p) != EFFECT_OFF)
         fprintf(out, " %s", length_write(length->m, length->unit, (char[LENGTH_TEXT]){""}));
     else
         save_value(p, 0, parameter_get(state, p), out);
     const domq_real *value = state->scene.effect[p->which].value;
-    for (int i = 1; p->effect && !path && value[0] != EFFECT_OFF && !usual_from(value, p->value, i); i++)
+    for (int i = 1; p->effect && value[0] != EFFECT_OFF && !usual_from(value, p->value, i); i++)
         save_value(p, i, value[i], out);
     putc('\n', out);
-    if (p->save)
-        p->save(&state->scene, out);
+    return true;
 }
 
 const struct parameter *parameter_in_order(const struct state *state, int k)
@@ -293,10 +277,10 @@ const struct parameter *parameter_in_order(const struct state *state, int k)
     const unsigned alone = 1U << DOM_EFFECT_row;
     for (int rank = 0; rank <= 5; rank++)
         for (const struct parameter *p = session_parameters; p->name; p++) {
-            const int at = !p->effect                         ? (p->words_only ? p->setting ? 2 : 3 : 4)
-                           : state->scene.effect[p->which].on ? 5
-                           : p->effect->needs & ~alone        ? 0
-                                                              : 1;
+            const int at = !p->effect                              ? (p->words_only ? p->setting ? 2 : 3 : 4)
+                           : state->scene.effect[p->which].on      ? 5
+                           : p->needs || p->effect->needs & ~alone ? 0
+                                                                   : 1;
             if (at == rank && k-- == 0)
                 return p;
         }
@@ -305,18 +289,11 @@ const struct parameter *parameter_in_order(const struct state *state, int k)
 
 bool parameters_save(const struct state *state, const char *folder, FILE *out, struct problem *problem)
 {
-    const struct listed_row *row = &state->scene.listed;
-    for (const char *c = row->domino ? row->path : ""; *c; c++)
-        if ((unsigned char)*c < ' ' || *c == 0x7f)
-            return problem_error(
-                problem,
-                "cannot save: the name of the row's file, '%s', contains a control character; "
-                "rename the file, or enter 'set row off'",
-                names_shown(row->path));
     const struct parameter *p;
-    for (int k = 0; (p = parameter_in_order(state, k)) != NULL; k++)
-        parameter_save(state, p, folder, out);
-    return true;
+    bool good = true;
+    for (int k = 0; good && (p = parameter_in_order(state, k)) != NULL; k++)
+        good = parameter_save(state, p, folder, out, problem);
+    return good;
 }
 
 const char *parameter_word(const struct parameter *p, domq_real value)
@@ -392,9 +369,9 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
 
 /* ---- Effects ---- */
 
-const char *effect_file(const struct scene *scene, int effect)
+const struct slot *effect_slot(const struct scene *scene, int effect)
 {
-    return effect == DOM_EFFECT_row && scene->listed.domino ? scene->listed.path : NULL;
+    return scene->slot && scene->slot->kind->effect == effect ? scene->slot : NULL;
 }
 
 const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING])
@@ -402,19 +379,18 @@ const char *effect_setting_write(const struct scene *scene, int effect, char set
     const domq_real *value = scene->effect[effect].value;
     const struct domq_effect_argument *a = effect_at(effect)->argument;
     const struct parameter *p = parameter_find(effect_at(effect)->name);
-    const char *path = effect_file(scene, effect), *slash = path ? strrchr(path, '/') : NULL;
+    const struct slot *slot = effect_slot(scene, effect);
     const bool on = scene->effect[effect].on;
-    snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : path ? path : on ? "" : "off");
-    for (int i = 0; on && !path && i < DOM_EFFECT_ARGUMENTS && a[i].name; i++) {
+    snprintf(setting, EFFECT_SETTING, "%s", on ? "" : "off");
+    if (slot)
+        slot->kind->setting(scene, setting);
+    for (int i = 0; on && !slot && i < DOM_EFFECT_ARGUMENTS && a[i].name; i++) {
         if (usual_from(value, a, i))
             break;
         const char *word = p ? value_word(p, i, value[i]) : NULL;
         text_add(setting, EFFECT_SETTING, "%s%s%s%s", i ? ", " : "", word ? word : quad_text(value[i], 10),
                  *a[i].unit && !word ? " " : "", word ? "" : a[i].unit);
     }
-    /* a row from which dominoes were removed, or into which some were inserted */
-    if (effect == DOM_EFFECT_row && scene_row_count(scene) != scene_row_planned(scene))
-        text_add(setting, EFFECT_SETTING, ", now %zu", scene_row_count(scene));
     return setting;
 }
 
@@ -425,8 +401,8 @@ void effect_put(struct scene *scene, int effect, domq_real value, const domq_rea
         state->value[i] = others ? others[i - 1] : effect_at(effect)->argument[i].usual;
     state->on = value != EFFECT_OFF;
     state->value[0] = value;
-    if (effect == DOM_EFFECT_row)
-        scene->listed = (struct listed_row){.domino = NULL};
+    if (effect_slot(scene, effect))
+        scene->slot = NULL;
     effects_apply(scene);
 }
 

@@ -19,7 +19,6 @@ struct word {
 
 struct parameter {
     const char *name;
-    const char *feature; /* the feature without which the parameter does not exist; NULL for none */
     /* the description of the value; for an effect, an array with a description of each value */
     const struct domq_effect_argument *value;
     /* An effect has these three texts in its description, from which they are copied. */
@@ -28,21 +27,25 @@ struct parameter {
     const char *synonyms;             /* other words for the parameter, separated by blanks; may be NULL */
     const struct domq_effect *effect; /* the description of an effect; NULL for other parameters */
     int which;                        /* the number of the effect, if the parameter is an effect */
-    const struct word *words;         /* words for some of the values; may be NULL */
+    int *number;                      /* receives the number of an effect of a feature; otherwise NULL */
+    /* the name of an effect of a feature, without which this one is not in the build and cannot be on */
+    const char *needs;
+    bool by_engine;           /* only the rigid-body engine includes the effect */
+    bool is_minor;            /* 'effects' lists the effect only while it is on */
+    const struct word *words; /* words for some of the values; may be NULL */
     /* the value must be one of `words`, and is stored as an unsigned int */
     bool words_only;
     /* The parameter is a setting of the calculator. 'reset' leaves it unchanged unless its name is given. */
     bool setting;
     /* the default and the lower bound depend on the precision, as for tol */
     bool of_precision;
-    bool of_row;      /* the sizes and gaps of 'set row N' follow from it */
     enum share share; /* which share of the height the parameter is */
     /* the name of a parameter that may change when this parameter is set; may be NULL */
     const char *moves;
     const char *example; /* commands that demonstrate an effect; may be NULL */
     /* the usual range, which 'solve' searches unless another is given; 0 and 0 if there is none */
     double from, to;
-    size_t offset; /* the offset of the value in struct state; features leave it out */
+    size_t offset; /* the offset of the value in struct state; effects leave it out */
 
     /* Hooks; each may be NULL. */
     /* Checks whether a value fits the other parameters. The value is known to be in the range of the
@@ -55,8 +58,6 @@ struct parameter {
      * changes nothing and returns false. */
     bool (*load)(struct scene *scene, const char *name, const struct run_context *run_context,
                  struct problem *problem);
-    /* Writes the commands that must follow 'set' in a saved script. */
-    void (*save)(const struct scene *scene, FILE *out);
 };
 
 /* The parameters of this build in the order of 'show', followed by the effects. The last name is NULL. */
@@ -72,15 +73,19 @@ bool effect_needs(int effect, int other);
  * Otherwise, sets *problem. */
 bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem);
 
-/* Leaves out the parameters of features for which `has` returns false. */
-void parameters_of_features(bool (*has)(const char *feature));
+/* Removes the parameters of features. */
+void parameters_begin(void);
 
-/* Adds an effect that a feature describes, in place of the entry that it may have. If it needs a feature for
- * which `has` returns false, adds its description alone. */
-void parameters_add(const struct parameter *effect, bool (*has)(const char *feature));
+/* Adds a parameter of a feature. If it needs an effect that has not been added before, only gives it a
+ * number.
+ */
+void parameters_add(const struct parameter *parameter);
 
-/* Returns the feature to which a parameter belongs that is not in session_parameters, or NULL. */
-const char *parameter_missing(const char *name);
+/* The parameters of features that this build lacks, and these features. The last name is NULL (features.c).
+ */
+extern const struct absent_parameter {
+    const char *name, *feature;
+} absent_parameters[];
 
 /* ---- Descriptions ---- */
 
@@ -187,25 +192,23 @@ bool parameter_set(struct state *state, const struct parameter *parameter, const
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
 /* Writes the commands that set all parameters to their current values. `folder` is the directory of the
- * script, or NULL. Text after a control character in the name of the row's file might be read as another
- * command, so this is reported as a problem. */
+ * script, or NULL. */
 bool parameters_save(const struct state *state, const char *folder, FILE *out, struct problem *problem);
 
 /* ---- Effects ---- */
 
 /* Returns the values of an effect for messages, as in "1 m, 0.1", "record.csv" or "off". The text lives until
  * the end of the caller's block. */
-enum { EFFECT_SETTING = 256 }; /* the longest file name has 255 bytes */
 #define effect_setting(scene, effect) effect_setting_write(scene, effect, (char[EFFECT_SETTING]){""})
 const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING]);
 
-/* Returns the path of the effect's file, or NULL if the user gave none. */
-const char *effect_file(const struct scene *scene, int effect);
+/* Returns the slot of the scene if it belongs to the effect, or NULL. */
+const struct slot *effect_slot(const struct scene *scene, int effect);
 
 /* Sets the values of an effect: value[0] to `value`, which may be EFFECT_OFF, and the other values to
  * `others`. If `others` is NULL, an effect that is already on keeps its other values, and an effect that is
- * off gets the usual ones. If the effect is 'row', the memory of the row is not freed, so the scene must not
- * own this memory. */
+ * off gets the usual ones. Empties the slot of the effect without dropping it, so the scene must not own it.
+ */
 void effect_put(struct scene *scene, int effect, domq_real value, const domq_real *others);
 
 /* Returns the style of answers, including the members that depend on the precision and on tol. */

@@ -24,41 +24,10 @@ void state_close(struct state *state)
     variables_free(&state->variables);
 }
 
-void listed_free(struct listed_row *row)
+void slot_drop(struct slot *slot)
 {
-    if (row->holders && --*row->holders == 0) {
-        free(row->domino);
-        free(row->path);
-        free(row->holders);
-    }
-    free(row->change);
-    *row = (struct listed_row){.domino = NULL};
-}
-
-bool listed_share(struct listed_row *to, const struct listed_row *from)
-{
-    size_t size = from->changes * sizeof *from->change;
-    struct changed_domino *change = size ? malloc(size) : NULL;
-    *to = (struct listed_row){.domino = NULL};
-    if (size && !change)
-        return false;
-    *to = *from;
-    to->change = size ? memcpy(change, from->change, size) : NULL;
-    if (from->holders)
-        ++*from->holders;
-    return true;
-}
-
-size_t scene_row_planned(const struct scene *scene)
-{
-    const struct effect_state *row = &scene->effect[DOM_EFFECT_row];
-    return !row->on ? 0 : scene->listed.domino ? scene->listed.count : (size_t)row->value[0];
-}
-
-size_t scene_row_count(const struct scene *scene)
-{
-    return scene->effect[DOM_EFFECT_row].on && scene->listed.changes > 0 ? scene->listed.changes
-                                                                         : scene_row_planned(scene);
+    if (slot && --slot->holders == 0)
+        slot->kind->free(slot);
 }
 
 void effects_apply(struct scene *scene)
@@ -78,11 +47,12 @@ void effects_apply(struct scene *scene)
 
 void effects_reset(struct scene *scene)
 {
-    for (int k = 0; k < EFFECT_COUNT; k++)
+    for (int k = 0; k < EFFECTS_MOST; k++)
         scene->effect[k] = (struct effect_state){.value[0] = EFFECT_OFF};
     scene->length[SHARE_walls] = scene->length[SHARE_edges] = scene->length[SHARE_push] =
         (struct typed_length){.m = 0};
-    listed_free(&scene->listed);
+    slot_drop(scene->slot);
+    scene->slot = NULL;
     effects_apply(scene);
 }
 

@@ -9,31 +9,12 @@
 #include "precision/any.h"
 #include "session/problem.h"
 #include <math.h>
+#include <stdio.h>
 
-/* ---- Effects: first those of the library, then those that features of the program describe ---- */
+/* ---- Effects: first those of the library, then those that features describe, in the order in which the
+ * features are registered ---- */
 
-/* The kinds of random error that have their own effect, which the feature 'chance' describes, and the feature
- * without which there is no such effect. Errors in gaps and heights belong to 'placement'. */
-#define ERROR_EFFECTS(X)                                                                                     \
-    X(place, "chance")                                                                                       \
-    X(thickness, "chance")                                                                                   \
-    X(mass, "chance")                                                                                        \
-    X(lean, "chance")                                                                                        \
-    X(radius, "chance") X(friction, "chance") X(slope, "chance") X(floor, "engine") X(push, "chance")
-
-/* The numbers of the shell's effects continue after the library's last effect. */
-enum {
-    EFFECT_placement = DOM_EFFECT_COUNT,
-    EFFECT_floor,
-    EFFECT_feet,
-    EFFECT_bounce,
-    EFFECT_ENGINE_END,
-    EFFECTS_BEFORE_ERRORS = EFFECT_ENGINE_END - 1,
-#define ERROR_EFFECT_ENUM(name, feature) EFFECT_error_##name,
-    ERROR_EFFECTS(ERROR_EFFECT_ENUM)
-#undef ERROR_EFFECT_ENUM
-        EFFECT_COUNT
-};
+enum { EFFECTS_MOST = DOM_EFFECT_COUNT + 16 };
 
 /* First values of an effect that stand for the words "off" and "on". EFFECT_ON turns an effect on with its
  * usual values. If the effect is already on, its values do not change. */
@@ -44,7 +25,7 @@ enum {
  * which it touches before it lies flat. */
 #define RELEASE_TOUCH ((domq_real)1.5707963267948966)
 
-/* Returns the description of effect number k, counted from 0, or NULL if this build lacks the effect. */
+/* Returns the description of effect number k, counted from 0. */
 const struct domq_effect *effect_at(int k);
 
 struct effect_state {
@@ -52,39 +33,35 @@ struct effect_state {
     domq_real value[DOM_EFFECT_ARGUMENTS]; /* the first one is EFFECT_OFF if the effect is off */
 };
 
-/* The measurements of a domino that 'change' can change. */
-enum row_measure {
-    MEASURE_HEIGHT,
-    MEASURE_THICKNESS,
-    MEASURE_GAP,
-    MEASURE_MASS,
-    MEASURE_RADIUS,
-    MEASURE_LEAN,
-    MEASURE_WIDTH,
-    ROW_MEASURES
+struct scene;
+struct parameter;
+
+/* What a feature keeps in a scene beyond the values of its effects: the dominoes of a row of one's own.
+ * Copies of a scene share it, so it never changes; a change puts another one in its place. A struct of the
+ * feature begins with this one. */
+struct slot {
+    const struct slot_kind *kind;
+    size_t holders;   /* reference count */
+    size_t size;      /* the number of dominoes in memory, which limits the history of 'undo' */
+    const char *file; /* the file that it was read from, or NULL */
 };
 
-/* A domino of a row that has been changed. */
-struct changed_domino {
-    /* The domino that it is, or that it was copied from: its index in the file, or in the row that 'set row
-     * N' makes. Along the row, these indices never decrease. */
-    size_t origin;
-    /* The changed measurements, and NaN for the others. A changed mass is stored as a factor, because the
-     * mass also changes with the size. */
-    struct domq_domino to;
-};
+enum { EFFECT_SETTING = 256 }; /* the longest file name has 255 bytes */
 
-/* The dominoes of a row that was read from a file, and the changes to any row. */
-struct listed_row {
-    struct domq_domino *domino; /* the dominoes, or NULL if the row does not come from a file */
-    size_t count;
-    bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
-    bool from_volumes; /* the masses follow from the volumes, not from a column "mass" or "relative" */
-    char *path;
-    struct changed_domino *change; /* all dominoes of the row, or NULL if nothing has been changed */
-    size_t changes;                /* the number of elements of `change` */
-    /* the reference count of `domino` and `path`; NULL if these are NULL */
-    size_t *holders;
+/* What the shell does with the slot of a scene. */
+struct slot_kind {
+    /* the effect that exists as long as the slot does, and whose setting it describes */
+    int effect;
+    void (*free)(struct slot *slot);
+    /* Returns the height in m of the first domino. */
+    domq_real (*height)(const struct scene *scene);
+    /* Writes the setting of the effect, such as "hall.csv". */
+    void (*setting)(const struct scene *scene, char text[EFFECT_SETTING]);
+    /* If setting the parameter leaves some of the slot as it was, writes a sentence that says so. Otherwise
+     * writes "". */
+    void (*kept)(const struct scene *scene, const struct parameter *parameter, char text[PROBLEM_TEXT]);
+    /* Writes the commands that make the slot. `folder` is the directory of the script, or NULL. */
+    bool (*save)(const struct scene *scene, const char *folder, FILE *out, struct problem *problem);
 };
 
 /* The parameters that are shares of the height h, and the push. A length that was given instead of a share
@@ -105,11 +82,10 @@ struct scene {
     domq_real mass;    /* the mass of the first domino in kg; 0 if it is not known */
     domq_real density; /* the density of the material in kg/m^3; 0 if it is not known */
     domq_real seed;    /* the seed of random rows */
-    /* METHOD_MODEL or METHOD_ENGINE (row.h): whether the model or the engine runs rows */
-    unsigned method;
+    unsigned method;   /* how rows are computed, if a feature offers a choice; 0 stands for the model */
     struct typed_length length[SHARE_COUNT];
-    struct effect_state effect[EFFECT_COUNT];
-    struct listed_row listed;
+    struct effect_state effect[EFFECTS_MOST];
+    struct slot *slot; /* NULL unless a feature keeps something */
 };
 
 /* Parameters that affect the form of answers or the speed of computation, but not the numbers. */
@@ -133,7 +109,7 @@ void state_init(struct state *state);
 
 void state_close(struct state *state);
 
-/* Turns all effects off and frees the memory of the row. */
+/* Turns all effects off and empties the slot. */
 void effects_reset(struct scene *scene);
 
 /* Returns false if no length and no speed has been given. This costs a sweep less than to look at each of
@@ -153,17 +129,8 @@ static inline domq_real effect_value(const struct scene *scene, int effect, int 
     return scene->effect[effect].on ? scene->effect[effect].value[i] : 0;
 }
 
-/* Returns the number of dominoes in the row of the file or of 'set row N', before any are removed or
- * inserted. Returns 0 if there is no row. */
-size_t scene_row_planned(const struct scene *scene);
-
-/* Returns the number of dominoes in the row, or 0 if there is no row. */
-size_t scene_row_count(const struct scene *scene);
-
-/* Copies a row. The arrays that were read from a file are not copied: both rows share them. Returns false if
- * memory runs out. */
-bool listed_share(struct listed_row *to, const struct listed_row *from);
-void listed_free(struct listed_row *row);
+/* A scene that owned the slot no longer does. The last owner frees it. `slot` may be NULL. */
+void slot_drop(struct slot *slot);
 
 /* Returns the thickness of the walls of boxes in m, or 0 if all dominoes are solid. */
 static inline domq_real scene_walls(const struct scene *scene)
@@ -201,14 +168,6 @@ static inline bool scene_has_mass(const struct scene *scene)
 enum { LOSSES_TEXT = 64 };
 #define losses_of(train) losses_write(train, (char[LOSSES_TEXT]){""})
 const char *losses_write(const struct domq_train *train, char text[LOSSES_TEXT]);
-
-/* Returns how far the top of a domino is off plumb, in m. A backward lean is negative. */
-domq_real lean_offset(const struct domq_domino *domino);
-
-/* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`
- * radians. If the domino would fall over, writes a message with the limit of the lean, and returns false. */
-enum { LEAN_MESSAGE = 400 };
-bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 
 /* Returns true for DOM_OK. Reports any other status as a problem and returns false. */
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status);

@@ -140,10 +140,8 @@ char *path_beside(const struct run_context *run_context, const char *name)
 /* ---- Undo ---- */
 
 enum {
-    STEPS = 100, /* the maximum number of steps */
-    /* The maximum total length of the arrays listed_row.domino and listed_row.change in all steps, which
-     * limits the memory for the history. */
-    HELD_MOST = 4000000
+    STEPS = 100,        /* the maximum number of steps */
+    HELD_MOST = 4000000 /* the maximum of the sum of slot.size over all steps, which limits the memory */
 };
 
 /* A step for each command that has changed the state. The first `done` steps can be undone. Each of them
@@ -170,8 +168,9 @@ struct state *undo_begin(const struct state *state)
     if (!copy)
         return NULL;
     *copy = *state;
-    bool shared = listed_share(&copy->scene.listed, &state->scene.listed);
-    if (variables_copy(&copy->variables, &state->variables) && shared)
+    if (copy->scene.slot)
+        copy->scene.slot->holders++;
+    if (variables_copy(&copy->variables, &state->variables))
         return copy;
     state_free(copy);
     return NULL;
@@ -186,20 +185,6 @@ static void steps_drop(struct undo *undo, int from, int to)
     undo->count -= to - from;
 }
 
-static bool changes_equal(const struct listed_row *a, const struct listed_row *b)
-{
-    bool equal = a->changes == b->changes;
-    for (size_t k = 0; k < a->changes && equal; k++) {
-        equal = a->change[k].origin == b->change[k].origin;
-        for (enum row_measure m = 0; m < ROW_MEASURES && equal; m++) {
-            const domq_real x = *row_measure_at(&a->change[k].to, m),
-                            y = *row_measure_at(&b->change[k].to, m);
-            equal = x == y || (isnan(x) && isnan(y));
-        }
-    }
-    return equal;
-}
-
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length)
 {
@@ -208,8 +193,7 @@ void undo_keep(struct undo **undo, const struct state *state, struct state *befo
         *undo = calloc(1, sizeof **undo);
     struct undo *u = *undo;
     const bool good = before && copy && u;
-    bool is_equal = good && state->scene.listed.domino == before->scene.listed.domino &&
-                    changes_equal(&state->scene.listed, &before->scene.listed) &&
+    bool is_equal = good && state->scene.slot == before->scene.slot &&
                     variables_equal(&state->variables, &before->variables);
     for (const struct parameter *p = session_parameters; p->name && is_equal; p++)
         is_equal = parameter_equal(state, before, p);
@@ -221,7 +205,8 @@ void undo_keep(struct undo **undo, const struct state *state, struct state *befo
         escape_text(copy, u->step[u->count++].text, NAMES_SHOWN);
         size_t held = 0;
         for (int k = u->count - 1; k >= 0; k--) {
-            held += u->step[k].state->scene.listed.count + u->step[k].state->scene.listed.changes;
+            const struct slot *slot = u->step[k].state->scene.slot;
+            held += slot ? slot->size : 0;
             if (held > HELD_MOST && k < u->count - 1) {
                 steps_drop(u, 0, k + 1);
                 break;
