@@ -122,6 +122,24 @@ bool row_run_tipped(const struct row_run *run, size_t k)
     return k == 0 && isnan(run->scene.row.push);
 }
 
+struct words all_fall_words(size_t count)
+{
+    struct words words;
+    snprintf(words.text, sizeof words.text, "%s", count == 2 ? "Both fall" : "It falls");
+    if (count > 2)
+        snprintf(words.text, sizeof words.text, "All %zu fall", count);
+    return words;
+}
+
+void weakest_say(struct answer *a, const struct domq_verdict *v, bool as_detail)
+{
+    if (v->weakest > 0 && isfinite(v->spare))
+        (as_detail ? answer_detail : answer_say)(
+            a, "%s, domino %zu, %s.",
+            v->end == DOM_ROW_FALLS ? "The weakest" : "The weakest of those that tip over", v->weakest,
+            energy_words(v->spare + 1).text);
+}
+
 domq_real fall_share(const struct domq_fall *f)
 {
     return f->barrier > 0 && isfinite(f->barrier) ? f->kinetic / f->barrier : DOMQ_NAN;

@@ -269,24 +269,6 @@ void progress_count(size_t part, size_t of, void *context)
     progress_show((double)part / (double)of);
 }
 
-struct words all_fall_words(size_t count)
-{
-    struct words words;
-    snprintf(words.text, sizeof words.text, "%s", count == 2 ? "Both fall" : "It falls");
-    if (count > 2)
-        snprintf(words.text, sizeof words.text, "All %zu fall", count);
-    return words;
-}
-
-void weakest_say(struct answer *a, const struct domq_verdict *v, bool as_detail)
-{
-    if (v->weakest > 0 && isfinite(v->spare))
-        (as_detail ? answer_detail : answer_say)(
-            a, "%s, domino %zu, %s.",
-            v->end == DOM_ROW_FALLS ? "The weakest" : "The weakest of those that tip over", v->weakest,
-            energy_words(v->spare + 1).text);
-}
-
 /* Returns true if the first domino does not tip over. In this case, a stronger push may save the row. */
 static bool push_lacks(const struct domq_verdict *v)
 {
