@@ -51,8 +51,6 @@ struct cost {
     domq_real reference; /* the most accurate value */
     struct cost_row row[(int)CONTENDERS * (int)TOLERANCES];
     int rows;
-    double cheapest; /* time of the quickest measurement, in seconds */
-    double done;     /* the fraction of the measurements that has been made */
 };
 
 static enum precision precision_of(int by)
@@ -60,40 +58,37 @@ static enum precision precision_of(int by)
     return by == BY_METHOD ? IN_DOUBLE : (enum precision)by;
 }
 
-/* Finds the quantity by the method for comparison. */
-static enum dom_status method_find(const struct cost *cost, const struct any_compute *given, domq_real *value)
-{
-    const struct dom_train train = train_in_double(cost->train);
-    const struct dom_compute compute = compute_in_double(given);
-    struct dom_barrier barrier = {.margin = 0};
-    struct dom_limit limit = {.r_max = 0};
-    enum dom_status status = cost->which == COST_BARRIER ? cost->method->barrier(&train, &compute, &barrier)
-                             : cost->which == COST_RMAX  ? cost->method->rmax(&train, &compute, &limit)
-                                                         : DOM_NO_METHOD;
-    *value = (domq_real)(barrier.margin + limit.r_max); /* one of them is 0 */
-    return status == DOM_STOPS && cost->which == COST_BARRIER ? DOM_OK : status;
-}
-
+/* Finds the quantity. A train that stops has a margin, too. */
 static enum dom_status value_find(const struct cost *cost, int by, const struct any_compute *given,
                                   domq_real *value)
 {
     struct any_compute compute = *given;
     struct domq_barrier barrier;
-    struct domq_limit limit;
-    if (by == BY_METHOD)
-        return method_find(cost, given, value);
-    compute.precision = (enum precision)by;
-    if (cost->which == COST_DURATION)
+    struct domq_limit limit = {.ends = DOM_END_BARRIER};
+    enum dom_status status = DOM_NO_METHOD;
+    compute.precision = precision_of(by);
+    if (by == BY_METHOD) {
+        const struct dom_train train = train_in_double(cost->train);
+        const struct dom_compute in_double = compute_in_double(given);
+        struct dom_barrier its_barrier = {.margin = 0};
+        struct dom_limit its_limit = {.r_max = 0};
+        if (cost->which == COST_BARRIER)
+            status = cost->method->barrier(&train, &in_double, &its_barrier);
+        else if (cost->which == COST_RMAX)
+            status = cost->method->rmax(&train, &in_double, &its_limit);
+        *value = (domq_real)(its_barrier.margin + its_limit.r_max); /* one of them is 0 */
+    } else if (cost->which == COST_DURATION) {
         return any_cycle_duration(cost->train, &compute, value);
-    if (cost->which == COST_BARRIER) {
-        const enum dom_status status = any_barrier_find(cost->train, &compute, &barrier);
+    } else if (cost->which == COST_BARRIER) {
+        status = any_barrier_find(cost->train, &compute, &barrier);
         *value = barrier.margin;
-        return status == DOM_STOPS ? DOM_OK : status;
+    } else {
+        status = (cost->which == COST_RMAX ? any_limit_rmax : any_limit_pair)(cost->train, &compute, &limit);
+        *value = limit.r_max;
     }
-    const enum dom_status status =
-        (cost->which == COST_RMAX ? any_limit_rmax : any_limit_pair)(cost->train, &compute, &limit);
-    *value = limit.r_max;
-    return status == DOM_OK && limit.ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
+    return status == DOM_STOPS && cost->which == COST_BARRIER ? DOM_OK
+           : status == DOM_OK && limit.ends == DOM_END_NONE   ? DOM_NO_GROWTH
+                                                              : status;
 }
 
 /* Measures a value once, and then its time in batches: the fastest of up to seven. A slow value is timed only
@@ -131,9 +126,6 @@ static void row_measure(const struct cost *cost, struct cost_row *row)
 /* Measures one contender, with smaller and smaller tolerances. Returns false if the user interrupts it. */
 static bool contender_measure(struct cost *cost, int by)
 {
-    /* roughly the fractions of the time, for the progress display */
-    static const double share[] = {
-        [IN_FLOAT] = 0.02, [IN_DOUBLE] = 0.03, [IN_QUAD] = 0.8, [BY_METHOD] = 0.15};
     const double longest = 2; /* in s; a measurement that would probably take longer is not made */
     const double finest = (double)any_arithmetic(precision_of(by)).tol_floor;
     for (int t = 0; t < TOLERANCES && tolerances[t] >= finest; t++) {
@@ -145,12 +137,8 @@ static bool contender_measure(struct cost *cost, int by)
         row_measure(cost, row);
         if (row->status == DOM_INTERRUPTED || row->status == DOM_NO_METHOD || row->status == DOM_NO_PRECISION)
             return row->status != DOM_INTERRUPTED;
-        if (row->status == DOM_OK)
-            cost->cheapest = fmin(cost->cheapest, row->seconds);
         cost->rows++;
-        progress_show(cost->done + share[by] * (t + 1) / TOLERANCES);
     }
-    cost->done += share[by];
     return true;
 }
 
@@ -168,27 +156,13 @@ static const struct column cost_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static void cost_line(struct answer *a, const struct cost *cost, const struct cost_row *row)
-{
-    struct cell cells[] = {cell_word(row->by == BY_METHOD ? cost->method->name : "ours"),
-                           cell_word(any_arithmetic(precision_of(row->by)).name),
-                           cell_brief(row->tol),
-                           cell_brief((double)row->error),
-                           cell_count((domq_real)row->work.longest),
-                           cell_count((domq_real)row->work.passes),
-                           cell_brief(1e6 * row->seconds),
-                           cell_brief(row->seconds / cost->cheapest)};
-    for (int i = 3; i < 8 && row->status != DOM_OK; i++)
-        cells[i] = cell_real(DOMQ_NAN);
-    answer_row(a, cells, NULL);
-}
-
-/* Returns the shortest time in s in which a contender reached this relative error, or NaN if it never did. */
+/* Returns the shortest time in s in which a contender, or any if `by` is -1, reached this relative error, or
+ * NaN if it never did. */
 static double seconds_for(const struct cost *cost, int by, double error)
 {
     double least = (double)NAN;
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++)
-        if (row->by == by && row->status == DOM_OK && row->error <= (domq_real)error)
+        if ((by < 0 || row->by == by) && row->status == DOM_OK && row->error <= (domq_real)error)
             least = fmin(least, row->seconds); /* fmin ignores the initial NaN */
     return least;
 }
@@ -203,11 +177,24 @@ static void times_say(struct answer *a, const struct cost *cost, const char *nam
                    measured((domq_real)times, "", 3).text, digits);
 }
 
-/* Compares the times for 3, 6 and 12 correct digits. The true error, not the tolerance, decides how many
- * digits are correct. */
-static void cost_say(struct answer *a, const struct cost *cost)
+/* Writes the table, and compares the times for 3, 6 and 12 correct digits. The true error, not the tolerance,
+ * decides how many digits are correct. */
+static void cost_write(struct answer *a, const struct cost *cost)
 {
-    const double twelve = seconds_for(cost, IN_DOUBLE, 1e-12);
+    const double cheapest = seconds_for(cost, -1, HUGE_VAL), twelve = seconds_for(cost, IN_DOUBLE, 1e-12);
+    for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++) {
+        struct cell cells[] = {cell_word(row->by == BY_METHOD ? cost->method->name : "ours"),
+                               cell_word(any_arithmetic(precision_of(row->by)).name),
+                               cell_brief(row->tol),
+                               cell_brief((double)row->error),
+                               cell_count((domq_real)row->work.longest),
+                               cell_count((domq_real)row->work.passes),
+                               cell_brief(1e6 * row->seconds),
+                               cell_brief(row->seconds / cheapest)};
+        for (int i = 3; i < 8 && row->status != DOM_OK; i++)
+            cells[i] = cell_real(DOMQ_NAN);
+        answer_row(a, cells, NULL);
+    }
     answer_say(a, "%s, the time for one answer:", measured_answers[cost->which].meaning);
     answer_say(a, "ours    %.3g us for 3 digits, %.3g us for 6, %.3g us for 12",
                1e6 * seconds_for(cost, IN_DOUBLE, 1e-3), 1e6 * seconds_for(cost, IN_DOUBLE, 1e-6),
@@ -224,25 +211,21 @@ static bool run_cost(const struct query *query, struct answer *a, struct problem
 {
     struct cost cost = {.train = &query->scene->train,
                         .compute = query_compute(query),
-                        .which = (enum cost_of)query->given->number[0],
-                        .cheapest = HUGE_VAL};
+                        .which = (enum cost_of)query->given->number[0]};
     struct any_compute compute = *cost.compute;
     for (int f = 0; feature_at(f); f++)
         cost.method = feature_at(f)->method ? feature_at(f)->method : cost.method;
     const enum precision finest = any_arithmetic(IN_QUAD).bits ? IN_QUAD : IN_DOUBLE;
     compute.tol = any_arithmetic(finest).tol_floor;
     enum dom_status status = value_find(&cost, (int)finest, &compute, &cost.reference);
+    if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
+        return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));
     bool goes_on = status == DOM_OK && (!cost.method || contender_measure(&cost, BY_METHOD));
     for (int by = IN_FLOAT; by <= IN_QUAD && goes_on; by++)
         goes_on = contender_measure(&cost, by);
-    progress_show(1);
-    if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
-        return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));
     if (!query_status(query, problem, status == DOM_OK && !goes_on ? DOM_INTERRUPTED : status))
         return false;
-    for (int k = 0; k < cost.rows; k++)
-        cost_line(a, &cost, &cost.row[k]);
-    cost_say(a, &cost);
+    cost_write(a, &cost);
     return true;
 }
 
