@@ -2,14 +2,12 @@
 /* The prompt. While Readline reads a line, it catches the signals that end or suspend the program: it
  * restores the terminal, and sends the signal again to the handlers of main.c or of the system. While a
  * command runs, the terminal has its usual modes. */
-#define _GNU_SOURCE /* asprintf */
 #include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include "language/text.h"
 #include "prompt/input.h"
 #include "session/session.h"
-#include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <poll.h>
@@ -58,29 +56,15 @@ static void history_load(void)
             history_truncate_file(real, HISTORY_LINES);
         free(real);
     }
-}
-
-/* Appends a line to the file, in one write, because other sessions may append lines at the same time. Makes
- * the file and its folders if they are missing; typed lines are private. Returns false and sets errno if the
- * line cannot be written. */
-static bool file_add(const char *text)
-{
-    for (char *c = strchr(history_file + 1, '/'); c; c = strchr(c + 1, '/')) {
+    /* Makes the file and its folders if they are missing. Typed lines are private. */
+    for (char *c = *history_file ? strchr(history_file + 1, '/') : NULL; c; c = strchr(c + 1, '/')) {
         *c = '\0';
         mkdir(history_file, 0700);
         *c = '/';
     }
-    char *line = NULL;
-    const int file = open(history_file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600),
-              length = file >= 0 ? asprintf(&line, "%s\n", text) : -1;
-    const bool is_written = length >= 0 && io_write(file, line, (size_t)length, NULL);
-    const int reason = errno;
-    if (length >= 0)
-        free(line);
+    const int file = *history_file ? open(history_file, O_WRONLY | O_CREAT | O_CLOEXEC, 0600) : -1;
     if (file >= 0)
         close(file);
-    errno = reason;
-    return is_written;
 }
 
 /* Adds a line to the history and to the history file, before the line runs. Blank lines, and lines that
@@ -92,9 +76,10 @@ static void history_keep(struct session *session, const char *text)
     if (!text[strspn(text, " \t\r")] || (last && strcmp(last->line, text) == 0))
         return;
     add_history(text);
-    if (!*history_file || file_add(text))
+    const int reason = *history_file ? append_history(1, history_file) : 0;
+    if (reason == 0)
         return;
-    session_error(session, "cannot keep the history in '%s': %s", history_file, strerror(errno));
+    session_error(session, "cannot keep the history in '%s': %s", history_file, strerror(reason));
     *history_file = '\0';
 }
 
