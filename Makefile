@@ -236,7 +236,7 @@ $(B)/python/domino/_api.py: src/python/header.py $(wildcard include/*.h) $(PYTHO
 	@mkdir -p $(@D)
 	$(Q)cp $(PYTHON_PY) $(@D)
 	$(call SAY,PY,$@)
-	$(Q)$(PYTHON3) src/python/header.py $(SONAME) '$(CC)' include/domino_study.h include/domino_proof.h include/domino_methods.h > $@.new && mv $@.new $@
+	$(Q)$(PYTHON3) src/python/header.py $(SONAME) '$(CC)' include/domino_study.h include/domino_proof.h > $@.new && mv $@.new $@
 
 run: all
 	@$(P)/domino

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Proved results. Each result is a pair of bounds that certainly enclose the true value.
+ * Other ways to compute, for comparison with <domino.h>: proofs, and the paper's own recipe.
  *
- * The functions of <domino.h> compute results to a tolerance. The functions of this header prove bounds by
- * interval arithmetic, in double with outward rounding. They share no formula with <domino.h>.
+ * A proved result is a pair of bounds that certainly enclose the true value.
+ *
+ * The functions of <domino.h> compute results to a tolerance. dom_prove_... prove bounds by interval
+ * arithmetic, in double with outward rounding. They share no formula with <domino.h>.
  * domino-model(7) explains the proof.
  *
  * A double can only approximate a fraction such as 7/48, and most decimals. So a proof holds for all trains
@@ -111,6 +113,20 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
  * The status is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
  */
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most);
+
+/*
+ * The recipe at the end of the paper's section 'A general domino train' raises theta and r in steps of
+ * sqrt(tol) / 2, which gives errors of about tol. Each function answers as the function of <domino.h> does
+ * whose last word is the same. The status is DOM_NO_METHOD for trains with effects that change their motion,
+ * and DOM_NOT_CONVERGED if the method fails. The sums of the paper do not converge for r = 1: the status is
+ * then DOM_TOO_LONG.
+ */
+enum dom_status dom_paper_launch(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_launch *launch);
+enum dom_status dom_paper_barrier(const struct dom_train *train, const struct dom_compute *compute,
+                                  struct dom_barrier *barrier);
+enum dom_status dom_paper_rmax(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_limit *limit);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'explain', which shows where a number comes from. */
-#include "domino_methods.h"
+#include "domino_proof.h"
 #include "explain/derivation.h"
 #include "interpreter/question.h"
 #include "language/quad.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'paper' and 'recipe', which compare the paper's numbers with those of the program. Each row of
  * their tables is an expression that is evaluated twice. */
-#include "domino_methods.h"
+#include "domino_proof.h"
 #include "explain/derivation.h"
 #include "language/quad.h"
 #include "train/train.h"

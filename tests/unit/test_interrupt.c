@@ -5,7 +5,6 @@
  * raises the flag at the k-th. Every long function must check often, and must end soon after the flag is
  * raised, whatever k is.
  */
-#include "domino_methods.h"
 #include "domino_proof.h"
 #include "domino_study.h"
 #include "numerics/interrupt.h"

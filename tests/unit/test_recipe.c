@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Needs: explain */
 /* The paper's recipe against the library's own method. */
-#include "domino_methods.h"
+#include "domino_proof.h"
 #include "support.h"
 
 TEST(a_cycle_agrees)

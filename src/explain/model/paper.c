@@ -9,7 +9,7 @@
  * the barrier is compared with J(0) tau^2 omega(0)^2; (26; c8) leaves out the factor J(0).
  */
 #pragma GCC visibility push(default) /* precision/shared.awk */
-#include "domino_methods.h"
+#include "domino_proof.h"
 #pragma GCC visibility pop
 #include "numerics/interrupt.h"
 #include <math.h>

@@ -68,7 +68,7 @@ static enum dom_status watch_state(struct watch *w, real theta)
     const struct segment *st = &d->st;
     const bool still = (d->stops && theta >= d->to) || (st->start.omegasq == 0 && theta <= st->lo);
     real omegasq = 0;
-    enum dom_status status = still ? DOM_OK : segment_speed(st, theta, &omegasq);
+    enum dom_status status = still ? DOM_OK : dynamics_speed(&st->geometry, &st->start, theta, &omegasq);
     return status == DOM_OK ? watch_lean(w, st, d->head, theta, sqrt(fmax(omegasq, 0)) / d->tau) : status;
 }
 

@@ -366,8 +366,8 @@ KERNEL enum dom_status dynamics_slope(const struct geometry *geometry, struct ti
     return status;
 }
 
-KERNEL enum dom_status dynamics_speed(const struct geometry *geometry, const struct start *start, real theta,
-                                      real *omegasq)
+KERNEL_SHARED enum dom_status dynamics_speed(const struct geometry *geometry, const struct start *start,
+                                             real theta, real *omegasq)
 {
     struct tilt head;
     struct sums at = {0};

@@ -93,8 +93,8 @@ KERNEL enum dom_status dynamics_slope(const struct geometry *geometry, struct ti
                                       real *slope);
 
 /* Finds tau^2 omega^2 at a tilt. */
-KERNEL enum dom_status dynamics_speed(const struct geometry *geometry, const struct start *start, real theta,
-                                      real *omegasq);
+KERNEL_SHARED enum dom_status dynamics_speed(const struct geometry *geometry, const struct start *start,
+                                             real theta, real *omegasq);
 
 /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`. If `by` is
  * negative, the motion starts at rest at `end`. *slowness is NaN if there is no energy at `end - by`. */

@@ -64,7 +64,7 @@ static bool clock_rate(real x, void *context, struct num_rate *rate)
         by = c->width * (2 + grow - back) / 2;
     }
     if (st->status == DOM_OK && isnan(squared)) {
-        st->status = segment_speed(st, fmin(fmax(theta, st->lo), c->to), &squared);
+        st->status = dynamics_speed(geometry, &st->start, fmin(fmax(theta, st->lo), c->to), &squared);
         squared = 1 / squared;
     }
     *rate = (struct num_rate){.c = by * sqrt(squared)};

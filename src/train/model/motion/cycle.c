@@ -57,7 +57,8 @@ static enum dom_status motion_speed(const struct motion *m, real theta, real *om
 {
     if (theta > m->end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
-    enum dom_status status = segment_speed(&m->segment, fmin(theta, m->end), omegasq);
+    enum dom_status status =
+        dynamics_speed(&m->segment.geometry, &m->segment.start, fmin(theta, m->end), omegasq);
     bool rests = m->stops && theta >= m->end * (1 - 4 * REAL_EPSILON);
     *omegasq = rests ? 0 : fmax(*omegasq, 0);
     return status;

@@ -56,7 +56,7 @@ static enum dom_status forces_motion(const struct segment *st, real theta, struc
     *motion = (struct kinematics){.n = 0};
     enum dom_status status = geometry_tilt(geometry, theta, &motion->head);
     if (status == DOM_OK)
-        status = segment_speed(st, theta, &omegasq);
+        status = dynamics_speed(geometry, &st->start, theta, &omegasq);
     motion->omegasq = fmax(omegasq, 0);
     if (status == DOM_OK)
         status =

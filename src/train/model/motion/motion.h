@@ -41,9 +41,6 @@ KERNEL enum dom_status segment_begin(struct segment *segment);
  * motion does not reach hi, and the value shows how much energy is missing. */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* Finds tau^2 omega^2 at a tilt. */
-KERNEL_SHARED enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq);
-
 /* For a motion that stops, finds the tilt at which its energy is used up. With friction, the function may
  * replace the solution of the motion by another solution, which ends near this tilt. */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);

@@ -1,22 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dynamics/dynamics.h"
 #include "motion/motion.h"
-#include <stdlib.h>
 
-/* Finds the tilt of the head at which domino i behind it has the tilt *tilt. */
-static enum dom_status tilt_of_head(const struct geometry *head, size_t i, struct tilt *tilt)
+/* Returns the tilt of the head at which domino i behind it has the given tilt. */
+static struct tilt tilt_of_head(const struct geometry *head, size_t i, struct tilt tilt)
 {
-    struct {
-        const struct geometry *geometry;
-    } *leader = malloc((i + 1) * sizeof *leader);
-    if (!leader)
-        return DOM_NO_MEMORY;
-    for (size_t j = 0; j < i; j++, head = head->follower ? head->follower : head)
-        leader[j].geometry = head;
-    while (i-- > 0)
-        *tilt = geometry_leader(leader[i].geometry, *tilt);
-    free(leader);
-    return DOM_OK;
+    const struct geometry *next = head->follower ? head->follower : head;
+    return i == 0 ? tilt : geometry_leader(head, tilt_of_head(next, i - 1, tilt));
 }
 
 /* Each pass lowers hi to the tilt at which a domino detaches. Another domino may have detached even earlier,
@@ -43,18 +33,10 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
         }
         if (last || link->i + 1 >= geometry->n)
             return DOM_OK;
-        struct tilt leave = link->geometry->leave;
         *moving = link->i + 1;
-        status = tilt_of_head(geometry, link->i, &leave);
-        if (status != DOM_OK)
-            return status;
-        st->hi = fmin(fmax(tilt_angle(leave), st->lo), st->hi);
+        const real leaves = tilt_angle(tilt_of_head(geometry, link->i, link->geometry->leave));
+        st->hi = fmin(fmax(leaves, st->lo), st->hi);
     }
-}
-
-KERNEL_SHARED enum dom_status segment_speed(const struct segment *st, real theta, real *omegasq)
-{
-    return dynamics_speed(&st->geometry, &st->start, theta, omegasq);
 }
 
 KERNEL enum dom_status segment_begin(struct segment *st)
@@ -96,7 +78,7 @@ KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
     if (st->geometry.conservative)
         omegasq = (st->start.kinetic - st->end.dH) / J;
     else
-        st->status = segment_speed(st, st->hi, &omegasq);
+        st->status = dynamics_speed(&st->geometry, &st->start, st->hi, &omegasq);
     *next = (struct segment){.geometry = st->geometry,
                              .lo = st->hi,
                              .summed = st->geometry.n,

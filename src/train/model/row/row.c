@@ -282,21 +282,7 @@ static enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
     return DOM_OK;
 }
 
-/* ---- Equal dominoes ---- */
-
-/*
- * In a long sequence of equal dominoes, all heads eventually move alike. From then on, the last motion is
- * repeated for each head, instead of computed again: 10,000 equal dominoes take 6 ms instead of 130.
- */
-struct steady {
-    struct dom_fall fall; /* result for the previous head */
-    size_t alike;         /* number of equal dominoes up to the current head */
-    /* by how many the number of moving dominoes grows from one head to the next; 0 or 1 if `found` is true */
-    size_t more;
-    /* true if the motion is steady. The next head then repeats the motion, provided that the next two
-     * dominoes both equal the current one. */
-    bool found;
-};
+/* ---- The run ---- */
 
 /* The number of equal dominoes up to the head must exceed the length of the longest pass along a chain by at
  * least STEADY_MORE. */
@@ -306,57 +292,51 @@ enum { STEADY_MORE = 2 };
  * tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
-/* Called when head k begins to move. If head k repeats the motion of the previous head, fills in *fall,
- * advances the run and returns true. Otherwise returns false. */
-static bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall)
+/* Returns true if the heads after *d would move like it, were all dominoes equal. The last `alike` dominoes
+ * are equal. */
+static bool row_is_steady(const struct run *run, const struct run *before, const struct descent *d,
+                          size_t alike)
 {
-    const struct dom_row *given = &run->row->given;
-    s->alike = k > 0 && row_repeats(given, k) ? s->alike + 1 : 1;
-    if (!s->found || s->alike == 1 || k + 1 == given->count || !row_repeats(given, k + 1))
-        return false;
-    struct dom_fall *self = &s->fall;
-    self->domino++;
-    self->moving += s->more;
-    self->time = run->time;
-    run->time += (real)self->duration;
-    run->moving += s->more;
-    run->verdict.domino = self->domino;
-    *fall = *self;
-    return true;
-}
-
-/* Called when head k has hit the next domino. Determines whether the next domino will repeat the motion of
- * head k, which began as *before. */
-static void steady_find(struct steady *s, const struct run *run, size_t k, const struct run *before,
-                        const struct descent *d, const struct dom_fall *fall)
-{
+    const struct row *row = run->row;
     const real after = run->omegasq, lambda = d->st.gain * after / d->st.start.omegasq,
                left = fabs(after - before->omegasq) * lambda / (1 - lambda);
-    const size_t more = run->moving - fall->moving;
-    s->found = !run->options->every && k > 0 && run->row->work.longest + STEADY_MORE <= s->alike &&
-               more <= 1 && more == s->more && lambda < 1 &&
-               left <= STEADY_SHARE * run->row->compute.tol * after;
-    s->more = more;
-    s->fall = *fall;
+    return !run->options->every && row->work.longest + STEADY_MORE <= alike &&
+           run->moving - before->moving <= 1 && lambda < 1 && left <= STEADY_SHARE * row->compute.tol * after;
 }
 
-/* ---- The run ---- */
-
-/* Fills in the geometry of the dominoes up to domino k. After a steady motion, leaves out the dominoes that
- * no sum along the chain of domino k visits: the last one that was filled in equals them, and takes the place
- * of all of them. */
-static enum dom_status row_ready(struct row *row, size_t k, const struct steady *s)
+/*
+ * In a long sequence of equal dominoes, all heads eventually move alike. From then on, the motion *fall of
+ * head k is repeated for each head, instead of computed again: 10,000 equal dominoes take 6 ms instead of
+ * 130. `more` is by how many the number of moving dominoes grows from head to head. A head repeats the motion
+ * if it and the next two dominoes are equal. Sets *k to the last head, and *ends to true if the caller of the
+ * run ends it.
+ */
+static enum dom_status row_repeat(struct run *run, size_t *k, size_t more, struct dom_fall *fall,
+                                  dom_fall_visit *visit, void *context, bool *ends)
 {
-    enum dom_status status = DOM_OK;
-    const size_t from = s->found ? k - row->work.longest - STEADY_MORE : 0;
-    if (from > row->made) {
+    struct row *row = run->row;
+    for (; !*ends && *k + 2 < row->given.count && row_repeats(&row->given, *k + 1) &&
+           row_repeats(&row->given, *k + 2);
+         ++*k) {
+        if (dom_interrupted(row->compute.interrupt))
+            return DOM_INTERRUPTED;
+        fall->domino++;
+        fall->moving += more;
+        fall->time = run->time;
+        run->time += (real)fall->duration;
+        run->moving += more;
+        run->verdict.domino = fall->domino;
+        *ends = visit && !visit(fall, context);
+    }
+    /* Leaves out the geometry of the dominoes that no later sum along the chain visits: the last one that was
+     * filled in equals them, and takes the place of all of them. */
+    const size_t from = *k - row->work.longest - STEADY_MORE;
+    if (from > row->made && *k > row->work.longest + STEADY_MORE) {
         row->geometry[from] = row->geometry[row->made - 1];
         row->geometry[from].follower = &row->geometry[from];
         row->made = from + 1;
     }
-    for (; row->made <= k && status == DOM_OK; row->made++)
-        status = row_geometry(row, row->made);
-    return status;
+    return DOM_OK;
 }
 
 KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context)
@@ -364,38 +344,42 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
     struct row *row = run->row;
     const struct run_options *options = run->options;
     const size_t count = row->given.count;
-    bool more = true;
-    struct steady steady = {.found = false};
-    for (; k < count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
+    size_t alike = 0, grew = 0; /* the number of equal dominoes up to the head, and of added ones */
+    for (bool ends = false; k < count && !ends && run->verdict.end == DOM_ROW_FALLS; k++) {
         struct descent d;
         struct start at;
         struct dom_fall fall;
         const struct run before = *run;
-        const bool last = k + 1 == count;
-        if (dom_interrupted(row->compute.interrupt))
-            return DOM_INTERRUPTED;
-        if (steady_repeats(&steady, run, k, &fall)) {
-            more = !visit || visit(&fall, context);
-            continue;
-        }
-        enum dom_status status = row_ready(row, last ? k : k + 1, &steady);
+        const bool last = k + 1 == count, tips = k == 0 && isnan(row->given.push);
+        enum dom_status status = dom_interrupted(row->compute.interrupt) ? DOM_INTERRUPTED : DOM_OK;
+        alike = k > 0 && row_repeats(&row->given, k) ? alike + 1 : 1;
+        for (; row->made <= (last ? k : k + 1) && status == DOM_OK; row->made++)
+            status = row_geometry(row, row->made);
         const bool passes = status == DOM_OK && options->passes && options->passes(run, k, &at);
         run->verdict.domino = k + 1;
         if (status == DOM_OK && !passes && options->begins)
             options->begins(run, k);
         if (status == DOM_OK && !passes)
-            status = k == 0 && isnan(row->given.push) ? tip_run(run, &d, &fall) : row_head(run, k, &d, &fall);
+            status = tips ? tip_run(run, &d, &fall) : row_head(run, k, &d, &fall);
         if (status != DOM_OK)
             return status;
-        more = !visit || visit(&fall, context);
-        if (more && run->verdict.end == DOM_ROW_FALLS && !last)
+        ends = visit && !visit(&fall, context);
+        if (!ends && run->verdict.end == DOM_ROW_FALLS && !last)
             status = passes ? row_hit(run, k, &row->geometry[k], &at)
                             : row_hit(run, k, &d.st.geometry, &d.st.start);
         if (status != DOM_OK)
             return status;
-        if (!passes && more && !last)
-            steady_find(&steady, run, k, &before, &d, &fall);
-        more = more && !(!passes && options->ends && options->ends(run, k, &before, &d, &fall));
+        const size_t grows = run->moving - before.moving;
+        ends = ends || (!passes && options->ends && options->ends(run, k, &before, &d, &fall));
+        if (!ends && !last && !passes && run->verdict.end == DOM_ROW_FALLS && grows == grew &&
+            row_is_steady(run, &before, &d, alike)) {
+            const size_t from = k;
+            status = row_repeat(run, &k, grows, &fall, visit, context, &ends);
+            alike += k - from;
+        }
+        if (status != DOM_OK)
+            return status;
+        grew = grows;
     }
     return DOM_OK;
 }
