@@ -25,10 +25,10 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     const struct parameter *p = session_parameters;
     for (; p->name; p++)
         if (p->effect && !p->is_minor)
-            column_fit(&answer_columns(a, a->columns)[1], effect_setting(query->scene, p->which));
+            column_fit(&answer_columns(a, a->columns)[1], parameter_setting(query->state, p, 10));
     for (p = session_parameters; p->name && !answer_lost(a); p++)
         if (p->effect && (!p->is_minor || query->scene->effect[p->which].on))
-            answer_cells(a, cell_word(p->name), cell_word(effect_setting(query->scene, p->which)),
+            answer_cells(a, cell_word(p->name), cell_word(parameter_setting(query->state, p, 10)),
                          cell_word(method_of(p)), cell_word(p->meaning), cell_word(p->effect->source));
     answer_say(a, "An effect that is off costs nothing. This scene is computed by %s.",
                scene_engine(query->scene)              ? "the rigid-body engine"

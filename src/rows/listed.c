@@ -160,17 +160,17 @@ static const char *file_name(const struct row_file *file)
     return slash ? slash + 1 : file->path;
 }
 
-static void setting_write(const struct scene *scene, char text[EFFECT_SETTING])
+static void setting_write(const struct scene *scene, char text[PARAMETER_SETTING])
 {
     const size_t count = scene_row_count(scene), planned = row_planned(scene);
     if (row_has_file(scene))
-        snprintf(text, EFFECT_SETTING, "%s", file_name(row_of(scene)->file));
+        snprintf(text, PARAMETER_SETTING, "%s", file_name(row_of(scene)->file));
     else
-        snprintf(text, EFFECT_SETTING, "%zu", planned);
+        snprintf(text, PARAMETER_SETTING, "%zu", planned);
     if (count != planned)
-        text_add(text, EFFECT_SETTING, ", now %zu", count);
+        text_add(text, PARAMETER_SETTING, ", now %zu", count);
     else if (row_of(scene)->changes > 0)
-        text_add(text, EFFECT_SETTING, ", changed");
+        text_add(text, PARAMETER_SETTING, ", changed");
 }
 
 static void kept_write(const struct scene *scene, const struct parameter *p, char text[PROBLEM_TEXT])

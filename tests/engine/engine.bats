@@ -137,7 +137,7 @@ effect row 3; effect bounce 1.5|effect: E = 1.5 is out of range; E, the restitut
 effect row 3; effect feet -0.1|effect: MU = -0.1 is out of range; MU, the friction coefficient of the floor, must be in the range 0 .. 100
 effect row 201; effect feet 0.4; verdict|verdict: a row of 201 dominoes is too long for the rigid-body engine, which runs this row because feet is on; the maximum is 200; enter, for example, 'set row 20'
 effect row 3; effect floor 1; set method engine; fall|fall: the rigid-body engine runs this row because method is engine, but does not include floor; first enter 'set floor off'
-set method box|set: unknown value of method 'box' (method is one of model|engine)
+set method box|set: unknown value of method 'box'; use one of: model, engine
 END
 }
 

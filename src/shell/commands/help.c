@@ -223,20 +223,19 @@ static void help_parameter(struct session *session, const struct topic *t)
         wrapped(out, text, fprintf(out, "  %-8s ", a->name));
     }
     if (!p->effect) {
-        const int digits = state_style(&session->state).all_digits;
         fprintf(out, "  value    %s%s%s\n",
-                parameter_text(p, parameter_get(&session->state, p), digits, (char[WIDE_TEXT]){""}),
+                parameter_text(p, 0, parameter_get(&session->state, p), 15, (char[PARAMETER_TEXT]){""}),
                 *p->value->unit ? " " : "", p->value->unit);
         fprintf(out, "  range    %s\n", parameter_range(&session->state, p, 0));
     }
     fprintf(out, "  default  %s\n",
-            parameter_text(p, parameter_fallback(&session->state, p), 6, (char[WIDE_TEXT]){""}));
+            parameter_text(p, 0, parameter_fallback(&session->state, p), 6, (char[PARAMETER_TEXT]){""}));
     for (int k = 0; parameter_is_number(p) && (name = parameter_offered(p, k)) != NULL; k++)
         fprintf(out, "  %-8s %g\n", name, (double)p->words[names_exact(parameter_words, p, name)].value);
     putc('\n', out);
     if (p->effect && session->state.scene.effect[p->which].on)
         say(out, "Source: %s\nThe effect is on: %s\n", p->effect->source,
-            names_shown(effect_setting(&session->state.scene, p->which)));
+            names_shown(parameter_setting(&session->state, p, 10)));
     else if (p->effect)
         say(out, "Source: %s\nThe effect is off, and costs no computing time.\n", p->effect->source);
     say(out, "'%s' changes it, 'reset %s' restores the default.", t->usage, p->name);

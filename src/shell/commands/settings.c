@@ -28,47 +28,24 @@ enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
 
 /* The cells of a parameter's row in the table, and buffers for the texts that the cells point to. */
 struct shown {
-    char range[PARAMETER_RANGE], value[EFFECT_SETTING], fallback[WIDE_TEXT];
+    char range[PARAMETER_RANGE], value[PARAMETER_SETTING], fallback[PARAMETER_TEXT];
     struct cell cell[SHOW_COLUMNS];
 };
 
-/* If a parameter has a word for this number, appends the word, as in "4 (solid)". */
-static void word_add(const struct parameter *p, domq_real value, char *text, size_t size)
-{
-    const char *word = parameter_word(p, value);
-    if (word)
-        text_add(text, size, " (%s)", word);
-}
-
 static void shown_make(const struct query *query, const struct parameter *p, bool people, struct shown *shown)
 {
-    char number[WIDE_TEXT];
-    domq_real value = parameter_get(query->state, p), fallback = parameter_fallback(query->state, p);
-    bool is_number = parameter_is_number(p), as_number = is_number && !people,
-         is_on = p->effect && value != EFFECT_OFF && !effect_slot(query->scene, p->which);
-    parameter_range_write(query->state, p, 0, shown->range);
-    if (p->effect)
-        effect_setting_write(query->scene, p->which, shown->value);
-    else
-        snprintf(shown->value, sizeof shown->value, "%s",
-                 parameter_text(p, value, (int)query->state->settings.style.digits, number));
-    const struct typed_length *length = &query->scene->length[p->share];
-    char typed[LENGTH_TEXT];
-    const bool is_length = people && length->m > 0 && value != EFFECT_OFF;
+    const struct state *state = query->state;
+    const domq_real value = parameter_get(state, p), fallback = parameter_fallback(state, p);
+    const bool as_number = parameter_is_number(p) && !people,
+               is_on = p->effect && value != EFFECT_OFF && !effect_slot(state, p),
+               is_length = people && state->scene.length[p->share].m > 0 && value != EFFECT_OFF;
     const char *unit = is_length || (people && p->effect) ? "" : p->value->unit;
-    if (is_length) {
-        char setting[EFFECT_SETTING];
-        snprintf(setting, sizeof setting, "%s", shown->value);
-        const char *others = p->effect ? strchr(setting, ',') : NULL; /* as in "18 mm, 0.3 m" */
-        snprintf(shown->value, sizeof shown->value, "%s%s", length_write(length->m, length->unit, typed),
-                 others ? others : "");
+    char text[PARAMETER_TEXT];
+    parameter_range_write(state, p, 0, shown->range);
+    if (is_length)
         text_add(shown->range, sizeof shown->range, " %s", p->value->unit);
-    }
-    snprintf(shown->fallback, sizeof shown->fallback, "%s", parameter_text(p, fallback, 6, number));
-    if (people && is_number && !is_length) {
-        word_add(p, value, shown->value, sizeof shown->value);
-        word_add(p, fallback, shown->fallback, sizeof shown->fallback);
-    }
+    parameter_setting_write(state, p, p->effect ? 10 : (int)state->settings.style.digits, shown->value);
+    snprintf(shown->fallback, sizeof shown->fallback, "%s", parameter_text(p, 0, fallback, 6, text));
     const struct cell cells[] = {cell_word(p->name),
                                  as_number || (is_on && !people) ? cell_real(value) : cell_word(shown->value),
                                  cell_word(unit),
@@ -142,7 +119,7 @@ static bool run_show(const struct query *query, struct answer *a, struct problem
 static void __attribute__((format(printf, 3, 4)))
 change_say(const struct query *query, struct answer *a, const char *format, ...)
 {
-    char text[4 * EFFECT_SETTING];
+    char text[4 * PARAMETER_SETTING];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
@@ -192,7 +169,7 @@ static bool run_set(const struct query *query, struct answer *a, struct problem 
     /* The user may not know the value that 'on' has given. */
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         change_say(query, a, "%s is on: %s. 'set %s' sets another value.", p->name,
-                   effect_setting(&next->scene, p->which), parameter_usage(p));
+                   parameter_setting(next, p, 10), parameter_usage(p));
     return true;
 }
 

@@ -221,53 +221,6 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     return true;
 }
 
-/* Returns true if value i and all values after it are optional and have their usual values. */
-static bool usual_from(const domq_real *value, const struct domq_effect_argument *a, int i)
-{
-    bool usual = i > 0;
-    for (; i < DOM_EFFECT_ARGUMENTS && a[i].name; i++)
-        usual = usual && a[i].optional && value[i] == a[i].usual;
-    return usual;
-}
-
-/* Returns the word for value i of a parameter, or NULL if it is a number. */
-static const char *value_word(const struct parameter *p, int i, domq_real value)
-{
-    return i > 0                    ? p->value[i].words ? p->value[i].words[(int)value] : NULL
-           : parameter_is_number(p) ? NULL
-                                    : parameter_word(p, value);
-}
-
-static void save_value(const struct parameter *p, int i, domq_real value, FILE *out)
-{
-    const char *word = value_word(p, i, value);
-    const bool is_length = strcmp(p->value[i].unit, "m") == 0;
-    fprintf(out, " %s",
-            word        ? word
-            : is_length ? length_write(value, "", (char[LENGTH_TEXT]){""})
-                        : quad_exact(value, WIDE_DIGITS, (char[WIDE_TEXT]){""}));
-}
-
-/* Writes the commands that set a parameter to its current values. */
-static bool parameter_save(const struct state *state, const struct parameter *p, const char *folder,
-                           FILE *out, struct problem *problem)
-{
-    const struct slot *slot = p->effect ? effect_slot(&state->scene, p->which) : NULL;
-    if (slot)
-        return slot->kind->save(&state->scene, folder, out, problem);
-    const struct typed_length *length = &state->scene.length[p->share];
-    fprintf(out, "set %s", p->name);
-    if (length->m > 0 && parameter_get(state, p) != EFFECT_OFF)
-        fprintf(out, " %s", length_write(length->m, length->unit, (char[LENGTH_TEXT]){""}));
-    else
-        save_value(p, 0, parameter_get(state, p), out);
-    const domq_real *value = state->scene.effect[p->which].value;
-    for (int i = 1; p->effect && value[0] != EFFECT_OFF && !usual_from(value, p->value, i); i++)
-        save_value(p, i, value[i], out);
-    putc('\n', out);
-    return true;
-}
-
 const struct parameter *parameter_in_order(const struct state *state, int k)
 {
     /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so those
@@ -285,15 +238,6 @@ const struct parameter *parameter_in_order(const struct state *state, int k)
                 return p;
         }
     return NULL;
-}
-
-bool parameters_save(const struct state *state, const char *folder, FILE *out, struct problem *problem)
-{
-    const struct parameter *p;
-    bool good = true;
-    for (int k = 0; good && (p = parameter_in_order(state, k)) != NULL; k++)
-        good = parameter_save(state, p, folder, out, problem);
-    return good;
 }
 
 const char *parameter_word(const struct parameter *p, domq_real value)
@@ -319,14 +263,60 @@ const char *parameter_range_write(const struct state *state, const struct parame
     return text;
 }
 
-const char *parameter_text(const struct parameter *p, domq_real value, int digits, char text[WIDE_TEXT])
+const char *parameter_text(const struct parameter *p, int i, domq_real value, int digits,
+                           char text[PARAMETER_TEXT])
 {
-    const char *word = parameter_is_number(p) ? NULL : parameter_word(p, value);
+    const struct domq_effect_argument *a = &p->value[i];
+    const bool is_exact = digits >= WIDE_DIGITS;
+    const char *word = i == 0 ? parameter_word(p, value) : a->words ? a->words[(int)value] : NULL;
+    if (word && !(i == 0 && parameter_is_number(p)))
+        return word;
+    if (is_exact && strcmp(a->unit, "m") == 0)
+        return length_write(value, "", text);
+    if (is_exact)
+        return quad_exact(value, WIDE_DIGITS, text);
     /* whole numbers are written with all their digits */
-    digits = p->value->whole && digits < 15 ? 15 : digits;
-    return word                    ? word
-           : digits >= WIDE_DIGITS ? quad_exact(value, WIDE_DIGITS, text)
-                                   : quad_write(value, digits < 15 ? digits : 15, text);
+    quad_write(value, a->whole || digits > 15 ? 15 : digits, text);
+    if (word || (p->effect && *a->unit))
+        text_add(text, PARAMETER_TEXT, word ? " (%s)" : " %s", word ? word : a->unit);
+    return text;
+}
+
+const char *parameter_setting_write(const struct state *state, const struct parameter *p, int digits,
+                                    char setting[PARAMETER_SETTING])
+{
+    const struct typed_length *length = &state->scene.length[p->share];
+    const domq_real first = parameter_get(state, p),
+                    *value = p->effect ? state->scene.effect[p->which].value : &first;
+    const struct domq_effect_argument *a;
+    char text[PARAMETER_TEXT];
+    const bool is_off = first == EFFECT_OFF, is_length = length->m > 0 && !is_off;
+    snprintf(setting, PARAMETER_SETTING, "%s",
+             is_length ? length_write(length->m, length->unit, text)
+                       : parameter_text(p, 0, first, digits, text));
+    for (int i = 1; !is_off && (a = parameter_argument(p, i)) != NULL; i++) {
+        bool is_usual = true; /* this value and all after it may be left out */
+        for (int k = i; (a = parameter_argument(p, k)) != NULL; k++)
+            is_usual = is_usual && a->optional && value[k] == a->usual;
+        if (is_usual)
+            break;
+        text_add(setting, PARAMETER_SETTING, digits >= WIDE_DIGITS ? " %s" : ", %s",
+                 parameter_text(p, i, value[i], digits, text));
+    }
+    if (effect_slot(state, p))
+        state->scene.slot->kind->setting(&state->scene, setting);
+    return setting;
+}
+
+bool parameters_save(const struct state *state, const char *folder, FILE *out, struct problem *problem)
+{
+    const struct parameter *p;
+    for (int k = 0; (p = parameter_in_order(state, k)) != NULL; k++)
+        if (!effect_slot(state, p))
+            fprintf(out, "set %s %s\n", p->name, parameter_setting(state, p, WIDE_DIGITS));
+        else if (!state->scene.slot->kind->save(&state->scene, folder, out, problem))
+            return false;
+    return true;
 }
 
 bool parameter_check(const struct state *state, const struct parameter *p, int i, domq_real value,
@@ -369,29 +359,10 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
 
 /* ---- Effects ---- */
 
-const struct slot *effect_slot(const struct scene *scene, int effect)
+bool effect_slot(const struct state *state, const struct parameter *p)
 {
-    return scene->slot && scene->slot->kind->effect == effect ? scene->slot : NULL;
-}
-
-const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING])
-{
-    const domq_real *value = scene->effect[effect].value;
-    const struct domq_effect_argument *a = effect_at(effect)->argument;
-    const struct parameter *p = parameter_find(effect_at(effect)->name);
-    const struct slot *slot = effect_slot(scene, effect);
-    const bool on = scene->effect[effect].on;
-    snprintf(setting, EFFECT_SETTING, "%s", on ? "" : "off");
-    if (slot)
-        slot->kind->setting(scene, setting);
-    for (int i = 0; on && !slot && i < DOM_EFFECT_ARGUMENTS && a[i].name; i++) {
-        if (usual_from(value, a, i))
-            break;
-        const char *word = p ? value_word(p, i, value[i]) : NULL;
-        text_add(setting, EFFECT_SETTING, "%s%s%s%s", i ? ", " : "", word ? word : quad_text(value[i], 10),
-                 *a[i].unit && !word ? " " : "", word ? "" : a[i].unit);
-    }
-    return setting;
+    const struct slot *slot = state->scene.slot;
+    return slot && p->effect && slot->kind->effect == p->which;
 }
 
 void effect_put(struct scene *scene, int effect, domq_real value, const domq_real *others)
@@ -401,7 +372,7 @@ void effect_put(struct scene *scene, int effect, domq_real value, const domq_rea
         state->value[i] = others ? others[i - 1] : effect_at(effect)->argument[i].usual;
     state->on = value != EFFECT_OFF;
     state->value[0] = value;
-    if (effect_slot(scene, effect))
+    if (scene->slot && scene->slot->kind->effect == effect)
         scene->slot = NULL;
     effects_apply(scene);
 }

@@ -136,9 +136,18 @@ enum { PARAMETER_RANGE = 64 };
 const char *parameter_range_write(const struct state *state, const struct parameter *parameter, int i,
                                   char text[PARAMETER_RANGE]);
 
-/* Returns a value in the form that 'set' reads: a word, or a number in `text`. */
-const char *parameter_text(const struct parameter *parameter, domq_real value, int digits,
-                           char text[WIDE_TEXT]);
+/* Returns value number i as people read it, such as "0.1 rad" or "4 (solid)" or, with WIDE_DIGITS digits, as
+ * 'set' reads it back without any change. The buffer may not be used. */
+enum { PARAMETER_TEXT = LENGTH_TEXT };
+const char *parameter_text(const struct parameter *parameter, int i, domq_real value, int digits,
+                           char text[PARAMETER_TEXT]);
+
+/* Returns all values of a parameter in this form, as in "18 mm, 0.3 m", "record.csv" or "off". The text lives
+ * until the end of the caller's block. */
+#define parameter_setting(state, parameter, digits)                                                          \
+    parameter_setting_write(state, parameter, digits, (char[PARAMETER_SETTING]){""})
+const char *parameter_setting_write(const struct state *state, const struct parameter *parameter, int digits,
+                                    char setting[PARAMETER_SETTING]);
 
 /* ---- Values ---- */
 
@@ -197,13 +206,8 @@ bool parameters_save(const struct state *state, const char *folder, FILE *out, s
 
 /* ---- Effects ---- */
 
-/* Returns the values of an effect for messages, as in "1 m, 0.1", "record.csv" or "off". The text lives until
- * the end of the caller's block. */
-#define effect_setting(scene, effect) effect_setting_write(scene, effect, (char[EFFECT_SETTING]){""})
-const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING]);
-
-/* Returns the slot of the scene if it belongs to the effect, or NULL. */
-const struct slot *effect_slot(const struct scene *scene, int effect);
+/* Returns true if the slot of the scene belongs to this effect. */
+bool effect_slot(const struct state *state, const struct parameter *parameter);
 
 /* Sets the values of an effect: value[0] to `value`, which may be EFFECT_OFF, and the other values to
  * `others`. If `others` is NULL, an effect that is already on keeps its other values, and an effect that is

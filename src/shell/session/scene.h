@@ -46,7 +46,7 @@ struct slot {
     const char *file; /* the file that it was read from, or NULL */
 };
 
-enum { EFFECT_SETTING = 256 }; /* the longest file name has 255 bytes */
+enum { PARAMETER_SETTING = 256 }; /* the longest file name has 255 bytes */
 
 /* What the shell does with the slot of a scene. */
 struct slot_kind {
@@ -56,7 +56,7 @@ struct slot_kind {
     /* Returns the height in m of the first domino. */
     domq_real (*height)(const struct scene *scene);
     /* Writes the setting of the effect, such as "hall.csv". */
-    void (*setting)(const struct scene *scene, char text[EFFECT_SETTING]);
+    void (*setting)(const struct scene *scene, char text[PARAMETER_SETTING]);
     /* If setting the parameter leaves some of the slot as it was, writes a sentence that says so. Otherwise
      * writes "". */
     void (*kept)(const struct scene *scene, const struct parameter *parameter, char text[PROBLEM_TEXT]);
