@@ -186,20 +186,20 @@ static int verdicts_wrong(struct proof *proof)
 }
 
 /* Checks that limits from the reference tables are within the proved bounds, to 12 digits. */
-static int limits_wrong(struct proof *proof, const char *path, bool pair)
+static int limits_wrong(const char *path, bool pair)
 {
     int wrong = 0;
     struct csv *csv = csv_open(path);
     while (csv_next(csv)) {
-        double r_max = csv_number(csv, "r_max");
-        proof->shape =
-            shape_make(csv_number(csv, "s"), pair ? 7.0 / 48 : csv_number(csv, "d"), csv_number(csv, "q"));
-        proof->shape.pair = pair;
-        proof->shape.paper = !pair && strcmp(csv_text(csv, "fuel"), "paper") == 0;
+        const double r_max = csv_number(csv, "r_max");
+        struct dom_train train = dom_train_default();
+        train.s = csv_number(csv, "s");
+        train.d = pair ? 7.0 / 48 : csv_number(csv, "d");
+        train.q = csv_number(csv, "q");
+        train.fuel = !pair && strcmp(csv_text(csv, "fuel"), "paper") == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
         struct dom_proof limit;
-        proof->tol = 1e-12;
-        limit_prove(proof, &limit);
-        bool reach = strcmp(csv_text(csv, "ends_by"), "reach") == 0;
+        assert_status(prove_limit(&train, NULL, pair, &limit), DOM_OK);
+        const bool reach = strcmp(csv_text(csv, "ends_by"), "reach") == 0;
         wrong += reach ? limit.ends != DOM_PROVED_REACH
                        : limit.ends != DOM_PROVED_BARRIER || !(limit.low <= r_max && r_max <= limit.high) ||
                              limit.high - limit.low > 4e-12 * r_max;
@@ -233,44 +233,41 @@ TEST(every_bound_holds)
 
 TEST(limits_of_the_reference_lie_in_what_is_proved)
 {
-    struct proof proof;
-    proof_begin(&proof);
-    assert_int_equal(limits_wrong(&proof, "tests/reference/rmax.csv", false), 0);
-    assert_int_equal(limits_wrong(&proof, "tests/reference/pair.csv", true), 0);
-    free(proof.box.link);
+    assert_int_equal(limits_wrong("tests/reference/rmax.csv", false), 0);
+    assert_int_equal(limits_wrong("tests/reference/pair.csv", true), 0);
 }
 
-/* Checks that at most a few passes follow an interrupt at any moment, and that everything proved by then is
+/* Checks that at most a few checks follow an interrupt at any moment, and that everything proved by then is
  * true. */
 TEST(an_interrupt_ends_every_stage)
 {
     static const struct {
-        double s, d, q, r_max;
+        double s, q, r_max;
         bool pair;
-    } train[] = {{0.4, 7.0 / 48, 4, 1.6442290395351491, false},
-                 {0.3, 7.0 / 48, 3, 1.654207309921, true},
-                 {0.1, 7.0 / 48, 0.65, 9.907306223703, true}};
-    for (size_t k = 0; k < sizeof train / sizeof *train; k++) {
-        struct proof proof;
-        proof_begin(&proof);
-        proof.shape = shape_make(train[k].s, train[k].d, train[k].q);
-        proof.shape.pair = train[k].pair;
-        proof.tol = 1e-3;
-        checks = 0;
+    } given[] = {{0.4, 4, 1.6442290395351491, false},
+                 {0.3, 3, 1.654207309921, true},
+                 {0.1, 0.65, 9.907306223703, true}};
+    struct dom_compute compute = dom_compute_default();
+    compute.tol = 1e-3;
+    for (size_t k = 0; k < sizeof given / sizeof *given; k++) {
+        struct dom_train train = dom_train_default();
         struct dom_proof limit;
-        limit_prove(&proof, &limit);
+        train.s = given[k].s;
+        train.d = 7.0 / 48;
+        train.q = given[k].q;
+        checks = 0;
+        assert_status(prove_limit(&train, &compute, given[k].pair, &limit), DOM_OK);
         const size_t in_all = checks;
         assert_true(limit.ends != DOM_PROVED_PARTLY && in_all > 300);
         for (raise_at = 1; raise_at <= in_all; raise_at += 1 + in_all / 499) {
-            proof.boxes = checks = 0;
-            const enum outcome outcome = limit_prove(&proof, &limit);
-            assert_true(limit.ends != DOM_PROVED_PARTLY || outcome == OUTCOME_INTERRUPTED);
-            assert_true(isnan(limit.low) || limit.low <= train[k].r_max);
-            assert_true(limit.high >= train[k].r_max);
+            checks = 0;
+            assert_status(prove_limit(&train, &compute, given[k].pair, &limit), DOM_OK);
+            assert_true(limit.ends != DOM_PROVED_PARTLY || limit.gap == DOM_PROOF_INTERRUPTED);
+            assert_true(isnan(limit.low) || limit.low <= given[k].r_max);
+            assert_true(limit.high >= given[k].r_max);
             assert_true(checks <= raise_at + 12);
         }
         raise_at = SIZE_MAX;
-        free(proof.box.link);
     }
 }
 

@@ -195,7 +195,7 @@ static struct span slope_by_r(const struct growth *g, const struct domino *domin
     const struct span X_by_r = span_sub(span_over(c->X, g->r), span_mul(rLx.value, domino->shift));
     const struct dual Y = {c->Y, span_negate(span_over(span_mul(c->X, X_by_r), c->Y))};
     const struct span by_r = span_negate(dual_over(rLx, Y).by_r);
-    return c->may_hold ? span_hull(by_r, span_of(0)) : by_r;
+    return c->may_hold ? (struct span){smaller(by_r.lo, 0), larger(by_r.hi, 0)} : by_r;
 }
 
 /* ---- Powers ---- */

@@ -117,11 +117,9 @@ static enum outcome strip_prove(struct proof *proof, double r_low, double r_high
     return cover_tilts(proof, 0, proof->box.growth.hit.hi, 0, &left);
 }
 
-/*
- * Tries to prove that the train stops for all growths from r_low to r_high. The train stops if it has no
- * fuel, or if its kinetic energy is too small to reach a tilt theta of the cycle: the tilt proof->top or, if
- * that exceeds theta_c, theta_c. Returns false if the proof fails.
- */
+/* Tries to prove that the train stops for all growths from r_low to r_high, because it has no fuel, or
+ * because its kinetic energy is too small to reach the tilt proof->top or, if that exceeds theta_c, theta_c.
+ * Returns false if the proof fails. */
 static bool stops_prove(struct proof *proof, double r_low, double r_high)
 {
     if (dom_interrupted(proof->interrupt) ||
@@ -132,11 +130,9 @@ static bool stops_prove(struct proof *proof, double r_low, double r_high)
            up(proof->box.kinetic.value.hi - climb_find(&proof->box, at, at, false).height.lo) < 0;
 }
 
-/*
- * Returns an estimate of the margin K - B at the growth r, where B is the height of the barrier, and sets
+/* Returns an estimate of the margin K - B at the growth r, where B is the height of the barrier, and sets
  * proof->top. These estimates prove nothing; they only tell which proof to try. Returns NaN if the train
- * cannot be computed, or after an interrupt.
- */
+ * cannot be computed, or after an interrupt. */
 static double margin_guess(struct proof *proof, double r)
 {
     enum { SAMPLES = 48, HALVINGS = 25 }; /* these show tilts to 1e-9 of theta_c */
@@ -229,11 +225,9 @@ static enum outcome range_prove(struct proof *proof, double end, double width, d
     return OUTCOME_PROVED;
 }
 
-/*
- * Estimates the growth between proof->done and proof->stop at which the margin is 0 (the root). Tries to
- * prove that the train stops at a decimal number slightly above the root, and that it keeps falling up to one
- * slightly below.
- */
+/* Estimates the growth between proof->done and proof->stop at which the margin is 0 (the root). Tries to
+ * prove that the train stops at a decimal number slightly above it, and keeps falling up to one slightly
+ * below. */
 static enum outcome bracket_prove(struct proof *proof, struct dom_proof *found)
 {
     enum { ABOVE_MOST = 256, BELOW_MOST = 1024 };
@@ -273,11 +267,8 @@ static enum outcome bracket_prove(struct proof *proof, struct dom_proof *found)
     return dom_interrupted(proof->interrupt) ? OUTCOME_INTERRUPTED : OUTCOME_OPEN;
 }
 
-/*
- * A pair that stops at r = 1 may keep falling at larger growths. Finds such a growth, at which the search can
- * begin: estimates the smallest growth at which the margin is 0, and returns a growth above it at which the
- * pair provably keeps falling. Returns NaN if no proof succeeds.
- */
+/* A pair that stops at r = 1 may keep falling at larger growths. Returns a growth just above the smallest one
+ * at which the margin seems to be 0, if the pair provably keeps falling there. Returns NaN otherwise. */
 static double band_begin(struct proof *proof)
 {
     enum { SAMPLES = 400 };
@@ -288,10 +279,10 @@ static double band_begin(struct proof *proof)
         low = r;
         r = 1 + (reach - 1) * ++k / (SAMPLES + 1);
     } while (k < SAMPLES && !(margin_guess(proof, r) > 0) && !dom_interrupted(proof->interrupt));
-    double from = ceil(root_guess(proof, low, r, 1e-7) * 1e6) / 1e6;
-    if (!(from < r) || strip_prove(proof, from, from, NULL) != OUTCOME_PROVED)
-        from = strip_prove(proof, r, r, NULL) == OUTCOME_PROVED ? r : (double)NAN;
-    return from;
+    const double from = ceil(root_guess(proof, low, r, 1e-7) * 1e6) / 1e6;
+    return from < r && strip_prove(proof, from, from, NULL) == OUTCOME_PROVED ? from
+           : strip_prove(proof, r, r, NULL) == OUTCOME_PROVED                 ? r
+                                                                              : (double)NAN;
 }
 
 /* Tries to enclose the smallest growth at which the train stops, as dom_prove_rmax says. If the proof remains
@@ -299,28 +290,24 @@ static double band_begin(struct proof *proof)
 static enum outcome limit_prove(struct proof *proof, struct dom_proof *found)
 {
     const double end = up(1 / proof->shape.s.lo);
-    double width = FIRST_STRIP;
     enum outcome outcome = strip_prove(proof, 1, 1, NULL);
-    *found = (struct dom_proof){
-        .ends = DOM_PROVED_PARTLY, .from = 1, .low = NAN, .high = INFINITY, .decimals = 17};
+    proof->done = 1;
     if (outcome != OUTCOME_PROVED) {
         margin_guess(proof, 1);
         const bool stops = stops_prove(proof, 1, 1);
-        if (stops && proof->shape.pair)
-            found->from = band_begin(proof);
+        proof->done = stops && proof->shape.pair ? band_begin(proof) : 1;
         if (dom_interrupted(proof->interrupt))
             return OUTCOME_INTERRUPTED;
-        if (!(found->from > 1)) {
-            found->from = 1;
+        if (!(proof->done > 1)) {
             found->ends = stops ? DOM_PROVED_NONE : DOM_PROVED_PARTLY;
             found->high = stops ? 1 : INFINITY;
             return outcome;
         }
     }
-    proof->done = found->from;
-    outcome = range_prove(proof, end, width, LAST_STRIP * proof->done, true);
+    found->from = proof->done;
+    outcome = range_prove(proof, end, FIRST_STRIP, LAST_STRIP * proof->done, true);
     while (outcome == OUTCOME_REFUTED) {
-        width = proof->stop - proof->done;
+        const double width = proof->stop - proof->done;
         outcome = bracket_prove(proof, found);
         if (found->ends == DOM_PROVED_BARRIER)
             return outcome;
@@ -348,6 +335,10 @@ static enum dom_proof_gap gap_of(enum outcome outcome)
 static void cycle_prove(struct proof *proof, double r, struct dom_proof_cycle *result)
 {
     const double low = larger(1, nextafter(r, 0)), high = nextafter(r, INFINITY);
+    if (span_mul(span_around(r), proof->shape.s).lo > 1) {
+        result->verdict = DOM_PROVED_OUT_OF_REACH;
+        return;
+    }
     margin_guess(proof, r);
     if (!upright_find(&proof->shape, low, high, REST, 0, &proof->box)) {
         result->gap = DOM_PROOF_BOXES;
@@ -434,19 +425,14 @@ static enum dom_status prove_limit(const struct dom_train *train, const struct d
                                    bool pair, struct dom_proof *result)
 {
     struct proof proof;
-    enum dom_proof_gap gap;
-    const enum dom_status status = begin(&proof, train, compute, pair, &gap);
-    if (status != DOM_OK)
-        return status;
-    *result = (struct dom_proof){
-        .ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY, .gap = gap};
-    if (gap == DOM_PROOF_NONE) {
+    *result = (struct dom_proof){.ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY};
+    const enum dom_status status = begin(&proof, train, compute, pair, &result->gap);
+    if (status == DOM_OK && result->gap == DOM_PROOF_NONE) {
         const enum outcome outcome = limit_prove(&proof, result);
-        if (result->ends == DOM_PROVED_PARTLY)
-            result->gap = gap_of(outcome);
+        result->gap = result->ends == DOM_PROVED_PARTLY ? gap_of(outcome) : DOM_PROOF_NONE;
     }
     free(proof.box.link);
-    return DOM_OK;
+    return status;
 }
 
 enum dom_status dom_prove_rmax(const struct dom_train *train, const struct dom_compute *compute,
@@ -464,20 +450,15 @@ enum dom_status dom_prove_pair(const struct dom_train *train, const struct dom_c
 enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_proof_cycle *result)
 {
-    struct proof proof;
-    enum dom_proof_gap gap;
     const struct dom_interval none = {DOM_NAN, DOM_NAN};
-    const enum dom_status status = begin(&proof, train, compute, false, &gap);
-    if (status != DOM_OK)
-        return status;
+    struct proof proof;
     *result = (struct dom_proof_cycle){
-        .verdict = DOM_PROVED_NOTHING, .kinetic = none, .barrier = none, .margin = none, .gap = gap};
-    if (gap == DOM_PROOF_NONE && span_mul(span_around(train->r), proof.shape.s).lo > 1)
-        result->verdict = DOM_PROVED_OUT_OF_REACH;
-    else if (gap == DOM_PROOF_NONE)
+        .verdict = DOM_PROVED_NOTHING, .kinetic = none, .barrier = none, .margin = none};
+    const enum dom_status status = begin(&proof, train, compute, false, &result->gap);
+    if (status == DOM_OK && result->gap == DOM_PROOF_NONE)
         cycle_prove(&proof, train->r, result);
     free(proof.box.link);
-    return DOM_OK;
+    return status;
 }
 
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most)

@@ -150,12 +150,6 @@ SPAN struct span span_sqrt(struct span a)
     return (struct span){least_0(down(sqrt(least_0(a.lo)))), up(sqrt(a.hi))};
 }
 
-/* Returns the smallest interval that contains both a and b. */
-static inline struct span span_hull(struct span a, struct span b)
-{
-    return (struct span){smaller(a.lo, b.lo), larger(a.hi, b.hi)};
-}
-
 static inline bool span_finite(struct span a)
 {
     return isfinite(a.lo) && isfinite(a.hi) && a.lo <= a.hi;
