@@ -8,6 +8,7 @@
 #include "numerics/real.h"
 #include "rows/model/boxes.h"
 #include <gsl/gsl_randist.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,6 +34,7 @@ void draw_end(struct draw *draw)
     for (int i = 0; i < 2; i++)
         free(draw->random[i].state);
     free(draw->domino);
+    row_study_end(draw->study);
 }
 
 /* Derives seed number i from `seed`. Successive integers as seeds would give similar random numbers, so the
@@ -206,12 +208,43 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
         drawn->release = HUGE_VAL;
 }
 
-enum dom_status placement_run(const struct dom_placement *p, dom_task *batch, void *context)
+/* The number of random rows in a batch, large enough to make the time for memory allocation negligible. */
+enum { BATCH = 16 };
+
+/* The data that all batches share. */
+struct batches {
+    const struct dom_row *row;
+    size_t rows;
+    draw_visit *visit;
+    void *context;
+    atomic_int status; /* DOM_OK, or the status of the first batch that failed */
+};
+
+/* A dom_task that visits the rows of batch number `index`, unless another batch has failed. */
+static void batch_run(size_t index, void *context)
 {
+    struct batches *b = context;
+    struct draw draw;
+    if (atomic_load(&b->status) != DOM_OK)
+        return;
+    enum dom_status status = draw_begin(&draw, b->row);
+    for (size_t i = index * BATCH; i < b->rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
+        status = b->visit(&draw, i, b->context);
+    int none = DOM_OK;
+    if (status != DOM_OK)
+        atomic_compare_exchange_strong(&b->status, &none, (int)status);
+    draw_end(&draw);
+}
+
+enum dom_status draw_run(const struct dom_row *row, const struct dom_placement *p, draw_visit *visit,
+                         void *context)
+{
+    struct batches b = {row, p->rows, visit, context, DOM_OK};
     const size_t batches = p->rows / BATCH + (p->rows % BATCH > 0);
+    enum dom_status status = DOM_OK;
     if (p->parallel)
-        return p->parallel(batches, batch, context, p->pool);
-    for (size_t i = 0; i < batches; i++)
-        batch(i, context);
-    return DOM_OK;
+        status = p->parallel(batches, batch_run, &b, p->pool);
+    for (size_t i = 0; i < batches && !p->parallel; i++)
+        batch_run(i, &b);
+    return b.status != DOM_OK ? (enum dom_status)b.status : status;
 }

@@ -2,13 +2,14 @@
 /* Draws random rows: copies of a row with random errors. */
 #pragma once
 
-#include "rows/model/boxes.h"
+#include "rows/model/study.h"
 #include <gsl/gsl_rng.h>
 
 struct draw {
     gsl_rng random[2];
     struct dom_domino *domino; /* the dominoes of the random row */
     struct dom_row row;        /* the random row; its friction, slope, floor and push may have errors too */
+    struct study *study;       /* NULL, or a study that a visit has begun; draw_end ends it */
 };
 
 /* Allocates memory for random copies of a row. Call draw_end afterwards, even if this function fails. */
@@ -21,8 +22,11 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
 /* Returns the steepest slope, in rad, on which no domino of a row falls over by itself. */
 double row_steepest(const struct dom_row *row);
 
-/* number of random rows in a batch, large enough to make the time for memory allocation negligible */
-enum { BATCH = 16 };
-
-/* Runs all batches of random rows, in parallel if the placement can. */
-enum dom_status placement_run(const struct dom_placement *placement, dom_task *batch, void *context);
+/*
+ * Calls visit(draw, i, context) for i from 0 to placement->rows - 1, in batches that run in parallel if the
+ * placement can. The visit draws random rows of `row` into *draw. All visits of a batch share *draw. After a
+ * visit that returns another status than DOM_OK, no batch begins, and this status is returned.
+ */
+typedef enum dom_status draw_visit(struct draw *draw, size_t i, void *context);
+enum dom_status draw_run(const struct dom_row *row, const struct dom_placement *placement, draw_visit *visit,
+                         void *context);
