@@ -38,8 +38,8 @@ struct planner {
     struct dom_compute compute; /* settings of the search */
     const struct dom_wish *wish;
     const struct dom_limits *limits; /* the sizes that the dominoes may have, or NULL if any are allowed */
-    struct dom_domino *domino;       /* array of `room` dominoes */
-    size_t room;
+    struct dom_row row;              /* the last candidate row, with the dominoes `domino` */
+    struct dom_domino *domino;
     enum dom_status status;
     double failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
     bool whole; /* true to run all dominoes; false to end a run at the first one that is not safe enough */
@@ -97,54 +97,47 @@ static double train_ratio(struct planner *p, double s, double r)
     return 0;
 }
 
-/* Returns a row with the `count` dominoes that row_write wrote last. */
-static struct dom_row row_of(const struct planner *p, size_t count, double push)
-{
-    struct dom_row row = {
-        .domino = p->domino, .count = count, .g = p->wish->g, .push = push, .release = p->wish->release};
-#define VALUE(effect, member, status) row.member = p->train.member;
-    DOM_DYNAMICS(VALUE)
-#undef VALUE
-    row.walls *= p->wish->first; /* converts the thickness of walls from multiples of the first height to m */
-    if (p->wish->boxes_above > 0) {
-        row.walls = p->wish->walls;
-        row.boxes_above = p->wish->boxes_above;
-    }
-    return row;
-}
-
-/* Writes the dominoes of a candidate row to p->domino. If memory is exhausted, or if the walls do not fit
- * into a domino, sets p->status and returns false. */
+/* Makes the row p->row of a candidate. If memory is exhausted, or if the walls do not fit into a domino, sets
+ * p->status and returns false. */
 static bool row_write(struct planner *p, struct choice c)
 {
+    const struct dom_wish *wish = p->wish;
     const size_t count = c.steps + 1;
-    struct dom_domino *more = count > p->room ? realloc(p->domino, count * sizeof *more) : p->domino;
-    if (!more) {
+    free(p->domino);
+    struct dom_domino *const d = p->domino = malloc(count * sizeof *d);
+    if (!d) {
         p->status = DOM_NO_MEMORY;
         return false;
     }
-    p->domino = more;
-    p->room = count > p->room ? count : p->room;
-    const struct dom_scale scale = {.h = p->wish->first, .g = p->wish->g};
+    const struct dom_scale scale = {.h = wish->first, .g = wish->g};
     p->train.s = (double)c.k / GRID;
     p->train.r = growth_of(p, c.steps);
     /* In air the masses count: with the density 1, the ratio of the densities is the density of the air. */
-    const double volume = p->wish->first * p->wish->first * p->wish->first * p->train.d * p->train.width,
-                 mass = p->train.air != 0 ? volume : 1;
-    dom_row_of_train(&p->train, &scale, mass, p->domino, count);
-    p->domino[c.steps].height = p->wish->height;
-    p->domino[c.steps].width = p->train.width * p->wish->height;
-    const struct dom_row row = row_of(p, count, p->wish->push);
-    for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
-        struct dom_domino *d = &p->domino[k], *first = p->domino;
-        d->mass = mass * wood_volume(&row, d) / wood_volume(&row, first);
-        if (!(d->mass > 0)) {
+    const double mass =
+        p->train.air != 0 ? wish->first * wish->first * wish->first * p->train.d * p->train.width : 1;
+    dom_row_of_train(&p->train, &scale, mass, d, count);
+    d[c.steps].height = wish->height;
+    d[c.steps].width = p->train.width * wish->height;
+    struct dom_row *const row = &p->row;
+    *row = (struct dom_row){
+        .domino = d, .count = count, .g = wish->g, .push = wish->push, .release = wish->release};
+#define VALUE(effect, member, status) row->member = p->train.member;
+    DOM_DYNAMICS(VALUE)
+#undef VALUE
+    row->walls *= wish->first; /* converts the thickness of walls from multiples of the first height to m */
+    if (wish->boxes_above > 0) {
+        row->walls = wish->walls;
+        row->boxes_above = wish->boxes_above;
+    }
+    for (size_t k = 0; row->boxes_above > 0 && k < count; k++) {
+        d[k].mass = mass * wood_volume(row, &d[k]) / wood_volume(row, d);
+        if (!(d[k].mass > 0)) {
             p->status = DOM_NO_ROOM;
             return false;
         }
     }
     if (p->limits)
-        shape_round(&(struct shape){&row, p->limits}, count, p->domino);
+        shape_round(&(struct shape){row, p->limits}, count, d);
     return true;
 }
 
@@ -169,14 +162,14 @@ static double row_ratio(struct planner *p, struct choice c, double push, bool ti
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
     if (p->status != DOM_OK || !row_write(p, c))
         return 0;
-    const struct dom_row row = row_of(p, c.steps + 1, push);
+    p->row.push = push;
     struct dom_compute compute = p->compute;
     enum dom_status status;
     do {
         p->least = HUGE_VAL;
         p->weakest = 0;
         p->whole = times;
-        status = dom_row_run(&row, &compute, times, ratio_seen, p, &verdict);
+        status = dom_row_run(&p->row, &compute, times, ratio_seen, p, &verdict);
     } while (status != DOM_OK && tried_again(p, status, &compute));
     p->seconds = verdict.seconds;
     return status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
@@ -184,20 +177,12 @@ static double row_ratio(struct planner *p, struct choice c, double push, bool ti
 
 /* ---- Lengths, and tests of a candidate ---- */
 
-/* Returns the length of a standing row, from the back of the first domino to the front of the last. The row
- * has the separation s. Its dimensions are not rounded to a grid. */
-static double feet_exact(const struct planner *p, size_t steps, double s)
-{
-    double r = growth_of(p, steps), height = p->wish->first, sum = 0;
-    for (size_t k = 0; k <= steps; k++, height *= r)
-        sum += (p->train.d + (k ? s : 0)) * height;
-    return sum;
-}
-
+/* Returns the length of a standing row, from the back of the first domino to the front of the last. */
 static double feet_of(struct planner *p, struct choice c)
 {
+    const size_t count = row_write(p, c) ? c.steps + 1 : 0;
     double sum = 0;
-    for (size_t k = 0; row_write(p, c) && k <= c.steps; k++)
+    for (size_t k = 0; k < count; k++)
         sum += p->domino[k].gap + p->domino[k].thickness;
     return sum;
 }
@@ -206,8 +191,11 @@ static double feet_of(struct planner *p, struct choice c)
  * there is none, returns 0. The dimensions of the row are not rounded to a grid. */
 static int widest(const struct planner *p, size_t steps, double hall)
 {
-    double closed = feet_exact(p, steps, 0), open = feet_exact(p, steps, 1);
-    double s = (hall - p->wish->height - closed) / (open - closed);
+    const double r = growth_of(p, steps), first = p->wish->first;
+    double heights = 0, height = first;
+    for (size_t k = 0; k <= steps; k++, height *= r)
+        heights += height;
+    const double s = (hall - p->wish->height - p->train.d * heights) / (heights - first);
     return s >= 1 ? GRID : s > 0 ? (int)floor(s * GRID) : 0;
 }
 
