@@ -40,18 +40,9 @@ struct trial {
  * which is more than rounding errors. */
 #define STANDS_SHORT 1e-6
 
-/* The range of values that are tried. */
 struct range {
     double lowest, highest;
 };
-
-/* The domino can move forwards until it touches the next domino, or until the previous domino barely reaches
- * it. */
-static struct range places_of(const struct trial *t, const struct dom_domino *d)
-{
-    const double reach = d[-1].height - d->gap, room = t->k + 1 == t->row.count ? reach : d[1].gap;
-    return (struct range){t->place - d->gap, t->place + fmin(reach, room)};
-}
 
 /*
  * Returns the range of heights that are tried.
@@ -71,41 +62,34 @@ static struct range heights_of(const struct dom_row *row, const struct dom_domin
     return (struct range){fmin(lowest, d->height), fmax(highest, d->height)};
 }
 
-/* The domino must be thick enough to stand, and to have room for two walls or for two rounded edges. */
-static struct range thicknesses_of(const struct dom_row *row, const struct dom_domino *d, double tilt)
+/* Returns the range of values that are tried. */
+static struct range range_of(const struct trial *t)
 {
+    const struct dom_row *row = &t->row;
+    const struct dom_domino *d = &t->domino[t->k];
+    const double tilt = fmax(fabs(row->alpha), fabs(row->alpha + d->lean));
+    if (t->of == DOM_WINDOW_GAP) /* a domino can reach across a gap that is as wide as its own height */
+        return (struct range){0, d[-1].height};
+    if (t->of == DOM_WINDOW_PLACE) {
+        /* up to where it touches the next domino, or the previous one barely reaches it */
+        const double reach = d[-1].height - d->gap, room = t->k + 1 == row->count ? reach : d[1].gap;
+        return (struct range){t->place - d->gap, t->place + fmin(reach, room)};
+    }
+    if (t->of == DOM_WINDOW_HEIGHT)
+        return heights_of(row, d, tilt);
+    if (t->of == DOM_WINDOW_FRICTION)
+        return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * row->mu), DOM_MU_HIGHEST)};
+    if (t->of == DOM_WINDOW_LEAN) {
+        double lean[2];
+        dom_lean_limits(d, row->alpha, row->rho, lean);
+        const double inside = (lean[1] - lean[0]) / 2 * STANDS_SHORT;
+        return (struct range){fmin(lean[0] + inside, d->lean), fmax(lean[1] - inside, d->lean)};
+    }
+    /* thick enough to stand, and to have room for two walls or for two rounded edges */
     const double rho = row->rho != 0 && d->radius > 0 ? d->radius / d->height : row->rho,
                  stands = (tan(tilt) + 2 * rho) * d->height,
                  least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * walls_of(row, d->height));
     return (struct range){fmin(least * (1 + STANDS_SHORT), d->thickness), HEIGHT_MULTIPLE * d->thickness};
-}
-
-static struct range leans_of(const struct dom_row *row, const struct dom_domino *d)
-{
-    double lean[2];
-    dom_lean_limits(d, row->alpha, row->rho, lean);
-    const double inside = (lean[1] - lean[0]) / 2 * STANDS_SHORT;
-    return (struct range){fmin(lean[0] + inside, d->lean), fmax(lean[1] - inside, d->lean)};
-}
-
-static struct range range_of(const struct trial *t)
-{
-    const struct dom_domino *d = &t->domino[t->k];
-    const double tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
-    switch (t->of) {
-    case DOM_WINDOW_GAP: /* a domino can reach across a gap that is as wide as its own height */
-        return (struct range){0, d[-1].height};
-    case DOM_WINDOW_PLACE:
-        return places_of(t, d);
-    case DOM_WINDOW_HEIGHT:
-        return heights_of(&t->row, d, tilt);
-    case DOM_WINDOW_FRICTION:
-        return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST)};
-    case DOM_WINDOW_LEAN:
-        return leans_of(&t->row, d);
-    default:
-        return thicknesses_of(&t->row, d, tilt);
-    }
 }
 
 static void place_set(struct trial *t, struct dom_domino *d, double value)
