@@ -62,23 +62,6 @@ enum dom_status dom_study_interval(struct dom_study *s)
     return DOM_OK;
 }
 
-/*
- * Each of `rows` rows falls with the probability `share`. This function finds a count of fallen rows that is
- * so large, or so small, that it is unlikely.
- * - If `at_least` is true, returns the smallest k for which P(at least k rows fall) < 2.5 %.
- * - If `at_least` is false, returns the largest k for which P(at most k rows fall) < 2.5 %. If there is none,
- *   returns -1.
- */
-static double unlikely_count(double share, double rows, bool at_least)
-{
-    double lo = at_least ? 0 : -1, hi = lo + rows + 1;
-    while (hi - lo > 1) {
-        double k = floor((lo + hi) / 2);
-        *((binomial_tail(k, rows, share, at_least) < TAIL) == at_least ? &hi : &lo) = k;
-    }
-    return at_least ? hi : lo;
-}
-
 /* ---- The budget ---- */
 
 enum { BUDGET_SEEN = 128 };
@@ -185,8 +168,14 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
     if (b.status != DOM_OK || falls < share)
         return b.status != DOM_OK ? b.status : DOM_STOPS;
     b.widest = size_most(row, kind);
-    const double N = (double)p->rows, few = fmax(unlikely_count(share, N, false), 0),
-                 many = unlikely_count(share, N, true);
+    /* If rows fall with the probability `share`, at least `many` of them, or at most `few`, fall with a
+     * probability of less than 2.5 %. */
+    const double N = (double)p->rows;
+    double few = floor(share * N), many = ceil(share * N);
+    while (few > 0 && binomial_tail(few, N, share, false) >= TAIL)
+        few--;
+    while (many <= N && binomial_tail(many, N, share, true) >= TAIL)
+        many++;
     struct dom_budget found = {.low = 0};
     b.share = share;
     found.sigma = sigma_find(&b);

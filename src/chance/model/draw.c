@@ -71,11 +71,6 @@ static double error_next(const struct draw *draw, const struct dom_random_error 
     return error->size * (normal * M_SQRT1_2);
 }
 
-static double factor_next(const struct draw *draw, const struct dom_random_error *error)
-{
-    return fmax(1 + error_next(draw, error), LEAST_SHARE);
-}
-
 static double radius_of(const struct dom_row *row, const struct dom_domino *d)
 {
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
@@ -86,7 +81,7 @@ static double radius_of(const struct dom_row *row, const struct dom_domino *d)
 static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
                       const struct dom_random_error *error, struct dom_domino *d)
 {
-    const double factor = factor_next(draw, error);
+    const double factor = fmax(1 + error_next(draw, error), LEAST_SHARE);
     const struct dom_domino before = *d;
     switch (kind) {
     case DOM_ERROR_height:
