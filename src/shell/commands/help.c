@@ -58,24 +58,23 @@ static bool mentions(const char *text, const char *word)
     return text && strcasestr(text, word);
 }
 
-/* Returns true if a topic is about a word: its name, its summary, its synonyms, or the words for its values.
- */
-static bool topic_is_about(const struct topic *t, const char *word)
-{
-    bool is_about = mentions(t->name, word) || mentions(t->summary, word) || mentions(t->synonyms, word);
-    const char *value;
-    for (int k = 0; t->parameter && !t->parameter->effect && (value = parameter_words(t->parameter, k)); k++)
-        is_about = is_about || mentions(value, word);
-    return is_about;
-}
+/* How closely a topic is related to a word: MENTIONED if its text, its equations or its columns contain the
+ * word, ABOUT if its name, its summary, its synonyms or the words for its values do. */
+enum relation { UNRELATED, MENTIONED, ABOUT };
 
-/* Returns true if the text, the equations or the columns of a topic mention a word. */
-static bool topic_mentions(const struct topic *t, const char *word)
+static enum relation topic_relation(const struct topic *t, const char *word)
 {
+    const struct parameter *p = t->parameter;
+    const char *value;
+    if (mentions(t->name, word) || mentions(t->summary, word) || mentions(t->synonyms, word))
+        return ABOUT;
+    for (int k = 0; p && !p->effect && (value = parameter_words(p, k)) != NULL; k++)
+        if (mentions(value, word))
+            return ABOUT;
     bool found = mentions(t->text, word) || (t->command && mentions(t->equation, word));
     for (const struct column *k = t->command ? t->command->columns : NULL; k && k->key; k++)
         found = found || mentions(k->key, word) || mentions(k->meaning, word);
-    return found;
+    return found ? MENTIONED : UNRELATED;
 }
 
 static const struct column topic_columns[] = {
@@ -179,66 +178,62 @@ static void help_screen(FILE *out)
     say(out, "'help GROUP' or 'help NAME' explains more; 'help all' lists every command.");
 }
 
-/* Prints a line for each command of the groups with this word or, if it is "all", of all groups. */
-static void help_groups(FILE *out, const char *word)
+/* Prints a line for each command of the groups with this word or, if it is "all", of all groups. Returns
+ * false if no group has the word. In csv and json, only returns whether there is one. */
+static bool help_groups(const struct answer *a, const char *word)
 {
-    bool all = strcmp(word, "all") == 0, is_first = true;
+    const bool all = strcmp(word, "all") == 0, people = answer_for_people(a);
+    bool found = false;
     for (const struct command_group *g = command_groups(); g->title; g++) {
         if (!all && strcmp(g->word, word) != 0)
             continue;
-        fprintf(out, "%s%s\n", is_first ? "" : "\n", g->title);
-        is_first = false;
-        for (const struct command *c = g->commands; c->name; c++)
+        if (people)
+            fprintf(a->out, "%s%s\n", found ? "\n" : "", g->title);
+        found = true;
+        for (const struct command *c = g->commands; people && c->name; c++)
             if (!c->typed.is_hidden)
-                entry_write(out, 2, command_usage(c), c->summary);
+                entry_write(a->out, 2, command_usage(c), c->summary);
     }
     char names[2][256] = {"Parameters:", "Effects:"};
     for (const struct parameter *p = session_parameters; p->name; p++)
         text_add(names[p->effect != NULL], sizeof names[0], " %s", p->name);
-    if (all)
-        say(out, "\n%s\n%s\n'help NAME' explains one of these; 'apropos WORD' finds one.", names[0],
+    if (all && people)
+        say(a->out, "\n%s\n%s\n'help NAME' explains one of these; 'apropos WORD' finds one.", names[0],
             names[1]);
+    return found;
 }
 
 /* ---- One topic ---- */
 
-static void help_parameter(struct session *session, const struct topic *t)
+static void help_parameter(const struct session *session, const struct topic *t)
 {
+    const struct state *state = &session->state;
     const struct parameter *p = t->parameter;
-    char text[512];
+    char text[512], usual[PARAMETER_TEXT];
     const char *name;
     const struct domq_effect_argument *a;
     FILE *out = session->output->out;
-    say(out, "%s: %s\n", p->effect ? t->usage : p->name, t->summary);
+    say(out, "%s: %s\n", t->usage, t->summary);
     if (t->text) {
         wrapped(out, t->text, 0);
         putc('\n', out);
     }
     for (const char *const *e = p->effect ? p->effect->equations : NULL; e && *e; e++)
         fprintf(out, "    %s\n%s", *e, e[1] ? "" : "\n");
-    for (int i = 0; p->effect && (a = parameter_argument(p, i)) != NULL; i++) {
-        snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, parameter_range(&session->state, p, i),
-                 *a->unit ? " " : "", a->unit, a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
-                 a->optional ? "; may be left out" : "");
-        wrapped(out, text, fprintf(out, "  %-8s ", a->name));
+    for (int i = 0; (a = parameter_argument(p, i)) != NULL; i++) {
+        snprintf(text, sizeof text, "%s%s%s%s%s%s%s%s", p->effect ? a->meaning : "", p->effect ? ", " : "",
+                 parameter_range(state, p, i), *a->unit ? " " : "", a->unit, a->or_file ? "; or " : "",
+                 a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");
+        wrapped(out, text, fprintf(out, "  %-8s ", p->effect ? a->name : "VALUE"));
     }
-    if (!p->effect) {
-        fprintf(out, "  value    %s%s%s\n",
-                parameter_text(p, 0, parameter_get(&session->state, p), 15, (char[PARAMETER_TEXT]){""}),
-                *p->value->unit ? " " : "", p->value->unit);
-        fprintf(out, "  range    %s\n", parameter_range(&session->state, p, 0));
-    }
-    fprintf(out, "  default  %s\n",
-            parameter_text(p, 0, parameter_fallback(&session->state, p), 6, (char[PARAMETER_TEXT]){""}));
     for (int k = 0; parameter_is_number(p) && (name = parameter_offered(p, k)) != NULL; k++)
         fprintf(out, "  %-8s %g\n", name, (double)p->words[names_exact(parameter_words, p, name)].value);
-    putc('\n', out);
-    if (p->effect && session->state.scene.effect[p->which].on)
-        say(out, "Source: %s\nThe effect is on: %s\n", p->effect->source,
-            names_shown(parameter_setting(&session->state, p, 10)));
-    else if (p->effect)
-        say(out, "Source: %s\nThe effect is off, and costs no computing time.\n", p->effect->source);
-    say(out, "'%s' changes it, 'reset %s' restores the default.", t->usage, p->name);
+    fprintf(out, "  now      %s\n  default  %s\n\n",
+            names_shown(parameter_setting(state, p, 15)),
+            parameter_text(p, 0, parameter_fallback(state, p), 6, usual));
+    if (p->effect)
+        say(out, "Source: %s", p->effect->source);
+    say(out, "'reset %s' restores the default.", p->name);
 }
 
 static void columns_write(FILE *out, const struct column *columns)
@@ -314,15 +309,13 @@ static void help_name(struct session *session, struct answer *a, const char *nam
     }
 }
 
-/* Lists the topics that are about a word or, if `mentioned` is true, only mention it. Returns false if there
- * are none. */
-static bool topics_write(struct answer *a, const char *word, bool mentioned)
+/* Lists the topics with this relation to a word. Returns false if there are none. */
+static bool topics_write(struct answer *a, const char *word, enum relation relation)
 {
     bool found = false;
     struct topic topic;
     for (int k = 0; topic_at(k, &topic); k++) {
-        const bool is_about = topic_is_about(&topic, word);
-        if (mentioned ? is_about || !topic_mentions(&topic, word) : !is_about)
+        if (topic_relation(&topic, word) != relation)
             continue;
         found = true;
         if (topic.parameter)
@@ -350,30 +343,29 @@ static bool help_parse(struct reader *r, struct question *q)
 static bool run_help(struct session *session, const struct arguments *given, struct answer *a,
                      struct problem *problem)
 {
-    const bool people = answer_for_people(a);
     const char *word = given->count ? given->word[0] : "all", *name, *end;
     char message[NAMES_MESSAGE];
     struct quantity value;
-    if (people && !given->count)
+    if (answer_for_people(a) && !given->count) {
         help_screen(a->out);
-    else if (people && group_named(word))
-        help_groups(a->out, word);
-    else if (group_named(word))
-        help_name(session, a, NULL);
-    else {
-        const int k = parameter_search(topic_names, "topic", word, message);
-        const struct feature *feature = k < 0 ? feature_value(word, &name, &end, &value) : NULL;
-        if (k >= 0)
-            help_name(session, a, topic_names(NULL, k));
-        else if (feature && !*end)
-            help_name(session, a, feature->name);
-        else if (is_value_name(&session->state, word) || names_exact(expression_units, NULL, word) >= 0)
-            help_name(session, a, "print"); /* such as sin or cm */
-        else if (k == NAMES_SEVERAL || !topics_write(a, word, false)) {
-            problem->place = given->column[0];
-            return problem_error(problem, k == NAMES_UNKNOWN ? "%s; 'apropos WORD' finds topics" : "%s",
-                                 message);
-        }
+        return true;
+    }
+    if (help_groups(a, word)) {
+        if (!answer_for_people(a))
+            help_name(session, a, NULL);
+        return true;
+    }
+    const int k = parameter_search(topic_names, "topic", word, message);
+    const struct feature *feature = k < 0 ? feature_value(word, &name, &end, &value) : NULL;
+    if (k >= 0)
+        help_name(session, a, topic_names(NULL, k));
+    else if (feature && !*end)
+        help_name(session, a, feature->name);
+    else if (is_value_name(&session->state, word) || names_exact(expression_units, NULL, word) >= 0)
+        help_name(session, a, "print"); /* such as sin or cm */
+    else if (k == NAMES_SEVERAL || !topics_write(a, word, ABOUT)) {
+        problem->place = given->column[0];
+        return problem_error(problem, k == NAMES_UNKNOWN ? "%s; 'apropos WORD' finds topics" : "%s", message);
     }
     return true;
 }
@@ -383,8 +375,8 @@ static bool run_help(struct session *session, const struct arguments *given, str
 static bool run_apropos(const struct query *query, struct answer *a, struct problem *problem)
 {
     const char *word = query->given->word[0];
-    const bool is_about = topics_write(a, word, false);
-    return topics_write(a, word, true) || is_about ||
+    const bool is_about = topics_write(a, word, ABOUT);
+    return topics_write(a, word, MENTIONED) || is_about ||
            problem_error(
                problem,
                "nothing was found about '%s'; try another word, such as 'picture' or 'gap', or enter "

@@ -207,9 +207,6 @@ const struct feature *feature_at(int k);
 /* Returns the groups of all features; the title of the last one is NULL. */
 const struct command_group *command_groups(void);
 
-/* Returns true for the word of a group, and for "all", which stands for all groups. */
-bool group_named(const char *word);
-
 /* Functions of type names_list (see names.h): */
 const char *command_names(const void *context, int k);
 const char *offered_commands(const void *context,

@@ -86,14 +86,6 @@ const struct command_group *command_groups(void)
     return groups;
 }
 
-bool group_named(const char *word)
-{
-    bool found = strcmp(word, "all") == 0;
-    for (const struct command_group *g = groups; g->title; g++)
-        found = found || strcmp(g->word, word) == 0;
-    return found;
-}
-
 int command_count(void)
 {
     return every_count;
