@@ -142,7 +142,7 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 # fuzz'. Then tests/coverage counts the lines of the model that the tests have run. With -g1, which records only lines,
 # gcc takes half as long.
 SANITIZED := $(patsubst %,tests/%.bats,pictures/draw rows/rowfiles $(addprefix shell/,prompt complete escape expressions files fifo lines \
-  names options save settings undo variables))
+  names options settings undo variables) save/save)
 sanitize: | $(FIRST)
 	@find $(B)/sanitize -name '*.gcda' -delete 2>/dev/null || :
 	@LDFLAGS=--coverage $(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(SANITIZED)' HARD_BIN='$(patsubst %,$(B)/sanitize/hard/test_%,proof properties sweep)' COVER=--coverage \

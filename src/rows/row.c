@@ -267,7 +267,7 @@ static const struct command row_commands[] = {
              "with a sign changes the old value by this much, as in 'change 4,5 thickness +10 %'. 'change 4 "
              "lean = -2 mm' sets a negative value. A domino that becomes taller, thicker or wider becomes "
              "heavier, because it keeps its density. The gaps beside it and its other sizes stay the same. "
-             "The change lasts until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
+             "The change lasts until another row is entered; 'row > FILE.csv' keeps it.",
      .example = "set row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
      .see = "row insert remove place mend",
      .access.changes = true,

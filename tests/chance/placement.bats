@@ -55,7 +55,7 @@ load ../shell/common
     done
 }
 
-# bats test_tags=sweeps,engine
+# bats test_tags=sweeps,engine,save
 @test "random errors of every kind are saved, undone and swept like effects, and may need the effect to which they apply" {
     scene='set q hollow; set r 1.6; effect friction 0.3; effect row 9; effect push 3'
     all='effect placement 2 mm uniform; effect error_place 1 mm; effect error_thickness 2 %; effect error_mass 5 % uniform

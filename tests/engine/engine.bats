@@ -141,6 +141,7 @@ set method box|set: unknown value of method 'box'; use one of: model, engine
 END
 }
 
+# bats test_tags=save
 @test "effects are saved and read back, and reset turns them off" {
     saved=$("$DOMINO" -n -e "$scene; effect feet 0.4; effect bounce 0.1; set method engine; save \"saved.dom\"; verdict")
     same saved "$saved" "$("$DOMINO" -n -e "source \"saved.dom\"; verdict")"

@@ -28,6 +28,7 @@ load ../shell/common
     wrong 'source inner > y' "'log' does not work while answers go to 'y'; first enter 'log', then enter the command again with '>'"
 }
 
+# bats test_tags=save
 @test "the file of the log is refused under any of its names, and is not changed" {
     answer=$("$DOMINO" -e fuel)
     echo old >twice && ln -s twice soft

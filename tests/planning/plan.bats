@@ -61,6 +61,7 @@ END
     wrong 'effect row 3; plan foo' "write a title as in 'plan title"
 }
 
+# bats test_tags=save
 @test "plan: widths come from the file, and a domino keeps its width when its height changes" {
     printf 'height (mm),thickness (mm),gap (mm),mass (g),width (mm)\n50,10,0,100,20\n60,10,20,110,33\n' > widths.csv
     widths() { "$DOMINO" -e "$1; plan > widths.out.csv" > /dev/null; cut -d, -f13 widths.out.csv | tail -n +2 | paste -sd ' ' -; }

@@ -50,7 +50,7 @@ END
     done
 }
 
-# bats test_tags=sweeps
+# bats test_tags=sweeps,save
 @test "change: 'save' and 'row' save it, undo takes it back, and sweeps use it" {
     scene="set mass 1; effect row 5; change 2-4 thickness +10 %; change 2 mass 130 %; change 3 lean = -1 mm; change 5 gap 25 %
         change 4 radius 1 mm"

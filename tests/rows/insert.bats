@@ -44,7 +44,7 @@ four() {
     same lean '0 0.002 0.002 0' "$(column lean 'set row lean.csv; insert 2')"
 }
 
-# bats test_tags=chance
+# bats test_tags=chance,save
 @test "remove and insert: any sequence is saved and read again, and undone" {
     four
     local seed edits step base saved

@@ -50,7 +50,7 @@ deg=0.017453292519943295
     same 'a single domino' 'all fall' "$(json 'set row 1; set release 50 deg; verdict' | values verdict)"
 }
 
-# bats test_tags=sweeps
+# bats test_tags=sweeps,save
 @test "release is a parameter: save, undo, reset, show, with, sweep, completion" {
     "$DOMINO" -n -e "$scene; set release touch; save a.dom; set release 0.25; save b.dom"
     grep -qx 'set release touch' a.dom

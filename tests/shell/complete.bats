@@ -89,7 +89,7 @@ END
 @test "complete: file names, where a command takes a file" {
     touch alpha.dom beta.dom
     mkdir alps
-    for line in 'source ' 'save ' 'fuel > ' 'fuel >> ' 'rmax 0.3 > '; do
+    for line in 'source ' 'fuel > ' 'fuel >> ' 'rmax 0.3 > '; do
         same "$line" 'alpha.dom alps beta.dom' "$("$DOMINO" -e "complete $line" | sed 's,/$,,' | sort | paste -sd ' ' -)"
         same "${line}b" 'beta.dom' "$(completed "${line}b")"
     done

@@ -18,7 +18,7 @@ load common
 END
 }
 
-# bats test_tags=sweeps
+# bats test_tags=sweeps,save
 @test "missing and surplus arguments: the usage of the command" {
     all_wrong <<'END'
 4|set|^set: .*missing.*set NAME VALUE

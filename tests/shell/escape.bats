@@ -13,7 +13,7 @@ harmless() { # FILE
     fi
 }
 
-# bats test_tags=rows,chance,sweeps,explain
+# bats test_tags=rows,chance,sweeps,explain,save
 @test "names that cannot be shown are escaped in table, csv, json, help and messages" {
     local name=$'a\e[31m\u202e\u009b\xff\tb.csv' shown='a\x1b[31m\u202e\u009b\xff\x09b.csv'
     printf '%s\n' "$two_dominoes" >"$name"
@@ -93,7 +93,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     same files row.csv "$("$DOMINO" -e 'complete source r')"
 }
 
-# bats test_tags=rows
+# bats test_tags=rows,save
 @test "a line break in the name of a csv file does not smuggle a command into a saved session" {
     local folder=$'x"\nprint 41 + 1\n"'
     mkdir "$folder" && printf '%s\n' "$two_dominoes" >"$folder/row.csv" && ln -s "$folder/row.csv" link.csv

@@ -228,7 +228,7 @@ END
     [ "$count" -ge 10 ]
 }
 
-# bats test_tags=rows,chance,pictures,sweeps
+# bats test_tags=rows,chance,pictures,sweeps,save
 @test "commands that take a file or a word have no value in an expression" {
     wrong 'print save(1)' "'save' has no value in an expression; enter the command alone"
     same completion '(nothing)' "$("$DOMINO" -e 'complete print sav')"

@@ -5,6 +5,7 @@
 
 load common
 
+# bats test_tags=save
 @test "^C ends the wait for the other end of a FIFO" {
     for command in source 'effect row' 'fuel >' 'fuel >>' save; do
         prompt interrupt_fifo "$command %s"
@@ -22,6 +23,7 @@ load common
     prompt interrupt_partner '<' "source $BATS_TEST_TMPDIR/script > %s" '(cannot write [^\n]*canceled|source: interrupted)'
 }
 
+# bats test_tags=save
 @test "FIFOs, pipes and devices are read and written like files" {
     answer=$("$DOMINO" -e fuel)
     mkfifo fifo

@@ -72,7 +72,7 @@ load common
     same 'through the link' "$("$DOMINO" -e fuel)" "$(cat target)"
 }
 
-# bats test_tags=sweeps
+# bats test_tags=sweeps,save
 @test "paths that cannot be written: the message has the path and the reason, and the session goes on" {
     mkdir directory
     ln -s loop loop
@@ -178,6 +178,7 @@ END
     same 'nothing is left' s.dom "$(ls)"
 }
 
+# bats test_tags=save
 @test "a link whose target does not exist is not written, and stays a link" {
     ln -s nowhere link
     for call in 'fuel >' 'fuel >>' save log; do

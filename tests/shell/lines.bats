@@ -67,7 +67,7 @@ END
     done
 }
 
-# bats test_tags=rows
+# bats test_tags=rows,save
 @test "a quote in the middle of a word is an ordinary character, and the next command runs" {
     printf '%s\n' "$two_dominoes" >'a"b.csv'
     same 'the next command' 42 "$("$DOMINO" -e 'effect row a"b.csv; print 41 + 1')"

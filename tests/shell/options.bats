@@ -153,6 +153,7 @@ END
     same 'but with --keep-going' 7 "$(echo 'print 7' | "$DOMINO" --keep-going -i -e foo 2>/dev/null)"
 }
 
+# bats test_tags=save
 @test "--safe: commands cannot use files, and everything else works" {
     echo 'set s 0.3' >plain
     while IFS='|' read -r command place; do

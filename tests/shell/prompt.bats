@@ -40,6 +40,7 @@ same_at_the_prompt() { # FORMAT
     TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
 }
 
+# bats test_tags=rows,save
 @test "the prompt opens with a row from a file, and after a file with -i" { prompt opened; }
 @test "^C in a file before the prompt ends the file, and the prompt opens" { prompt interrupt_opened; }
 @test "inputrc: \$if Domino" { prompt inputrc; }

@@ -184,7 +184,7 @@ END
     same 'and cancel' 1 "$("$DOMINO" -e 'print ((1 m)^64)^15 / ((1 m)^60)^16')"
 }
 
-# bats test_tags=sweeps
+# bats test_tags=sweeps,save
 @test "lengths stay lengths: the order of commands does not matter, and show and save write what was typed" {
     local name value
     for name in 's 20 mm' 'd 9 mm' 'walls 1 mm' 'edges 0.5 mm'; do

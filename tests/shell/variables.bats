@@ -68,6 +68,7 @@ END
     wrong 'z(a) = 3' "'let z\(...\) = VALUE' defines a function"
 }
 
+# bats test_tags=save
 @test "variables are listed by 'show' and read back after 'save'" {
     "$DOMINO" -e 'let p = 600 kg/m^3/3; let a = 10 deg; let f(x, y) = x*p + y; let n = 1/3; save s.dom; show' >shown
     "$DOMINO" -e 'source s.dom; save t.dom; show' >again

@@ -4,7 +4,7 @@
 
 load common
 
-# bats test_tags=rows,sweeps,explain
+# bats test_tags=rows,sweeps,explain,save
 @test "width: a parameter like the others, and 'w' is short for it" {
     same 'show' 'width 24 mm' "$("$DOMINO" -e 'set width 24 mm; show' | awk '$1 == "width" { print $1, $2, $3 }')"
     for name in w wi width Width; do

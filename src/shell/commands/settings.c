@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands that set, reset and save the parameters of the session, undo changes, or end the session. */
+/* Commands that set and reset the parameters of the session, undo changes, or end the session. */
 #include "answer/answer.h"
 #include "interpreter/question.h"
-#include "io/output.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/session.h"
@@ -10,7 +9,6 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 /* ---- show ---- */
 
@@ -225,55 +223,6 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
     return done;
 }
 
-/* Returns true if 'save' may write to this path. A script must not replace a picture, a table or the file of
- * the row. */
-static bool save_allowed(const struct scene *scene, const char *path, struct problem *problem)
-{
-    const struct extension *extension = extension_of(path);
-    const char *shown = names_shown(path), *row = scene->slot ? scene->slot->file : NULL;
-    struct stat file, row_file;
-    if (extension->kind >= EXTENSION_DATA)
-        return problem_error(problem,
-                             "'%s' is the name of a %s, but 'save' writes a script; use a name such as "
-                             "session.dom%s",
-                             shown, extension->kind == EXTENSION_DATA ? "data file" : "picture",
-                             extension->kind == EXTENSION_DATA ? ", or write the row with 'row > FILE'" : "");
-    if (row && stat(path, &file) == 0 && stat(row, &row_file) == 0 && S_ISREG(file.st_mode) &&
-        file.st_dev == row_file.st_dev && file.st_ino == row_file.st_ino)
-        return problem_error(problem,
-                             "'%s' has the dominoes of the row, and 'save' would replace them by a script; "
-                             "use another name, such as session.dom",
-                             shown);
-    return true;
-}
-
-static bool run_save(const struct query *query, struct answer *a, struct problem *problem)
-{
-    struct output *file = NULL;
-    const char *path = query->given->word[0];
-    const struct variables *variables = &query->state->variables;
-    (void)a;
-    if (!save_allowed(query->scene, path, problem))
-        return false;
-    const char *wrong = output_push(&file, path, false, query->scene->compute.interrupt);
-    if (!wrong) {
-        char *folder = output_folder(file);
-        fprintf(file->out, "# A session of domino " DOM_VERSION
-                           "; run it with 'source', 'domino -f' or, to stay, 'domino -i'.\n");
-        const bool good = parameters_save(query->state, folder, file->out, problem);
-        free(folder);
-        for (size_t i = 0; i < variables->count; i++) {
-            const struct variable *v = &variables->list[i];
-            fprintf(file->out, "let %s = %s\n", variable_head(v),
-                    v->body ? v->body : variable_value(v, (char[VARIABLE_VALUE]){""}));
-        }
-        wrong = output_pop(&file, good);
-        if (!good)
-            return false;
-    }
-    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
-}
-
 static bool run_quit(struct session *session, const struct arguments *given, struct answer *a,
                      struct problem *problem)
 {
@@ -358,16 +307,6 @@ const struct command session_commands[] = {
      .sweep.refusal = "it computes nothing",
      .columns = step_columns,
      .act = run_redo},
-    {.name = "save",
-     .synonyms = "script store export keep file",
-     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "write the parameters into FILE, for 'source'",
-     .help = "FILE also records the effects that are on, the name of the row's file, the dimensions of the "
-             "row that have been changed, and what 'let' has defined. 'domino -i FILE' runs it and stays.",
-     .see = "source",
-     .writes = WRITES_SCRIPTS,
-     .access.files = true,
-     .run = run_save},
     {.name = "exit",
      .synonyms = "leave end close bye stop",
      .summary = "the same as quit",

@@ -185,7 +185,7 @@ const struct command value_commands[] = {
          " 'let f(s) = rmax(s)*s' stores the text, and f(0.3) evaluates it with s = 0.3. A function takes "
          "1 to 4 values and cannot use itself. 'x' shows the value, 'x = 2' changes it, and 'reset x' "
          "removes "
-         "x. 'show' lists all variables and functions, and 'save' writes them into its file.",
+         "x. 'show' lists all variables and functions.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; f(0.6)",
      .see = "print set show",
      .access.changes = true,

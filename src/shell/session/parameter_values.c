@@ -308,17 +308,6 @@ const char *parameter_setting_write(const struct state *state, const struct para
     return setting;
 }
 
-bool parameters_save(const struct state *state, const char *folder, FILE *out, struct problem *problem)
-{
-    const struct parameter *p;
-    for (int k = 0; (p = parameter_in_order(state, k)) != NULL; k++)
-        if (!effect_slot(state, p))
-            fprintf(out, "set %s %s\n", p->name, parameter_setting(state, p, WIDE_DIGITS));
-        else if (!state->scene.slot->kind->save(&state->scene, folder, out, problem))
-            return false;
-    return true;
-}
-
 bool parameter_check(const struct state *state, const struct parameter *p, int i, domq_real value,
                      struct problem *problem)
 {

@@ -200,10 +200,6 @@ bool parameter_set(struct state *state, const struct parameter *parameter, const
  * after those that decide whether it is accepted. Returns NULL after the last one. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
-/* Writes the commands that set all parameters to their current values. `folder` is the directory of the
- * script, or NULL. */
-bool parameters_save(const struct state *state, const char *folder, FILE *out, struct problem *problem);
-
 /* ---- Effects ---- */
 
 /* Returns true if the slot of the scene belongs to this effect. */

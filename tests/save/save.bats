@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Save and source: a session comes back as it was.
 
-load common
+load ../shell/common
 
 # bats test_tags=rows
 @test "a saved session and its row file can be moved together, and are found from any folder" {
