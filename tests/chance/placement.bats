@@ -75,7 +75,7 @@ effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 de
     wrong 'effect edges 0.01; effect row 4; effect error_lean 0.1 deg; placement 5' 'cannot be combined with rounded edges'
     wrong 'effect row 4; effect feet 0.4; effect error_lean 0.1 deg; placement 5' \
         "this row because feet is on; first enter 'set error_lean off'"
-    wrong 'effect row 4; effect error_mass 0.1 foo' 'LIMITS is normal or uniform'
+    wrong 'effect row 4; effect error_mass 0.1 foo' 'use one of: normal, uniform'
     wrong 'effect row 4; budget 0.9 20 all' "'all' needs random errors"
 }
 
