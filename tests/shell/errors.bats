@@ -44,7 +44,7 @@ END
 8|set s 1/0|^set: s.*division by zero
 7|set q wooden|^set: .*q.*'wooden'
 10|set fuel diesel|^set: unknown value of fuel 'diesel'; use one of: exact, paper
-12|set output xml|^set: unknown value of output 'xml'.*table.csv.json
+12|set output xml|^set: unknown value of output 'xml'.*table, csv, json
 6|rmax nan|^rmax: S.*'nan' has no value
 15|curve 0.1 0.9 x|^curve: N.*'x' has no value
 END

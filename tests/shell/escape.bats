@@ -22,7 +22,7 @@ harmless() { # FILE
     "$DOMINO" table.dom >table 2>&1
     harmless table
     grep -qF "row        $shown" table
-    grep -qF "The effect is on: $shown" table
+    grep -qF "now      $shown" table
     printf '%s\n' "effect row \"$name\"; set output csv; effects" | "$DOMINO" >csv
     harmless csv
     grep -qF "row,$shown" csv
