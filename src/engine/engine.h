@@ -135,7 +135,7 @@ struct body {
     cpShape *shape;
     cpConstraint *hinge, *limit; /* hinge and its limit; both NULL if the box stands on a floor */
     cpVect corner;               /* position of the lower front corner at the start */
-    double moment;
+    double moment, radius;       /* moment of inertia about the centre, and radius of the edges */
     /* the velocities before the first iteration of a step, and after the latest iteration */
     struct motion begin, now;
 };
@@ -166,14 +166,26 @@ void world_add_box(struct world *world);
 /* Moves all boxes by a step. The solver iterates until its impulses have converged. */
 void world_step(struct world *world, double dt);
 
-/* These functions return the tilt and the angular velocity of box k, its upper and lower front corners, how
- * far its foot has slid, and the velocity of a point of it. */
-double world_tilt(const struct world *world, size_t k);
-double world_spin(const struct world *world, size_t k);
-cpVect world_tip(const struct world *world, size_t k);
-cpVect world_foot(const struct world *world, size_t k);
-double world_slid(const struct world *world, size_t k);
-cpVect world_velocity(const struct world *world, size_t k, cpVect point);
+/* The tilt of box k, its angular velocity, its upper or lower front corner, and how far its foot has slid.
+ * Chipmunk measures angles anticlockwise, but boxes fall clockwise, towards positive x. */
+static inline double world_tilt(const struct world *w, size_t k)
+{
+    return -w->body[k].body->a;
+}
 
-/* Returns the foremost point of the upper or lower front edge of box k, which may be rounded. */
-cpVect world_front(const struct world *world, size_t k, bool upper);
+static inline double world_spin(const struct world *w, size_t k)
+{
+    return -w->body[k].body->w;
+}
+
+static inline cpVect world_corner(const struct world *w, size_t k, bool upper)
+{
+    const struct dom_domino *box = &w->row->domino[k];
+    const double y = box->height / 2;
+    return cpTransformPoint(w->body[k].body->transform, cpv(box->thickness / 2, upper ? y : -y));
+}
+
+static inline double world_slid(const struct world *w, size_t k)
+{
+    return world_corner(w, k, false).x - w->body[k].corner.x;
+}

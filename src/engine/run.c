@@ -41,6 +41,13 @@ struct run {
     double fastest;    /* the largest angular velocity of the head since it was hit */
 };
 
+/* Returns the velocity of a point of box k. */
+static cpVect velocity_at(const struct world *w, size_t k, cpVect point)
+{
+    const cpBody *body = w->body[k].body;
+    return cpvadd(body->v, cpvmult(cpvperp(cpvsub(point, body->p)), body->w));
+}
+
 /* Returns the time until the head reaches the next box if it keeps its current speed. Either its front face
  * reaches the box's upper back edge, or one of its own front edges reaches the back face. */
 static double time_to_hit(const struct world *w)
@@ -51,14 +58,17 @@ static double time_to_hit(const struct world *w)
     const double face = w->body[next].corner.x - w->row->domino[next].thickness,
                  height = w->row->domino[next].height;
     const cpVect edge = cpv(face, height), normal = cpvforangle(-world_tilt(w, k)),
-                 from = cpvsub(edge, world_foot(w, k));
+                 from = cpvsub(edge, world_corner(w, k, false));
     const double along = cpvdot(from, cpvperp(normal)), distance = cpvdot(from, normal),
-                 speed = cpvdot(world_velocity(w, k, edge), normal);
+                 speed = cpvdot(velocity_at(w, k, edge), normal);
     const bool meets = along < w->row->domino[k].height && distance > 0 && speed > 0;
     double soonest = meets ? distance / speed : (double)INFINITY;
     for (int i = 0; i < 2; i++) {
-        const cpVect at = world_front(w, k, i == 0);
-        const double forward = world_velocity(w, k, at).x;
+        /* the foremost point of an edge, which may be rounded */
+        const double r = w->body[k].radius, y = w->row->domino[k].height / 2 - r;
+        const cpVect centre = cpv(w->row->domino[k].thickness / 2 - r, i == 0 ? y : -y),
+                     at = cpvadd(cpTransformPoint(w->body[k].body->transform, centre), cpv(r, 0));
+        const double forward = velocity_at(w, k, at).x;
         if (forward > 0 && at.y < height) /* a tip above the top of the next box does not hit its back face */
             soonest = fmin(soonest, (face - at.x) / forward);
     }
@@ -107,7 +117,7 @@ static void step(struct run *r)
  * If the box is already past its balance point, the angle is negative. */
 static double to_balance(const struct world *w, size_t k)
 {
-    const cpVect arm = cpvsub(w->body[k].body->p, world_foot(w, k)), gravity = w->space->gravity;
+    const cpVect arm = cpvsub(w->body[k].body->p, world_corner(w, k, false)), gravity = w->space->gravity;
     return atan2(cpvcross(arm, gravity), -cpvdot(arm, gravity));
 }
 
@@ -122,9 +132,9 @@ static bool ends(struct run *r, bool verdict_only)
     const size_t head = w->head;
     const bool hinged = !w->floor && w->bounce == 0;
     const double tilt = world_tilt(w, head), spin = world_spin(w, head), height = w->row->domino[head].height;
-    const cpVect tip = world_tip(w, head);
+    const cpVect tip = world_corner(w, head, true);
     if (tip.y < lies * height) {
-        double speed = -world_velocity(w, head, tip).y;
+        double speed = -velocity_at(w, head, tip).y;
         w->fall->seconds = w->now + (speed > 0 && tip.y > 0 ? tip.y / speed : 0);
         w->fall->lies = true;
         w->fall->all = head + 1 == w->row->count;
@@ -149,8 +159,8 @@ static bool ends(struct run *r, bool verdict_only)
     return r->rest > (hinged ? hinged_rest : any_rest) * r->unit;
 }
 
-/* Fills in how far each foot has slid. Without a push,
- * measures times from the first hit if the hits were recorded. */
+/* Fills in how far each foot has slid. Without a push, measures times from the first hit if the hits were
+ * recorded. */
 static void finish(struct world *w)
 {
     const size_t hits = w->fall->hits;

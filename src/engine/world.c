@@ -30,7 +30,6 @@
     X(cpBodyFree)                                                                                            \
     X(cpBodySetPosition)                                                                                     \
     X(cpBodySetAngle)                                                                                        \
-    X(cpBodyGetVelocityAtWorldPoint)                                                                         \
     X(cpPolyShapeNewRaw)                                                                                     \
     X(cpSegmentShapeNew)                                                                                     \
     X(cpShapeFree)                                                                                           \
@@ -159,53 +158,6 @@ static const double rough = 1000;
 /* A released box starts this far, in rad, beyond the tilt at which it balances on its edge. */
 static const double tipped = 1e-3;
 
-/* Chipmunk measures angles anticlockwise, but boxes fall clockwise, towards positive x. */
-double world_tilt(const struct world *w, size_t k)
-{
-    return -w->body[k].body->a;
-}
-
-double world_spin(const struct world *w, size_t k)
-{
-    return -w->body[k].body->w;
-}
-
-cpVect world_tip(const struct world *w, size_t k)
-{
-    const struct dom_domino *box = &w->row->domino[k];
-    return cpTransformPoint(w->body[k].body->transform, cpv(box->thickness / 2, box->height / 2));
-}
-
-static double radius_of(const struct world *w, size_t k)
-{
-    const struct dom_domino *box = &w->row->domino[k];
-    return w->row->rho > 0 && box->radius > 0 ? box->radius : w->row->rho * box->height;
-}
-
-cpVect world_front(const struct world *w, size_t k, bool upper)
-{
-    const struct dom_domino *box = &w->row->domino[k];
-    double r = radius_of(w, k), y = box->height / 2 - r;
-    cpVect centre = cpv(box->thickness / 2 - r, upper ? y : -y);
-    return cpvadd(cpTransformPoint(w->body[k].body->transform, centre), cpv(r, 0));
-}
-
-cpVect world_foot(const struct world *w, size_t k)
-{
-    const struct dom_domino *box = &w->row->domino[k];
-    return cpTransformPoint(w->body[k].body->transform, cpv(box->thickness / 2, -box->height / 2));
-}
-
-double world_slid(const struct world *w, size_t k)
-{
-    return world_foot(w, k).x - w->body[k].corner.x;
-}
-
-cpVect world_velocity(const struct world *w, size_t k, cpVect point)
-{
-    return cp.cpBodyGetVelocityAtWorldPoint(w->body[k].body, point);
-}
-
 /* Returns the moment of inertia of a box about its centre, divided by that of a solid block of the same size
  * and mass. */
 static double inertia_of(const struct dom_row *row, const struct dom_domino *d)
@@ -226,11 +178,13 @@ void world_add_box(struct world *w)
     const size_t k = w->count++;
     const struct dom_domino *box = &w->row->domino[k];
     struct body *b = &w->body[k];
-    const double h = box->height, d = box->thickness, r = radius_of(w, k), x = d / 2 - r, y = h / 2 - r;
+    const double h = box->height, d = box->thickness, rounded = w->row->rho > 0 && box->radius > 0,
+                 r = rounded ? box->radius : w->row->rho * h, x = d / 2 - r, y = h / 2 - r;
     const cpVect edge[] = {{x, -y}, {x, y}, {-x, y - w->bevel * h}, {-x, -y}};
     cpBody *ground = w->space->staticBody;
     *b = (struct body){.corner = k == 0 ? cpvzero : cpvadd(b[-1].corner, cpv(box->gap + d, 0)),
-                       .moment = inertia_of(w->row, box) * box->mass * (h * h + d * d) / 12};
+                       .moment = inertia_of(w->row, box) * box->mass * (h * h + d * d) / 12,
+                       .radius = r};
     b->body = cp.cpSpaceAddBody(w->space, cp.cpBodyNew(box->mass, b->moment));
     b->shape = cp.cpSpaceAddShape(w->space, cp.cpPolyShapeNewRaw(b->body, 4, edge, r));
     cp.cpBodySetPosition(b->body, cpvadd(b->corner, cpv(-d / 2, h / 2)));
@@ -251,7 +205,7 @@ static void turn(struct world *w, double tilt, double spin)
 {
     const struct dom_domino *box = &w->row->domino[0];
     cpBody *body = w->body[0].body;
-    const double r = radius_of(w, 0);
+    const double r = w->body[0].radius;
     cpVect arm = cpvrotate(cpv(r - box->thickness / 2, box->height / 2 - r), cpvforangle(-tilt));
     arm = cpvadd(arm, cpv(0, r));
     cp.cpBodySetAngle(body, -tilt);
@@ -269,7 +223,7 @@ static void start(struct world *w)
 {
     const struct dom_row *row = w->row;
     const struct dom_domino *box = &row->domino[0];
-    double h = box->height, d = box->thickness, rounded = 2 * radius_of(w, 0);
+    double h = box->height, d = box->thickness, rounded = 2 * w->body[0].radius;
     if (!isnan(row->push)) {
         turn(w, row->release, row->push);
         return;
@@ -277,7 +231,7 @@ static void start(struct world *w)
     double arm = hypot(h, d) / 2, about = w->body[0].moment + box->mass * arm * arm;
     double rate = sqrt(box->mass * row->g * arm / about);
     turn(w, atan((d - rounded) / (h - rounded)) - row->alpha + tipped, rate * tipped);
-    w->fall->leans = row->count > 1 && world_tip(w, 0).x >= box[1].gap;
+    w->fall->leans = row->count > 1 && world_corner(w, 0, true).x >= box[1].gap;
 }
 
 /* ---- Contacts ---- */
