@@ -16,8 +16,9 @@
 
 enum { LINKS_MAX = 1000000 };
 
+/* A cycle of a train with growth r. */
 struct paper {
-    struct dom_train train;
+    const struct dom_train *train;
     struct dom_compute compute;
     enum dom_status status;
     double r, L, step;
@@ -31,7 +32,7 @@ struct paper_sums {
 
 static struct paper_sums chain_sum(struct paper *p, double theta)
 {
-    const double r = p->r, d = p->train.d, q = p->train.q;
+    const double r = p->r, d = p->train->d, q = p->train->q;
     struct paper_sums sums = {0, 0};
     double slope = 1, weight = 1, inertia = 1;
     size_t n = 0;
@@ -60,42 +61,34 @@ static struct paper_sums chain_sum(struct paper *p, double theta)
     return sums;
 }
 
-/* Begins a computation for growth r. Its status is not DOM_OK if the recipe has no answer for this train. */
-static struct paper paper_begin(const struct dom_train *train, const struct dom_compute *compute, double r)
+/* Finds the constants of the cycle of a train with growth r. Its status is not DOM_OK if the recipe has no
+ * answer for this train. The sums diverge for r = 1. */
+static struct paper cycle_begin(const struct dom_train *t, const struct dom_compute *compute, double r)
 {
-    struct dom_angles angles;
-    struct paper p = {.train = *train, .compute = compute ? *compute : dom_compute_default()};
-    p.train.r = r;
-    p.status = dom_angles_find(&p.train, compute, &angles);
-    if (p.status == DOM_OK && dom_first_effect(train))
-        p.status = DOM_NO_METHOD;
-    return p;
-}
-
-/* Finds the constants of the cycle of the train with growth r. The sums diverge for r = 1. */
-static void cycle_begin(struct paper *p, double r)
-{
-    const struct dom_train *t = &p->train;
     const double d = t->d, L = t->s + d, q = t->q;
-    p->r = r;
-    p->L = L;
-    p->step = sqrt(p->compute.tol) / 2;
-    if (p->status == DOM_OK)
-        p->status = r * t->s > 1 ? DOM_OUT_OF_REACH : r <= 1 ? DOM_TOO_LONG : DOM_OK;
-    if (p->status != DOM_OK)
-        return;
-    p->theta_c = asin(r * t->s);                    /* (2; a2) */
+    struct paper p = {.train = t, .compute = compute ? *compute : dom_compute_default(), .r = r, .L = L};
+    struct dom_train grown = *t;
+    struct dom_angles angles;
+    grown.r = r;
+    p.status = dom_angles_find(&grown, compute, &angles);
+    if (p.status == DOM_OK)
+        p.status = dom_first_effect(t) ? DOM_NO_METHOD : r <= 1 ? DOM_TOO_LONG : DOM_OK;
+    if (p.status != DOM_OK)
+        return p;
+    p.step = sqrt(p.compute.tol) / 2;
+    p.theta_c = asin(r * t->s);                     /* (2; a2) */
     const bool falls = 1 / (r * r) < L * L - d * d; /* (41; A17) */
-    p->theta_leave = falls ? acos((L * L + d * d - 1 / (r * r)) / (2 * d * L)) : 4;
-    p->theta_f = falls ? asin((1 + r * r * (L * L - d * d)) / (2 * r * L)) /* (42; A18) */
-                       : acos(d / L);                                      /* (40; A16) */
-    const struct paper_sums at_0 = chain_sum(p, 0), at_c = chain_sum(p, p->theta_c);
-    p->P = t->fuel == DOM_FUEL_PAPER ? 1 - cos(p->theta_f) - d * sin(p->theta_f)
-                                     : at_0.H - at_c.H; /* (25; c7) */
-    p->J0 = at_0.J;
-    p->kinetic = p->P * (p->J0 - 1) / (pow(r, q) * p->J0 - p->J0 + 1); /* J(0) omega(0)^2, (24; c6) */
-    if (p->status == DOM_OK && !isfinite(p->kinetic))
-        p->status = DOM_NOT_FINITE;
+    p.theta_leave = falls ? acos((L * L + d * d - 1 / (r * r)) / (2 * d * L)) : 4;
+    p.theta_f = falls ? asin((1 + r * r * (L * L - d * d)) / (2 * r * L)) /* (42; A18) */
+                      : acos(d / L);                                      /* (40; A16) */
+    const struct paper_sums at_0 = chain_sum(&p, 0), at_c = chain_sum(&p, p.theta_c);
+    p.P =
+        t->fuel == DOM_FUEL_PAPER ? 1 - cos(p.theta_f) - d * sin(p.theta_f) : at_0.H - at_c.H; /* (25; c7) */
+    p.J0 = at_0.J;
+    p.kinetic = p.P * (p.J0 - 1) / (pow(r, q) * p.J0 - p.J0 + 1); /* J(0) omega(0)^2, (24; c6) */
+    if (p.status == DOM_OK && !isfinite(p.kinetic))
+        p.status = DOM_NOT_FINITE;
+    return p;
 }
 
 /* Finds the first maximum of H, and returns the margin. */
@@ -121,8 +114,7 @@ static double barrier_climb(struct paper *p, struct dom_barrier *b)
 enum dom_status dom_paper_launch(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_launch *launch)
 {
-    struct paper p = paper_begin(train, compute, train->r);
-    cycle_begin(&p, train->r);
+    struct paper p = cycle_begin(train, compute, train->r);
     *launch = (struct dom_launch){.fuel = p.P,
                                   .J0 = p.J0,
                                   .velocity_ratio = (p.J0 - 1) / p.J0,
@@ -134,8 +126,7 @@ enum dom_status dom_paper_launch(const struct dom_train *train, const struct dom
 enum dom_status dom_paper_barrier(const struct dom_train *train, const struct dom_compute *compute,
                                   struct dom_barrier *barrier)
 {
-    struct paper p = paper_begin(train, compute, train->r);
-    cycle_begin(&p, train->r);
+    struct paper p = cycle_begin(train, compute, train->r);
     const bool goes_on = p.status == DOM_OK && barrier_climb(&p, barrier) >= 0;
     return p.status != DOM_OK ? p.status : goes_on ? DOM_OK : DOM_STOPS;
 }
@@ -143,14 +134,15 @@ enum dom_status dom_paper_barrier(const struct dom_train *train, const struct do
 enum dom_status dom_paper_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
-    struct paper p = paper_begin(train, compute, 1);
+    struct paper p = cycle_begin(train, compute, 1);
     const double reach = 1 / train->s, step = sqrt(p.compute.tol) / 2;
     double before = 0;
     *limit = (struct dom_limit){.r_max = reach, .ends = DOM_END_REACH, .open = DOM_NAN};
+    p.status = p.status == DOM_TOO_LONG ? DOM_OK : p.status; /* equal dominoes are where the search begins */
     for (size_t k = 1; p.status == DOM_OK && 1 + (double)k * step < reach; k++) {
         struct dom_barrier b = {.margin = 0};
         const double r = 1 + (double)k * step;
-        cycle_begin(&p, r);
+        p = cycle_begin(train, compute, r);
         const double margin = p.status == DOM_OK ? barrier_climb(&p, &b) : 0;
         if (p.status == DOM_OK && margin < 0) { /* the root is between r - step and r */
             limit->r_max = r - step * margin / (margin - before);
