@@ -298,26 +298,22 @@ static void kinetic_find(struct upright *u, struct sums *sums, const struct domi
     struct span *const P = &sums->fuel.value, *const T = &sums->T.value;
     if (g->shape->paper) { /* the paper's closed form of the fuel, P = 1 - h(theta_last) */
         /* theta_last is the largest tilt that any follower reaches: theta_f = theta_1(theta_leave) if
-         * followers detach, and theta_inf otherwise. dF/dtheta = 0 at theta_leave, so d theta_f/dr = dF/dr.
-         */
+         * followers detach, and theta_inf otherwise. dF/dtheta is 0 there, so d theta_f/dr = dF/dr. */
         const struct span v = chain_follow(g, one), shift = chain_contact(g, g->leave).shift;
         sums->fuel = (struct dual){span_negate(tilt_height(g->shape, v)),
                                    span_negate(span_mul(tilt_rise(g->shape, v), shift))};
     }
     u->kinetic = kinetic_of_train(g, sums->fuel, sums->T);
-    if (!u->exact_end) {
-        /* For i >= n, Y_i <= 1 and x_i >= x_n, so dF/dtheta = 1 - r L x_i / Y_i <= p = 1 - r L sin theta_n.
-         */
-        const double rest = up(sums->power.hi * least_0(up(u->link[u->n].g.value.hi - u->g_last))),
-                     slope = sums->slope.value.hi, sine = least_0(tilt_sine(last->v).lo),
-                     p = PROOF_BOUND(CONTRACTION, least_0(up(1 - down(g->low.rL.lo * sine))), 0),
-                     ratio = up(up(p * p) * g->inertia.hi),
-                     T_rest = up(up(up(slope * slope) * sums->share.hi) * up(1 / least_0(down(1 - ratio))));
-        if (!g->shape->paper)
-            P->hi = PROOF_BOUND(REST_OF_FUEL, up(P->hi + rest), P->hi);
-        T->hi = PROOF_BOUND(REST_OF_T, up(T->hi + T_rest), T->hi);
-        u->kinetic.value = kinetic_of_train(g, sums->fuel, sums->T).value;
-    }
+    /* For i >= n, Y_i <= 1 and x_i >= x_n, so dF/dtheta = 1 - r L x_i / Y_i <= p = 1 - r L x_n. */
+    const double rest = up(sums->power.hi * least_0(up(u->link[u->n].g.value.hi - u->g_last))),
+                 slope = sums->slope.value.hi, sine = least_0(tilt_sine(last->v).lo),
+                 p = PROOF_BOUND(CONTRACTION, least_0(up(1 - down(g->low.rL.lo * sine))), 0),
+                 ratio = up(up(p * p) * g->inertia.hi),
+                 T_rest = up(up(up(slope * slope) * sums->share.hi) * up(1 / least_0(down(1 - ratio))));
+    if (!g->shape->paper)
+        P->hi = PROOF_BOUND(REST_OF_FUEL, up(P->hi + rest), P->hi);
+    T->hi = PROOF_BOUND(REST_OF_T, up(T->hi + T_rest), T->hi);
+    u->kinetic.value = kinetic_of_train(g, sums->fuel, sums->T).value;
     u->fuel = *P;
     u->inertia = *T;
 }
@@ -342,7 +338,6 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
     if (!shape->pair && g->high.last <= shape->v_top.lo) {
         /* No domino reaches theta_u. So h increases from domino to domino, and every term of the fuel P is
          * negative. */
-        u->exact_end = true;
         u->by_r = false;
         u->fuel = u->kinetic.value = (struct span){-HUGE_VAL, 0};
         u->inertia = (struct span){0, HUGE_VAL};
@@ -353,7 +348,9 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
     for (bool done = false; !done;) {
         const int i = u->n++;
         const struct contact c = chain_contact(g, domino.v);
-        u->exact_end = shape->pair ? i == 1 : i > 0 && domino.v.lo >= g->leave.hi;
+        const bool no_more = shape->pair ? i == 1 : i > 0 && domino.v.lo >= g->leave.hi;
+        if (no_more)
+            u->g_last = HUGE_VAL;
         struct domino next = chain_next(g, &domino, &c);
         const struct span by_r = slope_by_r(g, &domino, &c);
         if (i == 0) /* for the upright head the slope is exact, since sin theta = 0 */
@@ -380,8 +377,8 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         const double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
         const bool still = domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;
         done = n > 0 ? u->n == n
-                     : u->exact_end || (!shape->pair && domino.v.lo > shape->v_top.hi &&
-                                        (rest <= rest_most || still || u->n == LINKS_MOST));
+                     : no_more || (!shape->pair && domino.v.lo > shape->v_top.hi &&
+                                   (rest <= rest_most || still || u->n == LINKS_MOST));
         rest_before = rest;
         v_before = domino.v.lo;
         if (!done) /* adds r^(-(q+1) i) slope^2 */
@@ -426,11 +423,9 @@ struct climb climb_find(const struct upright *u, double low, double high, bool d
     }
     const struct span quarter = {down(low * low / 4), up(high * high / 4)};
     by_tilt = span_over(by_tilt, span_sqrt(span_sub(one, quarter)));
-    if (!u->exact_end) {
-        const struct link *last = &u->link[u->n];
-        const double rest = up(last->weight.value.hi * least_0(up(last->g.value.hi - u->g_last)));
-        height.value.lo = PROOF_BOUND(REST_OF_HEIGHT, down(height.value.lo - rest), height.value.lo);
-    }
+    const struct link *last = &u->link[u->n];
+    const double rest = up(last->weight.value.hi * least_0(up(last->g.value.hi - u->g_last)));
+    height.value.lo = PROOF_BOUND(REST_OF_HEIGHT, down(height.value.lo - rest), height.value.lo);
     return (struct climb){height.value, derivatives && span_finite(by_tilt) ? by_tilt : everything,
                           bounded && span_finite(height.by_r) ? height.by_r : everything};
 }

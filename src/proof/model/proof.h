@@ -58,10 +58,7 @@ struct upright {
     /* Sums run over dominoes 0 ... n - 1, and intervals include the remainder. If no domino reaches theta_u,
      * n is 0, and nothing is known except that P <= 0 and K <= 0. */
     int n;
-    /* true if there is no domino n, or if domino n and all later ones stay at theta_f during the cycle; then
-     * all remainders are 0 */
-    bool exact_end;
-    double g_last; /* lower bound on h - 1 for domino n and all later ones */
+    double g_last; /* lower bound on h - 1 for domino n and all later ones; infinite if they do not move */
     /* P and T; for a pair, `fuel` is the energy that domino 1 releases, in m g h / 2 of domino 1, and
      * `inertia` is not set */
     struct span fuel, inertia;
