@@ -38,9 +38,8 @@ enum { BOXES_MOST = 200000, DEEPEST = 48, PER_STRIP = 400, PER_WIDE_STRIP = 64 }
 
 /* ---- An interval of growths ---- */
 
-/* Returns max(M, 0) w, the most by which K_n - D_n can be smaller than its value at the upper end of the
- * strip, for any growth in the strip: M is an upper bound on d(K_n - D_n)/dr, and w the width of the strip.
- */
+/* Returns the most by which K_n - D_n can be smaller than its value at the upper end of the strip, for any
+ * growth in the strip: an upper bound on its derivative with respect to r, times the width of the strip. */
 static double growth_loss(const struct upright *box, struct span climb_by_r)
 {
     const double width = up(box->growth.r.hi - box->growth.r.lo),
@@ -143,7 +142,8 @@ static double margin_guess(struct proof *proof, double r)
     const double kinetic = span_middle(u->kinetic.value), hit = u->growth.hit.lo;
     double barrier = 0, low = 0, high = hit;
     for (int k = 1; k <= SAMPLES + HALVINGS && !dom_interrupted(proof->interrupt); k++) {
-        /* Find the maximum between the neighbours of the highest sample, by bisection on the slope of D. */
+        /* After the samples, find the maximum between the neighbours of the highest one, by bisection on the
+         * slope of D. */
         const bool sample = k <= SAMPLES;
         const double at = sample ? hit * k / SAMPLES : 0.5 * (low + high);
         const struct climb climb = climb_find(u, at, at, !sample);
