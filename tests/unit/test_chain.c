@@ -45,7 +45,7 @@ TEST(the_far_tail_is_the_train)
         struct sums closed, whole = {0};
         fine.tol = 1e-15;
         fine.far.order = 0;
-        far_make(&geometry, random_log(&seed, 0.1, 100));
+        far_make(&geometry, (int)random_log(&seed, 1, 100));
         orders |= 1 << geometry.far.order;
         assert_status(chain_change(&geometry, upright, head, PASS_SECOND_DERIVATIVE, &closed), DOM_OK);
         assert_status(chain_change(&fine, upright, head, PASS_SECOND_DERIVATIVE, &whole), DOM_OK);

@@ -57,7 +57,7 @@ KERNEL enum dom_status dynamics_make(const struct dom_train *train, const struct
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
     if (status == DOM_OK)
-        far_make(geometry, 16); /* 16 is about the number of passes that a train needs */
+        far_make(geometry, 40); /* a duration takes about 40 passes */
     return status;
 }
 

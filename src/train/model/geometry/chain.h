@@ -95,10 +95,22 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
 
 /* ---- The passes ---- */
 
-/* Builds the series geometry->far. Its order is chosen to save the most time if `passes` passes use the
- * series. If edges are rounded, if a domino detaches, if theta_inf is pi/2, or if no series saves time, the
- * order is 0: there is no series. */
-KERNEL void far_make(struct geometry *geometry, real passes);
+/* Builds the series geometry->far of an endless train with sharp edges, if they save time in `passes` passes.
+ */
+KERNEL void far_make(struct geometry *geometry, int passes);
+
+/* The far tail: a domino with its tilts in two chains, the tangent of half the angle between them and the
+ * members of its struct link in chain a, and all dominoes behind it. dH, H1, J and H2 are their terms in the
+ * sums. */
+struct far_tail {
+    struct tilt a, b;
+    real t, weight, inertia, slope, second_derivative;
+    real dH, H1, J, H2;
+};
+
+/* Finds the terms, which are to be added to `sum`. Returns 0. If the series are not accurate enough at these
+ * tilts, returns the value of 1 - cos theta from which on they probably are. */
+KERNEL real far_find(const struct geometry *geometry, struct far_tail *tail, struct sum_state sum);
 
 /* Finds J and H1. If `sign` is true, only the sign of H1 is reliable, and the pass ends early. */
 KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, bool sign,

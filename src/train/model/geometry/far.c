@@ -36,19 +36,6 @@ static real far_follower(const struct geometry *geometry, int order, real *f)
     return p[1];
 }
 
-/* Returns a factor for a bound: the omitted terms of a series are at most this factor multiplied by (z /
- * radius)^order. The factor is estimated from the last coefficients. */
-static real far_rest(const struct far *far, const real *series)
-{
-    real most = 0, power = 1;
-    for (int k = 1; k <= far->order; k++) {
-        power *= far->radius;
-        if (k + 3 > far->order)
-            most = fmax(most, fabs(series[k]) * power);
-    }
-    return 16 * most;
-}
-
 /* Returns a radius inside which the series converge. Inside this radius, f has no branch points, which lie
  * where X is 1 or -1. The second fixed point of f, which belongs to theta = -theta_inf, is not inside the
  * radius either. */
@@ -60,28 +47,14 @@ static real far_radius(const struct geometry *geometry)
     return fmin(least, geometry->inf.x / geometry->inf.y);
 }
 
-/* Building a series takes FAR_COST + order^3 / FAR_CUBE times as long as handling one domino in a pass. Both
- * constants were measured. */
-#define FAR_COST 2
-#define FAR_CUBE 100
-
-/* Returns the order of the series that saves the most time, or 0 if no series saves time. `passes` is the
- * number of passes that use the series. The cost of building the series is divided among these passes. */
-static int far_order(const struct geometry *geometry, real passes)
+/* Returns the order of the series that saves the most time in `passes` passes, or 0. Without series, a pass
+ * visits n dominoes. With series of the order k, it visits about 2 n / (k + 2). Building the series takes as
+ * long as k^3 / 100 dominoes; that was measured. */
+static int far_order(const struct geometry *geometry, int passes)
 {
-    real slope = geometry->decay * geometry->rq, fades = log(geometry->rq),
-         closer = slope > REAL_EPSILON ? -log(slope) : 64, digits = -log(geometry->tol / 8);
-    real least = digits / (fades + closer);
-    int best = 0;
-    for (int order = FAR_FIRST; order <= FAR_ORDER && FAR_COST < least * passes; order += 2) {
-        real cube = (real)(order * order * order),
-             cost = digits / (fades + (real)(order + 1) * closer) + (FAR_COST + cube / FAR_CUBE) / passes;
-        if (cost < least) {
-            best = order;
-            least = cost;
-        }
-    }
-    return best;
+    const real n = log(geometry->tol / 8) / log(fmax(geometry->decay, REAL_EPSILON));
+    const int order = 2 * (int)((real)1.45 * sqrt(sqrt(n * (real)passes)) - (real)0.5);
+    return order < FAR_FIRST ? 0 : order > FAR_ORDER ? FAR_ORDER : order;
 }
 
 /* Multiplies the series p by the series f, up to the index `last`. p begins at p[first], and f at f[1]. */
@@ -96,27 +69,28 @@ static void far_multiply(real *p, const real *f, int first, int last)
     p[first] = 0;
 }
 
-/* Finds the contributions of the first domino of the tail to H and J. */
-static void far_own(const struct geometry *geometry, int n, real *H, real *J)
+/* Returns 1 - cos theta at z. */
+static real far_from(const struct geometry *geometry, real z)
 {
-    /* h is a cos u + b sin u with u = 2 atan z, that is a + 2 b z - 2 a z^2 + ..., and (1 + z^2)^(-2) is
-     * 1 - 2 z^2 + 3 z^4 - ... */
-    const real height = geometry_height(geometry, geometry->inf);
-    H[0] = 0;
-    for (int k = 0; k <= n; k++) {
-        if (k > 0)
-            H[k] = k == 1   ? -2 * geometry_height_slope(geometry, geometry->inf)
-                   : k == 2 ? -2 * height
-                            : -H[k - 2];
-        J[k] = k % 2 ? 0 : (real)(k % 4 ? -k / 2 - 1 : k / 2 + 1);
-    }
+    return geometry->inf.v - 2 * z * (geometry->inf.x - geometry->inf.y * z) / (1 + z * z);
 }
 
-KERNEL void far_make(struct geometry *geometry, real passes)
+/* Returns (z / radius)^order, the size of the omitted terms of a series compared with its value. */
+static real far_share(const struct far *far, real z)
+{
+    const real square = (z / far->radius) * (z / far->radius);
+    real share = 8; /* for safety */
+    for (int k = far->order; k > 1; k -= 2)
+        share *= square;
+    return share;
+}
+
+KERNEL void far_make(struct geometry *geometry, int passes)
 {
     struct far *far = &geometry->far;
     far->order = 0;
-    if (geometry->rolls || geometry->detaches || geometry->inf.y <= 0)
+    if (geometry->rolls || geometry->detaches || geometry->inf.y <= 0 || geometry->n != CHAIN_ENDLESS ||
+        !geometry->conservative)
         return;
     const int n = far->order = far_order(geometry, passes);
     if (n == 0)
@@ -125,9 +99,14 @@ KERNEL void far_make(struct geometry *geometry, real passes)
     real *const H = far->H, *const J = far->J;
     const real w = geometry->weight, m = geometry->inertia, off = far_follower(geometry, n + 1, f),
                slope = 1 - off;
-    far->radius = far_radius(geometry);
-    far_own(geometry, n, H, J);
+    /* The first domino of the tail has the energy h = a cos u + b sin u with u = 2 atan z, which is a + 2 b z
+     * - 2 a z^2 - ..., and the inertia (1 + z^2)^(-2) = 1 - 2 z^2 + 3 z^4 - ... */
+    H[1] = -2 * geometry_height_slope(geometry, geometry->inf);
+    H[2] = -2 * geometry_height(geometry, geometry->inf);
     for (int k = 0; k <= n; k++) {
+        if (k > 2)
+            H[k] = -H[k - 2];
+        J[k] = k % 2 ? 0 : (real)(k % 4 ? -k / 2 - 1 : k / 2 + 1);
         power[k] = f[k];
         df[k] = (real)(k + 1) * f[k + 1];
     }
@@ -157,6 +136,48 @@ KERNEL void far_make(struct geometry *geometry, real passes)
             H[k] += H_w * power[k];
         far_multiply(power, f, j, n);
     }
-    far->rest_H = far_rest(far, H) * (real)(n + 1) / far->radius;
-    far->rest_J = far_rest(far, J);
+    far->radius = far_radius(geometry);
+    /* from one domino to the next, z shrinks by the factor `slope`, and the omitted terms by slope^n decay */
+    far->power = log(slope) / ((real)n * log(slope) + log(geometry->decay));
+    const real first = half_of_tilt(geometry->inf), share = far_share(far, first);
+    far->from = far_from(
+        geometry, fmin(first * pow(share / (TAIL_SHARE * geometry->tol), -far->power), far->radius / 2));
+}
+
+/* Returns by which factor the omitted terms of a series are too large: the fraction `share` of its value
+ * `tail`. They are compared with the sum that includes `tail`, because `tail` may cancel most of it. */
+static real far_excess(const struct series *s, real tail, real share, real tol)
+{
+    return fabs(tail) * share /
+           (TAIL_SHARE * fmax(tol * fabs(s->sum + tail), ROUNDOFF * (s->size + fabs(tail))));
+}
+
+KERNEL real far_find(const struct geometry *geometry, struct far_tail *tail, struct sum_state sum)
+{
+    const struct far *far = &geometry->far;
+    const real z_a = tan_half_between(tail->a, geometry->inf), z_b = tan_half_between(tail->b, geometry->inf),
+               z = fmax(fabs(z_a), fabs(z_b)), one = 1 + z_a * z_a, slope = tail->slope, tol = geometry->tol;
+    real difference = 0, part = 1, power = 1; /* `part` is (z_a^k - z_b^k) / (z_a - z_b) */
+    for (int k = 1; k <= far->order; k++) {
+        difference += far->H[k] * part;
+        power *= z_b;
+        part = part * z_a + power;
+    }
+    real H = 0, first = 0, second = 0, J = 0; /* `second` is half of the second derivative */
+    for (int k = far->order; k >= 0; k--) {
+        second = second * z_a + first;
+        first = first * z_a + H;
+        H = H * z_a + far->H[k];
+        J = J * z_a + far->J[k];
+    }
+    tail->dH = -tail->weight * tail->t * (1 + z_a * z_b) * difference;
+    tail->H1 = -tail->weight * slope * first * one / 2;
+    tail->H2 = tail->weight * one / 2 *
+               (slope * slope * (one * second + z_a * first) - tail->second_derivative * first);
+    tail->J = tail->inertia * slope * slope * one * one * J;
+    const real share = far_share(far, z);
+    real excess = fmax(far_excess(&sum.dH, tail->dH, share, tol), far_excess(&sum.J, tail->J, share, tol));
+    if (sum.H1.size > 0) /* H1 is needed */
+        excess = fmax(excess, far_excess(&sum.H1, tail->H1, share, tol));
+    return excess > 1 ? far_from(geometry, z * pow(2 * excess, -far->power)) : 0;
 }

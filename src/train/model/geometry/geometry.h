@@ -27,7 +27,9 @@ enum { FAR_FIRST = 4, FAR_ORDER = 20 };
 /* H and J of a train, as power series around theta_inf (far.c) */
 struct far {
     int order; /* the order of both series, which is even; 0 if there are no series */
-    real radius, rest_H, rest_J;
+    real from; /* the series are probably accurate enough where 1 - cos theta >= from */
+    real radius;
+    real power; /* omitted terms decrease by x while z decreases by x^power, and the pass goes on */
     real H[FAR_ORDER + 1], J[FAR_ORDER + 1];
 };
 
@@ -103,9 +105,9 @@ struct geometry {
     /* theta_leave, the tilt of a leader at which its follower detaches. In a train, it is set only if
      * followers detach. In a row, it is pi (so y = -1) if the follower does not detach. */
     struct tilt leave;
-    bool detaches;  /* (41; A17) */
-    struct far far; /* only after far_make */
-    size_t n;       /* number of dominoes from this one to the end of the chain */
+    bool detaches; /* (41; A17) */
+    struct far far;
+    size_t n; /* number of dominoes from this one to the end of the chain */
     /* The geometry of the follower in a row. NULL in a train, whose dominoes share one geometry. */
     const struct geometry *follower;
     real upright_inertia; /* i(0) of struct rounded; 1 with sharp edges */

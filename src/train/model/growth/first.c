@@ -362,7 +362,7 @@ KERNEL enum dom_status first_change(struct margin_context *c, const struct margi
     c->geometry.tol = fmin(tol, SAMPLE_TOL);
     enum dom_status status = DOM_OK;
     struct root root = {.r = (real)INFINITY};
-    if (s.sign > 0 && c->geometry.conservative && c->dominoes == CHAIN_ENDLESS)
+    if (s.sign > 0 && c->geometry.conservative && c->geometry.n == CHAIN_ENDLESS)
         status = root_any(c, from->r, 0, &root);
     if (isfinite(root.r))
         keep_root(&s, &root);

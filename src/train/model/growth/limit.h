@@ -34,7 +34,6 @@ KERNEL real margin_share(const struct margin *m)
 struct margin_context {
     const struct dom_train *train;
     struct geometry geometry; /* geometry of the train; each margin sets s and r in a copy */
-    size_t dominoes;          /* number of moving dominoes: CHAIN_ENDLESS, or 2 for a pair */
     real s;
     struct margin_point {
         real r, value;

@@ -3,9 +3,6 @@
 #include "dynamics/dynamics.h"
 #include "growth/limit.h"
 
-/* The series for the far tail is built once for each growth. About this many passes then use it. */
-#define FAR_PASSES 2
-
 /* Finds the barrier by the method c->how. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       struct margin *m)
@@ -80,14 +77,12 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
         geometry->flow->solution.panels = 0; /* the flow is needed for the pair */
     }
     *m = (struct margin){.kinetic = (geometry->upright_inertia + k) * geometry->r * tipped * share * share};
-    two.n = c->dominoes;
-    return margin_barrier(&two, c, m);
+    return margin_barrier(geometry, c, m);
 }
 
 KERNEL struct margin_context margin_of_train(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct margin_context c = {
-        .train = train, .s = (real)train->s, .dominoes = CHAIN_ENDLESS, .margin = train_margin};
+    struct margin_context c = {.train = train, .s = (real)train->s, .margin = train_margin};
     c.status = dynamics_read(train, compute, &c.geometry);
     if (c.status == DOM_OK && train->fuel == DOM_FUEL_PAPER && !energy_paper_holds(&c.geometry))
         c.status = DOM_NO_METHOD;
@@ -99,7 +94,7 @@ KERNEL struct margin_context margin_of_pair(const struct dom_train *train, const
     struct margin_context c = margin_of_train(train, compute);
     /* the pair does not depend on the fuel formula */
     c.status = c.status == DOM_NO_METHOD ? DOM_OK : c.status;
-    c.dominoes = 2;
+    c.geometry.n = 2;
     c.margin = pair_margin;
     return c;
 }
@@ -112,8 +107,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
     struct geometry geometry = c->geometry;
     geometry.tol = tol;
     c->status = geometry_set(&geometry, c->s, r);
-    if (c->status == DOM_OK && c->dominoes == CHAIN_ENDLESS && geometry.conservative)
-        far_make(&geometry, c->how == MARGIN_SIGN ? 1 : FAR_PASSES);
+    if (c->status == DOM_OK)
+        far_make(&geometry, c->how == MARGIN_SIGN ? 1 : 2);
     if (c->status == DOM_OK)
         c->status = dynamics_begin(&geometry);
     if (c->status == DOM_OK)
@@ -226,7 +221,6 @@ static bool margin_highest(const struct margin_context *c, real r)
     struct barrier b = c->nearest;
     if (geometry_set(&geometry, c->s, r) != DOM_OK)
         return false;
-    geometry.n = c->dominoes;
     return barrier_tops(&geometry, &b) == DOM_OK &&
            b.height <= c->nearest.height * (1 + fmax(geometry.tol, 4 * REAL_EPSILON));
 }
