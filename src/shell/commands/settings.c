@@ -6,7 +6,6 @@
 #include "language/text.h"
 #include "session/session.h"
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -113,22 +112,6 @@ static bool run_show(const struct query *query, struct answer *a, struct problem
 
 /* ---- set ---- */
 
-/* Prints a sentence about a change. For csv and json, it goes to standard error. */
-static void __attribute__((format(printf, 3, 4)))
-change_say(const struct query *query, struct answer *a, const char *format, ...)
-{
-    char text[4 * PARAMETER_SETTING];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    a->progress.wrote_text = answer_for_people(a);
-    if (a->progress.wrote_text)
-        answer_say(a, "%s", text);
-    else
-        run_context_note(query->run_context, "%s", text);
-}
-
 /* Returns the length that was typed for a share of the height, with its unit. */
 static struct typed_length length_typed(const struct arguments *given)
 {
@@ -159,15 +142,18 @@ static bool run_set(const struct query *query, struct answer *a, struct problem 
     /* In a script, the next line may set the parameter `moved` too, so no message is printed. */
     if (moved && parameter_get(next, moved) != was && !query->run_context->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
-    char kept[PROBLEM_TEXT] = "";
-    if (next->scene.slot && !query->run_context->sourced)
-        next->scene.slot->kind->kept(&next->scene, p, kept);
-    if (*kept)
-        change_say(query, a, "%s", kept);
-    /* The user may not know the value that 'on' has given. */
+    /* The user may not know the value that 'on' has given, or what the change leaves as it was. */
+    char said[PROBLEM_TEXT] = "";
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
-        change_say(query, a, "%s is on: %s. 'set %s' sets another value.", p->name,
-                   parameter_setting(next, p, 10), parameter_usage(p));
+        snprintf(said, sizeof said, "%s is on: %s. 'set %s' sets another value.", p->name,
+                 parameter_setting(next, p, 10), parameter_usage(p));
+    else if (next->scene.slot && !query->run_context->sourced)
+        next->scene.slot->kind->kept(&next->scene, p, said);
+    a->progress.wrote_text = *said && answer_for_people(a);
+    if (a->progress.wrote_text)
+        answer_say(a, "%s", said);
+    else if (*said)
+        run_context_note(query->run_context, "%s", said);
     return true;
 }
 

@@ -6,16 +6,6 @@
 #include "session/row.h"
 #include <string.h>
 
-/* Returns the unit in which the value of an argument is stored, as a quantity such as 1 m. */
-static struct quantity argument_unit(const struct argument *a)
-{
-    const struct parameter *p = a->kind == ARGUMENT_VALUE_OF ? parameter_find(a->parameter) : NULL;
-    return p ? expression_unit(p->value[a->which].unit)
-             : (struct quantity){.value = 1,
-                                 .length = a->kind == ARGUMENT_HEIGHT,
-                                 .angle = a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE};
-}
-
 static bool out_of_range(struct problem *problem, const struct argument *a, domq_real value, const char *is,
                          const char *range)
 {
@@ -48,19 +38,24 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     return true;
 }
 
-static bool unit_check(const struct query *query, const struct argument *a, struct quantity *q,
-                       struct problem *problem)
+/* Checks the unit of a value. `p` is the parameter of which the argument is a value, or NULL. */
+static bool unit_check(const struct query *query, const struct argument *a, const struct parameter *p,
+                       struct quantity *q, struct problem *problem)
 {
-    const struct quantity unit = argument_unit(a), length = {.length = 1}, per_time = {.time = -1};
+    const char *of = p ? p->value[a->which].unit : "";
+    const struct quantity length = {.length = 1}, speed = {.length = 1, .time = -1}, per_time = {.time = -1},
+                          unit = p ? expression_unit(of)
+                                   : (struct quantity){.length = a->kind == ARGUMENT_HEIGHT,
+                                                       .angle = a->kind == ARGUMENT_TILT ||
+                                                                a->kind == ARGUMENT_PLACE};
     /* Parameters with the unit "h", such as s and d, are fractions of the height. If the user enters a length
      * instead, this length is divided by the height of domino 1. */
-    bool is_share =
-        a->kind == ARGUMENT_VALUE_OF && strcmp(parameter_find(a->parameter)->value[a->which].unit, "h") == 0;
+    const bool is_share = strcmp(of, "h") == 0;
     if (is_share && quantity_alike(*q, length))
         *q = (struct quantity){.value = q->value / query->scene->scale.h};
     /* The push may be entered as the speed of the first domino's upper edge. */
-    const bool is_push = a->kind == ARGUMENT_VALUE_OF && parameter_find(a->parameter)->share == SHARE_push;
-    if (is_push && quantity_alike(*q, (struct quantity){.length = 1, .time = -1}))
+    const bool is_push = p && p->share == SHARE_push;
+    if (is_push && quantity_alike(*q, speed))
         *q = (struct quantity){.value = q->value / scene_first_height(query->scene)};
     /* An angular velocity may be entered without radians, as in 8*sqrt(g/h). */
     if (unit.angle == 1 && unit.time == -1 && quantity_alike(*q, per_time))
@@ -85,7 +80,7 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
     const bool is_own = p && strcmp(a->name, of->name) == 0, /* not another name for a value of it */
         is_length = p && share_length(p, &q).m > 0 && a->which == 0;
     char range[96];
-    if (a->kind != ARGUMENT_ANY && !quantity_is_number(q) && !unit_check(query, a, &q, problem))
+    if (a->kind != ARGUMENT_ANY && !quantity_is_number(q) && !unit_check(query, a, p, &q, problem))
         return false;
     *number = q.value;
     switch (a->kind) {
