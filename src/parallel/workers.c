@@ -3,7 +3,7 @@
 #include "parallel/workers.h"
 #include "interpreter/command.h"
 #include "io/io.h"
-#include "io/terminal.h"
+#include "parallel/progress.h"
 #include <pthread.h>
 #include <sched.h>
 #include <stdlib.h>
@@ -74,12 +74,13 @@ static bool block_compute(const struct worker *me, size_t number, struct block *
     const size_t from = number * p->points, left = p->job->points - from;
     const size_t end = from + (p->points < left ? p->points : left);
     FILE *out = p->out ? io_memory(&b->text, &b->size) : NULL;
-    bool was_muted = progress_mute(true); /* a point must not show its own progress */
+    const bool was_worker = io_is_worker;
+    io_is_worker = true;
     bool is_good = out || !p->out;
     for (size_t k = from; is_good && !b->last && k < end && !dom_raised(p->how->interrupt); k++)
         if (!p->job->point(me->context, k, out))
             b->last = me->context;
-    progress_mute(was_muted);
+    io_is_worker = was_worker;
     if (p->how->progress && me->is_caller)
         progress_show((double)from / (double)p->job->points);
     is_good = is_good && !(out && ferror(out));
@@ -138,7 +139,7 @@ static enum dom_status workers_run(const struct workers *job, const struct task_
     struct worker *worker = calloc(count, sizeof *worker);
     char *contexts = malloc(count * job->size);
     pool.waiting = calloc(pool.window, sizeof *pool.waiting);
-    if (!progress_is_muted()) /* this may take a long time, and earlier answers must not wait for it */
+    if (!io_is_worker) /* this may take a long time, and earlier answers must not wait for it */
         io_stdout_flush();
     if (worker && contexts && pool.waiting) {
         for (size_t k = 0; k < count; k++) {
@@ -214,4 +215,5 @@ static const struct parameter *parameter(int k)
     return k == 0 ? &threads : NULL;
 }
 
-const struct feature parallel_feature = {.name = "parallel", .parameter = parameter};
+const struct feature parallel_feature = {
+    .name = "parallel", .progress = progress_line, .parameter = parameter};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'tolerance': how far the places, sizes and leans of single dominoes may deviate; and 'mend',
  * which finds the smallest change of a single gap that saves a row. */
-#include "io/terminal.h"
 #include "language/quad.h"
+#include "parallel/progress.h"
 #include "parallel/workers.h"
 #include "rows/rows.h"
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plots of the endless train: 'growth', the largest growth of trains and of pairs against the separation;
  * 'energy' and 'omega', one cycle against the tilt of its head. */
-#include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "parallel/progress.h"
 #include "pictures/plots/plots.h"
 #include "train/train.h"
 

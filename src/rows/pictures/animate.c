@@ -5,6 +5,7 @@
 #include "io/io.h"
 #include "io/terminal.h"
 #include "language/quad.h"
+#include "parallel/progress.h"
 #include "pictures/drawing/falling_row.h"
 #include "train/train.h"
 #include <math.h>

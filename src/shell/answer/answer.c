@@ -270,8 +270,7 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
             row_write(a, row, reason);
         if (reason)
             answer_say(a, "%s", reason);
-        if (!progress_is_muted()) /* the rows of a worker are still in memory */
-            io_row(a->out);
+        io_row(a->out);
     } else if (reason)
         snprintf(a->late_reason, ANSWER_REASON, "%s", reason);
     return true;

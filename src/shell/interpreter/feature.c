@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The registry of features, of all their commands, and the names that are known in a line. */
 #include "interpreter/question.h"
+#include "io/terminal.h"
 #include "language/text.h"
 #include "session/row.h"
 #include <string.h>
@@ -43,6 +44,8 @@ void features_register(const struct feature *const *list)
             named[named_count++] = (*f)->names(NULL, k);
         if ((*f)->compute)
             computes = (*f)->compute;
+        if ((*f)->progress)
+            progress_hook = (*f)->progress;
         if ((*f)->engine)
             row_engine = (*f)->engine;
         for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++) {

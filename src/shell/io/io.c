@@ -221,9 +221,11 @@ void io_stdout_flush(void)
     flushed = terminal_clock();
 }
 
+_Thread_local bool io_is_worker;
+
 void io_row(FILE *out)
 {
-    if (terminal_clock() - flushed > ROW_SECONDS) {
+    if (!io_is_worker && terminal_clock() - flushed > ROW_SECONDS) {
         fflush(out);
         io_stdout_flush();
     }

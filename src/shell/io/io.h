@@ -67,6 +67,9 @@ extern void (*io_copy)(const char *bytes, size_t count);
  * its last rows. */
 void io_row(FILE *out);
 
+/* In this thread, answers are still in memory, and io_row does nothing. */
+extern _Thread_local bool io_is_worker;
+
 /* Opens a stream that writes to memory. After fflush or fclose, the text is in *text, and its length in bytes
  * is in *size. A NUL byte follows; *text is NULL if nothing was written. The caller frees *text. If memory
  * runs out, the error flag of the stream is set, which open_memstream does not ensure. Returns NULL on

@@ -2,12 +2,10 @@
 #include "io/terminal.h"
 #include <langinfo.h>
 #include <locale.h>
-#include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
-#include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -143,79 +141,16 @@ double terminal_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static atomic_int seconds; /* how long the command has been running, in s */
-static atomic_int done;    /* progress of the command in millionths, or 0 if it is not known */
-static _Thread_local bool is_muted;
-
-static bool is_ticking;
-static struct sigaction alarm_before;
-
-/* Writes a number and returns a pointer to the byte after the number. */
-static char *number_write(char *to, long number)
-{
-    if (number >= 10)
-        to = number_write(to, number / 10);
-    *to = (char)('0' + number % 10);
-    return to + 1;
-}
-
-/* The handler of SIGALRM, which arrives once a second. It must not call printf. */
-static void on_tick(int number)
-{
-    const int all = 1000000;
-    char text[80] = "\r", *end = text + 1;
-    int now = ++seconds, part = done;
-    (void)number;
-    if (part > 0) {
-        end = stpcpy(number_write(end, 100L * part / all), " %, ");
-        end = stpcpy(number_write(end, (long)now * (all - part) / part), " s left      ");
-    } else
-        end = stpcpy(number_write(end, now), " s; ^C stops it ");
-    (void)!write(STDERR_FILENO, text, (size_t)(end - text));
-}
-
-static void timer_set(long interval)
-{
-    const struct timeval time = {.tv_sec = interval};
-    setitimer(ITIMER_REAL, &(struct itimerval){time, time}, NULL);
-}
+void (*progress_hook)(bool begins);
 
 void progress_begin(void)
 {
-    if (!terminal_shows(stderr))
-        return;
-    progress_end(); /* an outer command, such as 'source', may be showing a progress line already */
-    const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
-    seconds = done = 0;
-    is_ticking = sigaction(SIGALRM, &action, &alarm_before) == 0;
-    timer_set(1);
+    if (progress_hook)
+        progress_hook(true);
 }
 
 void progress_end(void)
 {
-    if (!is_ticking)
-        return;
-    timer_set(0);
-    sigaction(SIGALRM, &alarm_before, NULL);
-    is_ticking = false;
-    if (seconds > 0) /* overwrites the line with blanks, because a dumb terminal has no control sequences */
-        fprintf(stderr, "\r%*s\r", 30, "");
-}
-
-void progress_show(double fraction)
-{
-    if (!is_muted)
-        done = fraction < 1 ? (int)(1e6 * fraction) : 0;
-}
-
-bool progress_is_muted(void)
-{
-    return is_muted;
-}
-
-bool progress_mute(bool mute)
-{
-    bool before = is_muted;
-    is_muted = mute;
-    return before;
+    if (progress_hook)
+        progress_hook(false);
 }

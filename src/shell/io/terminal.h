@@ -44,19 +44,9 @@ void write_wrapped(FILE *out, const char *text, int left, int right);
 /* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);
 
-/* Begins to show the progress of a long command on standard error, if it is a terminal. A line such as "3 s;
- * ^C stops it" then shows the elapsed time and is updated every second. */
+/* A feature can show the progress of long commands on standard error, if it is a terminal. */
 void progress_begin(void);
+void progress_end(void); /* clears the line that shows it */
 
-/* Clears the line that progress_begin has shown. */
-void progress_end(void);
-
-/* Tells the progress line which fraction of the work is done. The line then reads "12 %, 3 s left". If the
- * fraction is 1, the line shows only the elapsed time again. */
-void progress_show(double fraction);
-
-/* If `mute` is true, progress_show does nothing from now on when this thread calls it. A thread that computes
- * only part of the work is muted, because it does not know the progress of the whole work. Returns the
- * previous setting. */
-bool progress_mute(bool mute);
-bool progress_is_muted(void);
+/* The function of the feature for both. NULL without such a feature. */
+extern void (*progress_hook)(bool begins);
