@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Many trains at once, and studies of rows, in double: how to mend a row that stops, how precisely a row must
- * be set up, how reliably it falls, and how to design one. */
+/* Studies of rows, in double: how to mend a row that stops, how precisely a row must be set up, how reliably
+ * it falls, and how to design one. */
 #ifndef DOMINO_STUDY_H
 #define DOMINO_STUDY_H
 
@@ -13,37 +13,6 @@ extern "C" {
 /* A callback that reports the progress of a long computation: `done` parts of `of` are complete. It may be
  * NULL. */
 typedef void dom_progress(size_t done, size_t of, void *context);
-
-/* ---- Many trains at once ---- */
-
-/* The questions that dom_trains_ask can ask: X(question, function that answers it for one train, type of the
- * answer). AT stands for X if the question needs a tilt. */
-#define DOM_QUESTIONS(X, AT)                                                                                 \
-    X(ANGLES, dom_angles_find, struct dom_angles)                                                            \
-    AT(CONTACT, dom_contact_find, struct dom_contact)                                                        \
-    AT(ENERGY, dom_energy_find, struct dom_energy)                                                           \
-    X(FUEL, dom_fuel_find, struct dom_fuels)                                                                 \
-    X(LAUNCH, dom_launch_find, struct dom_launch)                                                            \
-    X(BARRIER, dom_barrier_find, struct dom_barrier)                                                         \
-    AT(OMEGASQ, dom_cycle_omegasq, double)                                                                   \
-    X(DURATION, dom_cycle_duration, double)                                                                  \
-    X(RMAX, dom_limit_rmax, struct dom_limit)                                                                \
-    X(PAIR, dom_limit_pair, struct dom_limit)                                                                \
-    X(BEST, dom_limit_best, struct dom_best)
-
-enum dom_question {
-#define DOM_QUESTION_ENUM(name, find, type) DOM_ASK_##name,
-    DOM_QUESTIONS(DOM_QUESTION_ENUM, DOM_QUESTION_ENUM)
-#undef DOM_QUESTION_ENUM
-};
-
-/* Answers the same question about `count` trains, so that slow languages such as Python need no loop.
- * `answers` is an array of the type that DOM_QUESTIONS names, and `statuses` has a status for each train.
- * `tilts` may be NULL if the question needs no tilt. Returns DOM_OK, or DOM_NO_METHOD if the question is not
- * in the enumeration. After an interrupt, returns DOM_INTERRUPTED, also for all remaining trains. */
-enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
-                               const double *tilts, size_t count, const struct dom_compute *compute,
-                               void *answers, enum dom_status *statuses);
 
 /* ---- Mending, and how precisely a row must be set up ---- */
 

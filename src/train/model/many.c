@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The same question about many trains. */
-#pragma GCC visibility push(default) /* precision/shared.awk */
-#include "domino_study.h"
-#pragma GCC visibility pop
+#include "numerics/api.h"
 #include "numerics/interrupt.h"
 
 enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,

@@ -122,21 +122,19 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
 #endif
 }
 
-static bool tilt_seen(const struct dom_fall *fall, void *context)
+enum dom_status dom_row_touch(const struct dom_row *given, const struct dom_compute *compute, dom_real *tilt)
 {
-    *(dom_real *)context = fall->theta;
-    return false;
-}
-
-enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt)
-{
-    struct dom_verdict verdict;
-    struct dom_row two = *row;
-    two.count = row->count < 2 ? row->count : 2;
-    two.engine = NULL;
+    struct dom_row two = *given;
+    struct row row;
+    size_t wrong;
+    two.count = given->count < 2 ? given->count : 2;
     two.push = 0;
     two.release = (dom_real)HUGE_VAL;
-    return dom_row_run(&two, compute, false, tilt_seen, tilt, &verdict);
+    const enum dom_status status = row_begin(&two, compute, &row, &wrong);
+    if (status == DOM_OK)
+        *tilt = tilt_angle(row.geometry[0].c);
+    row_free(&row);
+    return status;
 }
 
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q)

@@ -14,17 +14,6 @@
  */
 #include "motion/motion.h"
 
-KERNEL real segment_noise(const struct segment *st)
-{
-    const real kinetic = st->start.kinetic, spare = kinetic - st->barrier.height;
-    real slope = 0;
-    if (kinetic != 0 || spare != 0)
-        return fabs(16 * REAL_EPSILON * kinetic / spare);
-    return dynamics_slope(&st->geometry, st->start.from, false, &slope) == DOM_OK && slope < 0
-               ? 16 * REAL_EPSILON * st->geometry.steepest / -slope
-               : (real)INFINITY;
-}
-
 /* Very near a rest, the time hardly changes with x, and the energy would underflow. So the distance of x from
  * a rest is at least CLOSEST. */
 #define CLOSEST sqrt(REAL_EPSILON)
@@ -106,10 +95,23 @@ static enum num_status clock_make(struct clock *c)
     return solver;
 }
 
+/* Returns the relative error of times, which rounding errors cause. It is large if the energy is hardly
+ * enough for the barrier or, for a motion that starts at rest, if hardly anything sets it in motion. */
+static real clock_noise(const struct segment *st)
+{
+    const real kinetic = st->start.kinetic, spare = kinetic - st->barrier.height;
+    real slope = 0;
+    if (kinetic != 0 || spare != 0)
+        return fabs(16 * REAL_EPSILON * kinetic / spare);
+    return dynamics_slope(&st->geometry, st->start.from, false, &slope) == DOM_OK && slope < 0
+               ? 16 * REAL_EPSILON * st->geometry.steepest / -slope
+               : (real)INFINITY;
+}
+
 KERNEL_SHARED enum dom_status clock_begin(struct clock *c, struct segment *st, real to, bool rests, real tol)
 {
     const struct barrier *b = &st->barrier;
-    const real noise = segment_noise(st), tol_sums = st->geometry.tol, spare = st->start.kinetic - b->height;
+    const real noise = clock_noise(st), tol_sums = st->geometry.tol, spare = st->start.kinetic - b->height;
     c->segment = st;
     c->to = to;
     c->rests = rests;

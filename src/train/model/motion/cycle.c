@@ -46,8 +46,6 @@ KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, cons
                                              bool timed, struct motion *m)
 {
     const enum dom_status status = motion_begin(train, compute, 0, m);
-    if (status == DOM_OK && !(segment_noise(&m->segment) < (real)0.125))
-        return DOM_NO_MARGIN; /* times grow like ln(1/margin), so they need an accurate margin */
     return status == DOM_OK && timed ? clock_begin(&m->clock, &m->segment, m->end, m->stops, m->tol) : status;
 }
 

@@ -47,10 +47,6 @@ KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 
 /* ---- Times (clock.c) ---- */
 
-/* Returns the relative error of times, which rounding errors cause. It is large if the energy is hardly
- * enough for the barrier or, for a motion that starts at rest, if hardly anything sets it in motion. */
-KERNEL real segment_noise(const struct segment *segment);
-
 /* The time since the beginning of a motion, as a function of the tilt of the head. */
 struct clock {
     struct segment *segment;
@@ -92,8 +88,8 @@ struct motion {
 
 KERNEL_SHARED void motion_end(struct motion *motion);
 
-/* Checks a train, begins its motion, and finds its end and, if `timed` is true, its clock. Returns
- * DOM_NO_MARGIN if the margin is too small to compute times. Always call motion_end afterwards. */
+/* Checks a train, begins its motion, and finds its end and, if `timed` is true, its clock, with the status of
+ * clock_begin. Always call motion_end afterwards. */
 KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, const struct dom_compute *compute,
                                              bool timed, struct motion *motion);
 
