@@ -228,8 +228,7 @@ static void help_parameter(const struct session *session, const struct topic *t)
     }
     for (int k = 0; parameter_is_number(p) && (name = parameter_offered(p, k)) != NULL; k++)
         fprintf(out, "  %-8s %g\n", name, (double)p->words[names_exact(parameter_words, p, name)].value);
-    fprintf(out, "  now      %s\n  default  %s\n\n",
-            names_shown(parameter_setting(state, p, 15)),
+    fprintf(out, "  now      %s\n  default  %s\n\n", names_shown(parameter_setting(state, p, 15)),
             parameter_text(p, 0, parameter_fallback(state, p), 6, usual));
     if (p->effect)
         say(out, "Source: %s", p->effect->source);

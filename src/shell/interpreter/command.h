@@ -3,8 +3,8 @@
  * what completion offers, and which value the command has in an expression. */
 #pragma once
 
-#include "language/arena.h"
 #include "language/names.h"
+#include "language/text.h"
 #include "session/parameters.h"
 #include "session/query.h"
 #include "session/row.h"

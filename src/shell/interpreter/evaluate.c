@@ -113,7 +113,10 @@ bool function_value(struct evaluation *e, const struct tree *t, struct quantity 
              ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2, a[0].mass / 2}
              : (struct quantity){.angle = f->kind == TO_ANGLE};
     const domq_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
-    q->value = f->two ? f->two(a[0].value, a[1].value) : f->one(one);
+    if (f->two)
+        q->value = f->two(a[0].value, a[1].value);
+    else if (f->one)
+        q->value = f->one(one);
     return true;
 }
 

@@ -150,7 +150,9 @@ bool item_parse(struct reader *r, const struct argument *a, struct item *item)
     const int k = word_parse(r, &w, item);
     if (k < 0)
         return !w.only && r->problem->kind == PROBLEM_NONE && item_parse_expression(r, a, item);
-    item->number = w.list == parameter_words ? p->words[k].value : a->kind == ARGUMENT_PLACE ? -1 - k : k;
+    item->number = p && w.list == parameter_words ? p->words[k].value
+                   : a->kind == ARGUMENT_PLACE    ? -1 - k
+                                                  : k;
     return true;
 }
 

@@ -3,7 +3,7 @@
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "language/variables.h"
+#include "language/units.h"
 #include <ctype.h>
 #include <errno.h>
 #include <string.h>

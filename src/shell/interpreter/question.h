@@ -12,7 +12,7 @@
 
 #include "interpreter/command.h"
 #include "language/text.h"
-#include "language/variables.h"
+#include "language/units.h"
 #include "session/query.h"
 
 /* ---- Expressions (parse.c, evaluate.c) ---- */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A line of input for the interpreter. Greek letters such as θ are replaced by their names, and typographic
- * signs such as × by ASCII. Other characters stay as they are. Users see only the line that they have typed,
- * so error messages count columns in that line. */
+/* A line of input for the interpreter, and the memory of what is parsed from it. Greek letters such as θ are
+ * replaced by their names, and typographic signs such as × by ASCII. Other characters stay as they are. Users
+ * see only the line that they have typed, so error messages count columns in that line. */
 #pragma once
 
 #include <stdbool.h>
@@ -59,3 +59,21 @@ static inline int text_column(const struct text *text, const char *place)
 
 /* Converts a position in text->line to the corresponding position in the line as it was typed. */
 const char *text_typed(const struct text *text, const char *place);
+
+/* ---- Memory for what is parsed ---- */
+
+/* An arena hands out pieces of memory and frees all of them at once. A parsed command lives in an arena until
+ * the command has run. `struct arena arena = {.block = NULL}` is an empty arena. */
+struct arena {
+    struct arena_block *block; /* a linked list, whose first block is the current one */
+    size_t used, size;         /* the number of bytes used in the current block, and the size of this block */
+};
+
+/* Returns zeroed memory that is aligned for any type, or NULL if memory runs out. */
+void *arena_take(struct arena *arena, size_t size);
+
+/* Returns a NUL-terminated copy of the first `length` bytes of a string, or NULL if memory runs out. */
+char *arena_text(struct arena *arena, const char *text, size_t length);
+
+/* Frees all memory of the arena. The arena is then empty and can be used again. */
+void arena_free(struct arena *arena);

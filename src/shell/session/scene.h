@@ -5,7 +5,7 @@
 #pragma once
 
 #include "answer/cell.h"
-#include "language/variables.h"
+#include "language/units.h"
 #include "precision/any.h"
 #include "session/problem.h"
 #include <math.h>
