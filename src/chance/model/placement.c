@@ -1,9 +1,70 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs many rows with random errors, in batches that may run in parallel. */
+/* Runs many rows with random errors: the probability that a row falls, with its confidence interval, and how
+ * large random errors may be if it must fall with a given probability. */
 #include "chance/model/draw.h"
-#include "rows/model/study.h"
+#include "search/search.h"
+#include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+
+/* ---- The exact (Clopper-Pearson) confidence interval ---- */
+
+/* The probability that the true value lies beyond one given end of a 95 % confidence interval. */
+#define TAIL 0.025
+
+/*
+ * Each of n rows falls with the probability p. If `at_least` is true, returns the probability that at least k
+ * rows fall. Otherwise returns the probability that at most k rows fall.
+ *
+ * The terms of the distribution are added up. The sum over the tail is divided by the sum over all terms. The
+ * functions gsl_cdf_beta_P and gsl_cdf_beta_Pinv are not used: from 10,000 rows on, they do not converge for
+ * some p.
+ */
+static double binomial_tail(double k, double n, double p, bool at_least)
+{
+    const double odds = p / (1 - p), enough = 1e-17, most = 1e20;
+    double above = 0, below = 0;
+    if (!(p > 0 && p < 1))
+        return (p >= 1) == at_least;
+    /* Term k of the distribution is scaled to 1. Ratios of successive terms give all other terms. */
+    double term = 1;
+    for (double i = k; i < n && above < most && (term > enough * above || i < n * p); i++)
+        above += term *= (n - i) / (i + 1) * odds;
+    term = 1;
+    for (double i = k; i > 0 && below < most && (term > enough * below || i > n * p); i--)
+        below += term *= i / (n - i + 1) / odds;
+    return (at_least ? 1 + above : 1 + below) / (1 + above + below);
+}
+
+/* Returns the probability p at which binomial_tail is TAIL, by bisection. A tail that is almost constant, as
+ * near p = 0 and p = 1, does not matter to this method. */
+static double tail_inverse(double k, double n, bool at_least)
+{
+    double lo = 0, hi = 1;
+    while (hi - lo > 1e-15 * hi) {
+        const double p = 0.5 * (lo + hi);
+        *((binomial_tail(k, n, p, at_least) < TAIL) == at_least ? &lo : &hi) = p;
+    }
+    return 0.5 * (lo + hi);
+}
+
+/*
+ * Finds the exact 95 % confidence interval [low, high] for the probability that a row falls. At the ends of
+ * the interval, the observed counts are just barely plausible:
+ * - If P(a row falls) = low, at least s->fall rows fall with a probability of only 2.5 %.
+ * - If P(a row falls) = high, at most s->fall + s->unknown rows fall with a probability of only 2.5 %.
+ */
+enum dom_status dom_study_interval(struct dom_study *s)
+{
+    if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)
+        return DOM_BAD_ROWS;
+    const double N = (double)s->rows, few = (double)s->fall, many = (double)(s->fall + s->unknown);
+    s->low = few > 0 ? tail_inverse(few, N, true) : 0;
+    s->high = many < N ? tail_inverse(many, N, false) : 1;
+    return DOM_OK;
+}
+
+/* ---- Many random rows ---- */
 
 /* Whether a row falls depends only on the signs of its margins, so their values need not be accurate. A
  * smaller tolerance would change about one verdict in a billion. */
@@ -87,4 +148,134 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
     }
     free(s.stops);
     return status;
+}
+
+/* ---- The budget ---- */
+
+enum { BUDGET_SEEN = 128 };
+
+struct budget {
+    const struct dom_row *row;
+    const struct dom_compute *compute;
+    const struct dom_placement *placement;
+    /* the kind of error whose size is wanted, or DOM_ERROR_COUNT for all kinds together */
+    enum dom_error_of kind;
+    double widest; /* the largest sigma that is tried */
+    double share;  /* the share of the rows that must fall */
+    enum dom_status status;
+    /* A cache of the latest results. It saves time because the searches for sigma and for both ends of its
+     * confidence interval begin with the same values of sigma. */
+    struct {
+        double sigma, share;
+    } seen[BUDGET_SEEN];
+    int answers;
+};
+
+/* Returns the fraction of the random rows that falls. The errors of b->kind have the size `sigma`. If b->kind
+ * is DOM_ERROR_COUNT, all errors are multiplied by `sigma`. The random numbers are the same for every sigma,
+ * so that the fractions for two sigmas can be compared. */
+static double fall_share(struct budget *b, double sigma)
+{
+    for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
+        if (b->seen[i].sigma == sigma)
+            return b->seen[i].share;
+    struct dom_placement p = *b->placement;
+    struct dom_study study = {.rows = p.rows};
+    for (int k = 0; k < DOM_ERROR_COUNT; k++)
+        if (b->kind == DOM_ERROR_COUNT)
+            p.error[k].size *= sigma;
+        else if (k == (int)b->kind)
+            p.error[k].size = sigma;
+    b->status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
+    const double share = (double)study.fall / (double)study.rows;
+    if (b->status == DOM_OK) {
+        b->seen[b->answers % BUDGET_SEEN].sigma = sigma;
+        b->seen[b->answers++ % BUDGET_SEEN].share = share;
+    }
+    return share;
+}
+
+/* An edge_test: returns true if enough rows fall. After an error, nothing more is run. */
+static bool enough_fall(double sigma, double *spare, void *context)
+{
+    struct budget *b = context;
+    (void)spare; /* the share is a step function */
+    if (b->status != DOM_OK)
+        return false;
+    if (sigma < 1e-9 / 4096 * b->widest) /* errors this small are negligible in a real row */
+        return true;
+    return fall_share(b, sigma) >= b->share && b->status == DOM_OK;
+}
+
+/* Finds the largest sigma at which the share b->share of the rows falls, to a relative tolerance of 1e-3. If
+ * this share falls even at b->widest, returns infinity. */
+static double sigma_find(struct budget *b)
+{
+    double lo = 0, hi = b->widest / 4096;
+    for (; enough_fall(hi, NULL, b); hi *= 2) {
+        if (hi >= b->widest)
+            return HUGE_VAL;
+        lo = hi;
+    }
+    return edge_find(enough_fall, b, lo, &hi, 0, 1e-3);
+}
+
+/* Returns the largest sigma that is tried for a kind of error. The limits are described at
+ * dom_placement_budget. */
+static double size_most(const struct dom_row *row, enum dom_error_of kind)
+{
+    double widest = 0;
+    for (size_t k = 1; k < row->count; k++)
+        widest = fmax(widest, row->domino[k].gap);
+    switch (kind) {
+    case DOM_ERROR_gap:
+    case DOM_ERROR_place:
+        return widest;
+    case DOM_ERROR_lean:
+    case DOM_ERROR_slope:
+        return row_steepest(row);
+    case DOM_ERROR_push:
+        return isnan(row->push) ? 0 : row->push;
+    case DOM_ERROR_COUNT:
+        return 64;
+    default:
+        return 1;
+    }
+}
+
+enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
+                                     const struct dom_placement *p, enum dom_error_of kind, double share,
+                                     struct dom_budget *budget)
+{
+    struct budget b = {.row = row, .compute = compute, .placement = p, .kind = kind};
+    if (!(share > 0 && share < 1))
+        return DOM_BAD_PROBABILITY;
+    if (kind > DOM_ERROR_COUNT)
+        return DOM_BAD_ERROR;
+    const double falls = fall_share(&b, 0);
+    if (b.status != DOM_OK || falls < share)
+        return b.status != DOM_OK ? b.status : DOM_STOPS;
+    b.widest = size_most(row, kind);
+    /* If rows fall with the probability `share`, at least `many` of them, or at most `few`, fall with a
+     * probability of less than 2.5 %. */
+    const double N = (double)p->rows;
+    double few = floor(share * N), many = ceil(share * N);
+    while (few > 0 && binomial_tail(few, N, share, false) >= TAIL)
+        few--;
+    while (many <= N && binomial_tail(many, N, share, true) >= TAIL)
+        many++;
+    struct dom_budget found = {.low = 0};
+    b.share = share;
+    found.sigma = sigma_find(&b);
+    if (b.status != DOM_OK)
+        return b.status;
+    b.share = many / N;
+    if (many <= N)
+        found.low = sigma_find(&b);
+    b.share = few / N;
+    if (b.status == DOM_OK)
+        found.high = sigma_find(&b);
+    if (b.status == DOM_OK)
+        *budget = found;
+    return b.status;
 }
