@@ -19,7 +19,8 @@
  * within the tightened limits is within the true limits in spite of rounding errors. */
 #define INSIDE (1 - 1e-6)
 
-enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
+/* Allocates memory for random copies of a row. draw_end must be called even if this fails. */
+static enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
 {
     /* gsl_rng_alloc would end the program if memory runs out, unless GSL's error handler, which belongs to
      * the whole process, is switched off. */
@@ -29,7 +30,7 @@ enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
     return draw->random[0].state && draw->random[1].state && draw->domino ? DOM_OK : DOM_NO_MEMORY;
 }
 
-void draw_end(struct draw *draw)
+static void draw_end(struct draw *draw)
 {
     for (int i = 0; i < 2; i++)
         free(draw->random[i].state);

@@ -12,10 +12,6 @@ struct draw {
     struct study *study;       /* NULL, or a study that a visit has begun; draw_end ends it */
 };
 
-/* Allocates memory for random copies of a row. Call draw_end afterwards, even if this function fails. */
-enum dom_status draw_begin(struct draw *draw, const struct dom_row *row);
-void draw_end(struct draw *draw);
-
 /* Draws random row number i. */
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *placement, size_t i);
 

@@ -177,12 +177,12 @@ static double row_ratio(struct planner *p, struct choice c, double push, bool ti
 
 /* ---- Lengths, and tests of a candidate ---- */
 
-/* Returns the length of a standing row, from the back of the first domino to the front of the last. */
-static double feet_of(struct planner *p, struct choice c)
+/* Returns the length of the row p->row while it stands, from the back of the first domino to the front of the
+ * last. */
+static double feet_of(const struct planner *p)
 {
-    const size_t count = row_write(p, c) ? c.steps + 1 : 0;
     double sum = 0;
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; k < p->row.count; k++)
         sum += p->domino[k].gap + p->domino[k].thickness;
     return sum;
 }
@@ -204,8 +204,7 @@ static int widest(const struct planner *p, size_t steps, double hall)
 static bool enough(struct planner *p, struct choice c, double hall)
 {
     return train_ratio(p, (double)c.k / GRID, growth_of(p, c.steps)) >= p->wish->safety &&
-           row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
-           feet_of(p, c) + p->wish->height <= hall;
+           row_ratio(p, c, p->wish->push, false) >= p->wish->safety && feet_of(p) + p->wish->height <= hall;
 }
 
 /* ---- The separation ---- */
@@ -295,7 +294,7 @@ static double row_search(struct planner *p, size_t fewest, int best, struct choi
         struct choice c = {nearest(p, n, best, hall), n};
         if (c.k == 0 && isfinite(hall))
             c.k = closest(p, n, nearest(p, n, best, HUGE_VAL));
-        const double length = c.k > 0 ? feet_of(p, c) + p->wish->height : HUGE_VAL;
+        const double length = c.k > 0 && row_write(p, c) ? feet_of(p) + p->wish->height : HUGE_VAL;
         longer = length < shortest || isinf(shortest) ? 0 : longer + 1;
         if (length < shortest) {
             *found = c;
@@ -422,7 +421,7 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
         found.row = least > 0 ? least : DOM_NAN;
         found.weakest = p.weakest;
         found.seconds = p.seconds;
-        found.feet = feet_of(&p, c);
+        found.feet = feet_of(&p);
         found.length = found.feet + wish->height;
     }
     if (p.status == DOM_OK)
