@@ -24,11 +24,8 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
  * and `rows_` is the number of rows in the example. The engine takes a thousand times as long as the model.
  */
 #define SIZED(kind, unit_, usual_, most_, to_, needs_, rows_)                                                \
-    .name = #kind, .unit = unit_, .parameter.name = "error_" #kind,                                          \
-    .parameter.value = error_kinds[DOM_ERROR_##kind].effect.argument,                                        \
-    .parameter.effect = &error_kinds[DOM_ERROR_##kind].effect,                                               \
-    .parameter.number = &error_number[DOM_ERROR_##kind], .parameter.words = effect_words,                    \
-    .parameter.is_minor = true, .parameter.to = to_,                                                         \
+    .name = #kind, .unit = unit_, .parameter.effect = &error_kinds[DOM_ERROR_##kind].effect,                 \
+    .parameter.number = &error_number[DOM_ERROR_##kind], .parameter.is_minor = true, .parameter.to = to_,    \
     .parameter.example = "set row on; " needs_ "set error_" #kind " on; placement " rows_,                   \
     .effect.name = "error_" #kind,                                                                           \
     .effect.source = "pseudo-random numbers from GSL: the generators taus2 and mrg",                         \
@@ -49,11 +46,8 @@ static const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
     [DOM_ERROR_gap] =
         {.name = "gap",
          .unit = "m",
-         .parameter = {.name = "placement",
-                       .value = error_kinds[DOM_ERROR_gap].effect.argument,
-                       .effect = &error_kinds[DOM_ERROR_gap].effect,
+         .parameter = {.effect = &error_kinds[DOM_ERROR_gap].effect,
                        .number = &error_number[DOM_ERROR_gap],
-                       .words = effect_words,
                        .example =
                            "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
                        .to = 0.1},
@@ -187,15 +181,6 @@ static const struct parameter seed = {
                                                     .usual = SEED_DEFAULT,
                                                     .whole = true}},
     .synonyms = "random chance"};
-
-/* Lists the parameters, as in struct feature: 'seed', and the kinds that have an effect of their own. */
-static const struct parameter *parameter(int k)
-{
-    for (int kind = 0; kind < DOM_ERROR_COUNT; kind++)
-        if (error_kinds[kind].effect.name && k-- == 0)
-            return &error_kinds[kind].parameter;
-    return k == 0 ? &seed : NULL;
-}
 
 /* Returns the number of the effect that describes a kind of random error. */
 static int error_effect(int kind)
@@ -514,4 +499,10 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-const struct feature chance_feature = {.name = "chance", .groups = groups, .parameter = parameter};
+#define KIND(kind) &error_kinds[DOM_ERROR_##kind].parameter
+const struct feature chance_feature = {
+    .name = "chance",
+    .groups = groups,
+    .parameters = (const struct parameter *const[]){&seed, KIND(gap), KIND(place), KIND(thickness),
+                                                    KIND(mass), KIND(lean), KIND(radius), KIND(friction),
+                                                    KIND(slope), KIND(floor), KIND(push), NULL}};

@@ -330,34 +330,38 @@ static const struct domq_effect bounce = {
     .dissipates = "bounces",
 };
 
-#define ENTRY(name_)                                                                                         \
-    .name = #name_, .value = name_.argument, .effect = &name_, .number = &name_##_number,                    \
-    .words = effect_words, .by_engine = true
+static const struct parameter
+    method_parameter =
+        {.name = "method",
+         .offset = offsetof(struct state, scene.method),
+         .meaning = "how rows are computed: by the model, or by a rigid-body engine",
+         .value =
+             (const struct domq_effect_argument[]){{.name = "method", .unit = "", .usual = METHOD_MODEL}},
+         .synonyms = "engine chipmunk simulation second opinion compare check",
+         .words = (const struct word[]){{"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}, {NULL, 0}},
+         .words_only = true,
+         .help =
+             "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check: it "
+             "uses "
+             "none of the program's equations, and includes contacts that the model lacks. The time step is "
+             "halved until the verdict no longer changes. One run takes about a hundred times as long, and a "
+             "row "
+             "can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or 'set "
+             "bounce'. Endless trains always use the model."},
+    feet_parameter = {.effect = &feet,
+                      .number = &feet_number,
+                      .by_engine = true,
+                      .example = "set q hollow; set row 8; set feet 0.4; fall; set feet off; set row off",
+                      .from = 0.05,
+                      .to = 2},
+    bounce_parameter = {.effect = &bounce,
+                        .number = &bounce_number,
+                        .by_engine = true,
+                        .example =
+                            "set q hollow; set row 8; set bounce 0.5; verdict; set bounce off; set row off",
+                        .to = 1};
 
-static const struct parameter parameters[] = {
-    {.name = "method",
-     .offset = offsetof(struct state, scene.method),
-     .meaning = "how rows are computed: by the model, or by a rigid-body engine",
-     .value = (const struct domq_effect_argument[]){{.name = "method", .unit = "", .usual = METHOD_MODEL}},
-     .synonyms = "engine chipmunk simulation second opinion compare check",
-     .words = (const struct word[]){{"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}, {NULL, 0}},
-     .words_only = true,
-     .help =
-         "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check: it uses "
-         "none of the program's equations, and includes contacts that the model lacks. The time step is "
-         "halved until the verdict no longer changes. One run takes about a hundred times as long, and a row "
-         "can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or 'set "
-         "bounce'. Endless trains always use the model."},
-    {ENTRY(feet), .example = "set q hollow; set row 8; set feet 0.4; fall; set feet off; set row off",
-     .from = 0.05, .to = 2},
-    {ENTRY(bounce),
-     .example = "set q hollow; set row 8; set bounce 0.5; verdict; set bounce off; set row off", .from = 0,
-     .to = 1},
-};
-
-static const struct parameter *parameter(int k)
-{
-    return k < (int)(sizeof parameters / sizeof *parameters) ? &parameters[k] : NULL;
-}
-
-const struct feature engine_feature = {.name = "engine", .engine = &chipmunk_driver, .parameter = parameter};
+const struct feature engine_feature = {.name = "engine",
+                                       .engine = &chipmunk_driver,
+                                       .parameters = (const struct parameter *const[]){
+                                           &method_parameter, &feet_parameter, &bounce_parameter, NULL}};

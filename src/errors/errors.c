@@ -176,9 +176,5 @@ static const struct parameter errors = {
         "While errors are on, 'digits' affects only numbers without an error. In csv and json the error has "
         "a column or key of its own, named KEY_error."};
 
-static const struct parameter *parameter(int k)
-{
-    return k == 0 ? &errors : NULL;
-}
-
-const struct feature errors_feature = {.name = "errors", .parameter = parameter, .compute = compute};
+const struct feature errors_feature = {
+    .name = "errors", .parameters = (const struct parameter *const[]){&errors, NULL}, .compute = compute};

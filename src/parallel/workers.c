@@ -210,10 +210,6 @@ static const struct parameter threads = {
     .synonyms = "parallel cores processors cpu fast",
     .setting = true};
 
-static const struct parameter *parameter(int k)
-{
-    return k == 0 ? &threads : NULL;
-}
-
-const struct feature parallel_feature = {
-    .name = "parallel", .progress = progress_line, .parameter = parameter};
+const struct feature parallel_feature = {.name = "parallel",
+                                         .progress = progress_line,
+                                         .parameters = (const struct parameter *const[]){&threads, NULL}};

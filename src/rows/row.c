@@ -391,25 +391,17 @@ static const struct domq_effect floor_effect = {
                   .usual = (domq_real)0.5}},
 };
 
-/* The effects 'row', which may come from a file, and whose dominoes may have been changed, and 'floor'. */
-static const struct parameter *parameter(int k)
-{
-    static const struct parameter row = {.name = "row",
-                                         .value = domq_effect_row.argument,
-                                         .effect = &domq_effect_row,
-                                         .which = DOM_EFFECT_row,
-                                         .words = effect_words,
-                                         .example = "set row 13; fall; set row off",
-                                         .load = rowfile_load};
-    static const struct parameter floor = {.name = "floor",
-                                           .value = floor_effect.argument,
-                                           .effect = &floor_effect,
-                                           .number = &floor_number,
-                                           .words = effect_words,
-                                           .example =
-                                               "set row 5; set floor 0.4; fall; set floor off; set row off",
-                                           .to = 3};
-    return k == 0 ? &row : k == 1 ? &floor : NULL;
-}
+static const struct parameter row_parameter = {.effect = &domq_effect_row,
+                                               .which = DOM_EFFECT_row,
+                                               .example = "set row 13; fall; set row off",
+                                               .load = rowfile_load},
+                              floor_parameter = {
+                                  .effect = &floor_effect,
+                                  .number = &floor_number,
+                                  .example = "set row 5; set floor 0.4; fall; set floor off; set row off",
+                                  .to = 3};
 
-const struct feature rows_feature = {.name = "rows", .groups = groups, .parameter = parameter};
+const struct feature rows_feature = {
+    .name = "rows",
+    .groups = groups,
+    .parameters = (const struct parameter *const[]){&row_parameter, &floor_parameter, NULL}};

@@ -7,16 +7,26 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 
-/* Writes the commands that set all parameters to their current values. `folder` is the directory of the
- * script, or NULL. */
+/* Writes the commands that set all parameters to their current values, each after those that decide whether
+ * it is accepted. `folder` is the directory of the script, or NULL. */
 static bool parameters_save(const struct state *state, const char *folder, FILE *out, struct problem *problem)
 {
-    const struct parameter *p;
-    for (int k = 0; (p = parameter_in_order(state, k)) != NULL; k++)
-        if (!effect_slot(state, p))
-            fprintf(out, "set %s %s\n", p->name, parameter_setting(state, p, WIDE_DIGITS));
-        else if (!state->scene.slot->kind->save(&state->scene, folder, out, problem))
-            return false;
+    /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so those
+     * that need others, and not just a row, are the first. Effects that are on come last. A parameter that
+     * takes only words, such as 'precision', comes before those that take numbers, because the range of tol
+     * depends on the precision. */
+    const unsigned alone = 1U << DOM_EFFECT_row;
+    for (int rank = 0; rank <= 5; rank++)
+        for (const struct parameter *p = session_parameters; p->name; p++) {
+            const int at = !p->effect                              ? (p->words_only ? p->setting ? 2 : 3 : 4)
+                           : state->scene.effect[p->which].on      ? 5
+                           : p->needs || p->effect->needs & ~alone ? 0
+                                                                   : 1;
+            if (at == rank && !effect_slot(state, p))
+                fprintf(out, "set %s %s\n", p->name, parameter_setting(state, p, WIDE_DIGITS));
+            else if (at == rank && !state->scene.slot->kind->save(&state->scene, folder, out, problem))
+                return false;
+        }
     return true;
 }
 

@@ -190,23 +190,17 @@ static bool run_redo(struct session *session, const struct arguments *given, str
 
 static bool run_reset(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct arguments *given = query->given;
+    const struct question *q = query->given->question;
     struct state *next = query->next;
-    const struct parameter *p;
-    bool done = true;
     (void)a;
-    if (given->question->variable) {
-        variable_drop(&next->variables, given->word[0]);
-        return true;
-    }
-    for (int k = 0; (p = parameter_in_order(next, k)) != NULL; k++) {
-        domq_real value = parameter_fallback(next, p);
-        if (given->question->parameter ? p == given->question->parameter : !p->setting && !p->effect)
-            done = parameter_set(next, p, &value, 1, NULL, problem) && done;
-    }
-    if (!given->question->parameter)
-        effects_reset(&next->scene);
-    return done;
+    if (q->variable)
+        variable_drop(&next->variables, query->given->word[0]);
+    else if (!q->parameter)
+        scene_reset(&next->scene);
+    else
+        return parameter_set(next, q->parameter, &(domq_real){parameter_fallback(next, q->parameter)}, 1,
+                             NULL, problem);
+    return true;
 }
 
 static bool run_quit(struct session *session, const struct arguments *given, struct answer *a,

@@ -178,7 +178,7 @@ struct feature {
     /* Runs a command in place of command_answer, which it calls; at most one feature does */
     bool (*compute)(const struct command *command, const struct query *query, struct answer *answer,
                     struct problem *problem);
-    const struct parameter *(*parameter)(int k); /* its effects, from k = 0; NULL after the last one */
+    const struct parameter *const *parameters; /* the last one is NULL */
     /* Names that have values in expressions, unless 'let' defines the same name. The function returns the
      * longest of them with which a text begins, its end in the text and its value, or NULL. The command with
      * the name of the feature explains them. */

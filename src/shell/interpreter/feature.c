@@ -28,7 +28,6 @@ bool command_compute(const struct command *c, const struct query *query, struct 
 
 void features_register(const struct feature *const *list)
 {
-    const struct parameter *p;
     size_t count = 0;
     features = list;
     every_count = named_count = 0;
@@ -36,9 +35,9 @@ void features_register(const struct feature *const *list)
     parameters_begin();
     for (int needs = 0; needs <= 1; needs++) /* parameters that need an effect come after it */
         for (const struct feature *const *f = features; *f; f++)
-            for (int k = 0; (*f)->parameter && (p = (*f)->parameter(k)) != NULL; k++)
-                if ((p->needs != NULL) == needs)
-                    parameters_add(p);
+            for (const struct parameter *const *p = (*f)->parameters; p && *p; p++)
+                if (((*p)->needs != NULL) == needs)
+                    parameters_add(*p);
     for (const struct feature *const *f = features; *f; f++) {
         for (int k = 0; (*f)->names && named_count < NAMED_MOST && (*f)->names(NULL, k); k++)
             named[named_count++] = (*f)->names(NULL, k);

@@ -91,7 +91,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define MORE_air .example = "set density 650; set air on; rmax 0.4; set air off", RANGE(0, 5),
 #define MORE_drag .example = "set density 650; set air on; set drag 2; rmax 0.4; set drag off; set air off", RANGE(0.5, 3),
 #define MORE_push .share = SHARE_push, .example = "set push 3; rmax 0.4; set push off", RANGE(0, 30),
-#define MORE_release .example = "set release 20 deg; rmax 0.4; set release off", RANGE(0, 1.5),
+#define MORE_release .words = release_words, .example = "set release 20 deg; rmax 0.4; set release off", RANGE(0, 1.5),
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
 /* The first members of an entry: the name, and the meaning, the offset and the description of the value. */
 #define ENTRY(name_, member, unit_, meaning_, ...) \
@@ -104,15 +104,11 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define COMPUTE_NUMBER(...) NUMBER(scene.compute, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scene.scale, __VA_ARGS__)
 #define DYNAMICS(name, member, status) EFFECT(name)
-#define EFFECT(name_) \
-    {.name = #name_, MORE_##name_ .value = domq_effect_##name_.argument, .effect = &domq_effect_##name_, \
-     .which = DOM_EFFECT_##name_, \
-     .words = (int)DOM_EFFECT_##name_ == (int)DOM_EFFECT_release ? release_words : effect_words},
+#define EFFECT(name_) {MORE_##name_ .effect = &domq_effect_##name_, .which = DOM_EFFECT_##name_},
 
-const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON}, {NULL, 0}};
-
-static const struct word release_words[] = {
-    {"off", EFFECT_OFF}, {"on", EFFECT_ON}, {"touch", RELEASE_TOUCH}, {NULL, 0}};
+static const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON}, {NULL, 0}},
+                         release_words[] = {
+                             {"off", EFFECT_OFF}, {"on", EFFECT_ON}, {"touch", RELEASE_TOUCH}, {NULL, 0}};
 
 static const struct parameter every_parameter[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
@@ -146,7 +142,6 @@ static const struct parameter every_parameter[] = {
     DOM_DYNAMICS(DYNAMICS)
     EFFECT(push) /* and 'row', which a feature adds */
     EFFECT(release)
-    {.name = NULL},
 };
 /* clang-format on */
 
@@ -198,32 +193,17 @@ static bool effect_check(const struct state *state, const struct parameter *p, d
     return value == EFFECT_OFF || effect_check_needs(&state->scene, p->which, problem);
 }
 
-/* An effect is a parameter whose texts are in its description. */
-static struct parameter complete(const struct parameter *p)
-{
-    struct parameter whole = *p;
-    if (p->effect) {
-        whole.meaning = p->effect->adds;
-        whole.help = p->effect->help;
-        whole.synonyms = p->effect->synonyms;
-        whole.check = effect_check;
-        whole.offset = offsetof(struct state, scene.effect) + (size_t)p->which * sizeof(struct effect_state) +
-                       offsetof(struct effect_state, value);
-    }
-    return whole;
-}
-
 void parameters_begin(void)
 {
     effect_count = DOM_EFFECT_COUNT;
     end = built;
-    for (const struct parameter *p = every_parameter; p->name; p++)
-        *end++ = complete(p);
-    end->name = NULL;
+    for (size_t k = 0; k < sizeof every_parameter / sizeof *every_parameter; k++)
+        parameters_add(&every_parameter[k]);
 }
 
 void parameters_add(const struct parameter *p)
 {
+    const struct domq_effect *effect = p->effect;
     struct parameter added = *p;
     if (p->number) {
         effects[effect_count] = p;
@@ -231,10 +211,22 @@ void parameters_add(const struct parameter *p)
     }
     if ((p->needs && !parameter_find(p->needs)) || end == built + PARAMETERS_MOST - 1)
         return;
+    if (effect) {
+        added.name = effect->name;
+        added.value = effect->argument;
+        added.meaning = effect->adds;
+        added.help = effect->help;
+        added.synonyms = effect->synonyms;
+        added.words = p->words ? p->words : effect_words;
+        added.check = effect_check;
+        added.offset = offsetof(struct state, scene.effect) +
+                       (size_t)added.which * sizeof(struct effect_state) +
+                       offsetof(struct effect_state, value);
+    }
     /* effects come last, in the order of their numbers */
     struct parameter *at = end++;
-    for (; at > built && at[-1].effect && (!p->effect || at[-1].which > added.which); at--)
+    for (; at > built && at[-1].effect && (!effect || at[-1].which > added.which); at--)
         *at = at[-1];
-    *at = complete(&added);
+    *at = added;
     end->name = NULL;
 }

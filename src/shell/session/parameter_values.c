@@ -221,25 +221,6 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     return true;
 }
 
-const struct parameter *parameter_in_order(const struct state *state, int k)
-{
-    /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so those
-     * that need others, and not just a row, are the first. Effects that are on come last. A parameter that
-     * takes only words, such as 'precision', comes before those that take numbers, because the range of tol
-     * depends on the precision. */
-    const unsigned alone = 1U << DOM_EFFECT_row;
-    for (int rank = 0; rank <= 5; rank++)
-        for (const struct parameter *p = session_parameters; p->name; p++) {
-            const int at = !p->effect                              ? (p->words_only ? p->setting ? 2 : 3 : 4)
-                           : state->scene.effect[p->which].on      ? 5
-                           : p->needs || p->effect->needs & ~alone ? 0
-                                                                   : 1;
-            if (at == rank && k-- == 0)
-                return p;
-        }
-    return NULL;
-}
-
 const char *parameter_word(const struct parameter *p, domq_real value)
 {
     for (const struct word *w = p->words; w && w->name; w++)

@@ -17,11 +17,12 @@ struct word {
     domq_real value;
 };
 
+/* An effect has its name, value, meaning, help, synonyms and words in its description, and `check` and
+ * `offset` are those of all effects: an entry leaves them out. */
 struct parameter {
     const char *name;
     /* the description of the value; for an effect, an array with a description of each value */
     const struct domq_effect_argument *value;
-    /* An effect has these three texts in its description, from which they are copied. */
     const char *meaning;              /* a short phrase */
     const char *help;                 /* the text that 'help' shows; may be NULL */
     const char *synonyms;             /* other words for the parameter, separated by blanks; may be NULL */
@@ -45,7 +46,7 @@ struct parameter {
     const char *example; /* commands that demonstrate an effect; may be NULL */
     /* the usual range, which 'solve' searches unless another is given; 0 and 0 if there is none */
     double from, to;
-    size_t offset; /* the offset of the value in struct state; effects leave it out */
+    size_t offset; /* the offset of the value in struct state */
 
     /* Hooks; each may be NULL. */
     /* Checks whether a value fits the other parameters. The value is known to be in the range of the
@@ -62,9 +63,6 @@ struct parameter {
 
 /* The parameters of this build in the order of 'show', followed by the effects. The last name is NULL. */
 extern const struct parameter *session_parameters;
-
-/* The words that every effect takes: off and on. */
-extern const struct word effect_words[];
 
 /* Returns true if `effect` cannot be on without the effect `other`, which is not 'row'. */
 bool effect_needs(int effect, int other);
@@ -195,10 +193,6 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
  * On failure, sets *problem, changes nothing and returns false. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    const struct typed_length *length, struct problem *problem);
-
-/* Returns parameter k, counted from 0, in the order in which 'reset' and a saved script must set them: each
- * after those that decide whether it is accepted. Returns NULL after the last one. */
-const struct parameter *parameter_in_order(const struct state *state, int k);
 
 /* ---- Effects ---- */
 

@@ -72,12 +72,6 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
         return problem_no_answer(problem,
                                  "'set air' needs the mass of the dominoes; first enter, for example, "
                                  "'set density 650 kg/m^3'");
-    if (status == DOM_NO_AIR)
-        return problem_no_answer(
-            problem, "%s; enter 'set q solid', or ask about %s or 'rowmax'", dom_status_text(status),
-            scene->effect[DOM_EFFECT_row].on ? "the row: 'fall'" : "a row: 'set row 20; fall'");
-    if (status == DOM_NO_FUEL)
-        return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
     const domq_real above = scene_boxes_above(scene);
     if (status == DOM_NO_ROOM && above > 0)
         return problem_no_answer(
@@ -88,11 +82,12 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
             measured(scene_walls(scene), "m", 4).text, measured(2 * above, "m", 4).text);
     if (status == DOM_NO_ROOM)
         return problem_no_room(problem, scene, 0, t->d * scene->scale.h);
-    if (status == DOM_OPEN)
-        return problem_no_answer(problem, "%s; try a slightly different s", dom_status_text(status));
-    if (status == DOM_TOO_LONG)
-        return problem_no_answer(problem, "%s; use a larger s, d or tol", dom_status_text(status));
-    return problem_no_answer(problem, "%s", dom_status_text(status));
+    return problem_no_answer(problem, "%s%s", dom_status_text(status),
+                             status == DOM_NO_AIR     ? "; enter 'set q solid', or ask about a row"
+                             : status == DOM_NO_FUEL  ? "; 'why' says more"
+                             : status == DOM_OPEN     ? "; try a slightly different s"
+                             : status == DOM_TOO_LONG ? "; use a larger s, d or tol"
+                                                      : "");
 }
 
 /* ---- The row ---- */

@@ -10,17 +10,14 @@
 
 void state_init(struct state *state)
 {
-    *state = (struct state){.scene = {.train = domq_train_default(),
-                                      .compute = any_compute_default(),
-                                      .scale = domq_scale_default(),
-                                      .seed = SEED_DEFAULT},
-                            .settings = {.style = {.digits = DIGITS_DEFAULT, .header = true}}};
-    effects_reset(&state->scene);
+    *state = (struct state){.settings = {.style = {.digits = DIGITS_DEFAULT, .header = true}}};
+    scene_reset(&state->scene);
 }
 
 void state_close(struct state *state)
 {
-    effects_reset(&state->scene);
+    slot_drop(state->scene.slot);
+    state->scene.slot = NULL;
     variables_free(&state->variables);
 }
 
@@ -45,14 +42,17 @@ void effects_apply(struct scene *scene)
     }
 }
 
-void effects_reset(struct scene *scene)
+void scene_reset(struct scene *scene)
 {
-    for (int k = 0; k < EFFECTS_MOST; k++)
-        scene->effect[k] = (struct effect_state){.value[0] = EFFECT_OFF};
-    scene->length[SHARE_walls] = scene->length[SHARE_edges] = scene->length[SHARE_push] =
-        (struct typed_length){.m = 0};
+    const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
     slot_drop(scene->slot);
-    scene->slot = NULL;
+    *scene = (struct scene){.train = domq_train_default(),
+                            .compute = any_compute_default(),
+                            .scale = domq_scale_default(),
+                            .seed = SEED_DEFAULT};
+    scene->compute.interrupt = interrupt;
+    for (int k = 0; k < EFFECTS_MOST; k++)
+        scene->effect[k].value[0] = EFFECT_OFF;
     effects_apply(scene);
 }
 

@@ -109,8 +109,8 @@ void state_init(struct state *state);
 
 void state_close(struct state *state);
 
-/* Turns all effects off and empties the slot. */
-void effects_reset(struct scene *scene);
+/* Sets the parameters of the scene to their defaults, turns all effects off and empties the slot. */
+void scene_reset(struct scene *scene);
 
 /* Returns false if no length and no speed has been given. This costs a sweep less than to look at each of
  * them. */
