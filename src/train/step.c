@@ -20,7 +20,6 @@ const struct walk *walk_now(const struct query *query)
 /* The place that a walk has reached, among the events of the cycle. */
 struct place {
     struct walk walk;
-    struct any_compute compute; /* the options of the session, with a tolerance for the sentences */
     struct domq_event event[DOM_EVENTS_MAX];
     int count;               /* the number of events; 0 if there is no fuel */
     enum dom_status verdict; /* DOM_OK, DOM_STOPS or DOM_NO_FUEL */
@@ -69,40 +68,6 @@ static void event_say(const struct query *query, struct answer *a, const struct 
     answer_detail(a, "%s", detail[e->kind]);
 }
 
-/* Prints the energies of the cycle as a sum: before - lost + gained - rubbed = kinetic. The loss is written
- * so that the sum of the printed numbers is exact. */
-static void ledger_say(struct answer *a, const struct place *p, const struct domq_state *s,
-                       const struct walk_units *u)
-{
-    const domq_real open = s->before - s->lost - s->climbed - s->friction_work - s->kinetic;
-    if (quad(fabs)(open) > 100 * p->compute.tol * (s->before + quad(fabs)(s->climbed))) {
-        answer_say(a,
-                   "The energies are out of balance by %.4g %s, because the paper's closed form of "
-                   "the fuel does not follow from the energy balance.",
-                   (double)(open * u->energy), u->energy_unit);
-        return;
-    }
-    const double unit = (double)u->energy, before = (double)s->before * unit;
-    const int decimals = (int)fmax(0, 4 - floor(log10(before))); /* five digits of the first number */
-    const double step = pow(10, decimals), gained = round(-(double)s->climbed * unit * step) / step,
-                 rubbed = round((double)s->friction_work * unit * step) / step,
-                 kinetic = round((double)s->kinetic * unit * step) / step;
-    if (!(before > 0) || decimals > 15)
-        return;
-    char change[64] = "", loss[64] = "";
-    if (gained != 0)
-        snprintf(change, sizeof change, " %c %.*f", gained < 0 ? '-' : '+', decimals, fabs(gained));
-    if (rubbed != 0)
-        snprintf(loss, sizeof loss, " - %.*f", decimals, rubbed);
-    answer_say(a, "Kinetic energy, before - lost%s%s: %.*f - %.*f%s%s = %.*f %s.",
-               gained < 0   ? " - climbed"
-               : gained > 0 ? " + gained"
-                            : "",
-               *loss ? " - rubbed" : "", decimals, before, decimals,
-               round(before * step) / step + gained - rubbed - kinetic, change, loss, decimals, kinetic,
-               u->energy_unit);
-}
-
 static const struct column walk_columns[] = {
     {"cycle", "", "number of the cycle, from 1", 0},
     {"event", "", "the last event", 6},
@@ -125,19 +90,15 @@ static bool place_find(const struct query *query, struct answer *a, struct probl
                        bool *begun)
 {
     const struct walk *walk = walk_now(query);
-    const struct any_compute *compute = query_compute(query);
-    *p = (struct place){.compute = *compute};
-    /* The digits of the sentences have to be right whatever the session's tolerance. */
-    p->compute.tol = quad_smaller(compute->tol,
-                                  quad_larger(any_arithmetic(compute->precision).tol_floor, (domq_real)1e-9));
-    p->verdict = any_cycle_events(&query->scene->train, &p->compute, p->event, &p->count);
+    *p = (struct place){.count = 0};
+    p->verdict = any_cycle_events(&query->scene->train, query_compute(query), p->event, &p->count);
     if (p->verdict != DOM_OK && p->verdict != DOM_STOPS && p->verdict != DOM_NO_FUEL)
         return query_status(query, problem, p->verdict);
     *begun = !walk || walk->event >= p->count;
     p->walk = *begun ? (struct walk){.train = query->scene->train, .cycle = 1} : *walk;
     if (*begun && query->walk->cycle > 0)
         answer_say(a, "The parameters have changed, so the steps begin again at the launch.");
-    if (!p->walk.is_between) /* a smaller tolerance finds the event a little elsewhere */
+    if (!p->walk.is_between) /* another tolerance finds the event a little elsewhere */
         p->walk.theta = p->event[p->walk.event].theta;
     return true;
 }
@@ -153,10 +114,12 @@ static bool place_answer(const struct query *query, struct answer *a, struct pro
     if (p->verdict == DOM_NO_FUEL)
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},
                           verdict_reason(p->verdict));
-    if (!query_status(query, problem, any_cycle_state(&query->scene->train, &p->compute, w->theta, s)))
+    if (!query_status(query, problem,
+                      any_cycle_state(&query->scene->train, query_compute(query), w->theta, s)))
         return false;
     event_say(query, a, p, s);
-    ledger_say(a, p, s, u);
+    if (w->cycle > 1 && !(scene_mass(query->scene) > 0))
+        answer_detail(a, "Energies are in units of m g h / 2 of the first head.");
     walk_columns_in(query, a);
     return answer_cells(a, cell_count(w->cycle), cell_word(dom_event_text(p->event[w->event].kind)),
                         cell_real(s->theta), cell_computed(s->time * u->tau), cell_omega(s->omegasq, u->tau),
@@ -273,7 +236,7 @@ static const char *event_names(const void *context, int k)
 }
 
 #define WALK_COMMAND                                                                                         \
-    TRAIN_COMMAND, .in_joules = scene_has_mass, .brief = "theta t omega", .columns = walk_columns
+    TRAIN_COMMAND, .in_joules = scene_has_mass, .brief = "theta t omega kinetic", .columns = walk_columns
 
 const struct command walk_commands[] = {
     {.name = "step",
@@ -283,7 +246,7 @@ const struct command walk_commands[] = {
      .summary = "go to the next event, and explain what happens there",
      .equation = "(2; a2) (21; c3) (22; c4) (24; c6) (25; c7) (26; c8) (41; A17)",
      .help = "The first 'step' goes to the launch of the first cycle. The hit begins the next cycle, whose "
-             "dominoes are larger and fall more slowly. The table shows the energy balance: before - lost "
+             "dominoes are larger and fall more slowly. 'details' shows the energy balance: before - lost "
              "+ gained = kinetic. With losses in motion, 'rubbed' is subtracted as well.",
      .example = "step; step",
      .see = "cycle why",

@@ -46,7 +46,6 @@ struct walk_units {
     domq_real tau;    /* unit of time, in s */
     /* m g h / 2 of the head, in J if a mass is known */
     domq_real energy;
-    const char *energy_unit;
 };
 
 /* Cycles are numbered from 1. */

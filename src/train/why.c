@@ -23,14 +23,10 @@ struct walk_units walk_units(const struct query *query, int cycle)
               heavier = quad(pow)(grown, t->q);
     struct domq_scale scale = query->scene->scale;
     scale.h *= grown;
-    bool known = mass > 0;
     return (struct walk_units){
         .height = scale.h,
         .tau = domq_scale_tau(&scale, t),
-        .energy = known ? heavier * mass * scale.g * query->scene->scale.h / 2 : heavier,
-        .energy_unit = known       ? "J"
-                       : cycle > 1 ? "mgh/2 of the first head"
-                                   : "mgh/2",
+        .energy = mass > 0 ? heavier * mass * scale.g * query->scene->scale.h / 2 : heavier,
     };
 }
 
