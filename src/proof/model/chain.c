@@ -207,9 +207,13 @@ static struct span power_of(double x, double q)
 {
     const double rest = q - floor(q); /* exact, like 2 rest */
     struct span power = one, square = span_of(x);
-    for (double n = floor(q); n > 0; n = floor(n / 2), square = span_product(square, square))
+    double n = floor(q);
+    while (n > 0) {
         if (fmod(n, 2) > 0)
             power = span_product(power, square);
+        square = span_product(square, square);
+        n = floor(n / 2);
+    }
     return rest > 0 ? span_product(power, span_sqrt(power_of(x, 2 * rest))) : power;
 }
 

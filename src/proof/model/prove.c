@@ -34,7 +34,7 @@ struct proof {
 /* Sums end when their remainders are at most this large. */
 static const double REST = 1e-17;
 
-enum { BOXES_MOST = 200000, DEEPEST = 48, PER_STRIP = 400, PER_WIDE_STRIP = 64 };
+enum { BOXES_MOST = 200000, DEEPEST = 48, PER_STRIP = 400, PER_WIDE_STRIP = 64, BRACKETS_MOST = 200 };
 
 /* ---- An interval of growths ---- */
 
@@ -306,7 +306,7 @@ static enum outcome limit_prove(struct proof *proof, struct dom_proof *found)
     }
     found->from = proof->done;
     outcome = range_prove(proof, end, FIRST_STRIP, LAST_STRIP * proof->done, true);
-    while (outcome == OUTCOME_REFUTED) {
+    for (int tries = 0; tries < BRACKETS_MOST && outcome == OUTCOME_REFUTED; tries++) {
         const double width = proof->stop - proof->done;
         outcome = bracket_prove(proof, found);
         if (found->ends == DOM_PROVED_BARRIER)
