@@ -103,8 +103,8 @@ struct dom_fall {
 
 struct dom_verdict {
     enum dom_row_end end;
-    size_t
-        domino; /* the last domino that was hit; if the status is DOM_BAD_..., the one with the bad value */
+    /* the last domino that was hit; if the status is DOM_BAD_..., the one with the bad value */
+    size_t domino;
     /* the missing energy in J: > 0 for DOM_ROW_STOPS and DOM_ROW_BACK, infinite if friction locks the row */
     dom_real short_by;
     dom_real seconds; /* until all dominoes lie on the floor, or until the last hit; NaN without times */
@@ -222,9 +222,9 @@ struct dom_moment {
 
 /* Runs a row and visits its state at `count` times in s, in ascending order. For a time after the end of the
  * motion, such as INFINITY, visit gets the final state and the time at which the row reached it. A domino
- * that detaches keeps its tilt from then on. The status is
- * DOM_BAD_TIME if the times are negative or not in order, and DOM_NO_MARGIN if the row comes so close to a
- * stop that later times cannot be computed. Other statuses are those of dom_row_run. */
+ * that detaches keeps its tilt from then on. The status is DOM_BAD_TIME if the times are negative or not in
+ * order, and DOM_NO_MARGIN if the row comes so close to a stop that later times cannot be computed. Other
+ * statuses are those of dom_row_run. */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
                               const double *times, size_t count, dom_moment_visit *visit, void *context,

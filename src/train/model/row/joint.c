@@ -19,13 +19,6 @@ KERNEL real row_lean(const struct dom_row *row, size_t k)
     return k == 0 && row_releases(row) ? 0 : (real)row->domino[k].lean;
 }
 
-/* Returns the width of domino k divided by its height. */
-static real row_width(const struct dom_row *row, size_t k)
-{
-    const struct dom_domino *domino = &row->domino[k];
-    return domino->width > 0 ? (real)(domino->width / domino->height) : (real)1 / 2;
-}
-
 /* Returns the thickness of domino k divided by its height. */
 static real row_thickness(const struct dom_row *row, size_t k)
 {
@@ -124,13 +117,14 @@ static struct tilt row_end(const struct dom_row *row, size_t k, const struct geo
 KERNEL_SHARED enum dom_status row_geometry(struct row *row, size_t k)
 {
     const struct dom_row *given = &row->given;
+    const struct dom_domino *self = &given->domino[k];
     struct geometry *geometry = &row->geometry[k];
     *geometry = (struct geometry){.tol = (real)row->compute.tol,
                                   .flow = row->geometry[0].flow,
                                   .interrupt = row->compute.interrupt,
                                   .work = row->compute.work,
                                   .d = row_thickness(given, k),
-                                  .width = row_width(given, k),
+                                  .width = self->width > 0 ? (real)(self->width / self->height) : (real)1 / 2,
                                   .inertia_factor = 1,
                                   .lean = row_lean(given, k),
                                   .short_of = 1,
@@ -176,27 +170,6 @@ KERNEL_SHARED enum dom_status row_domino_check(const struct dom_row *row, size_t
                                                                  : DOM_OK;
 }
 
-/* Checks the settings and all dominoes. If a domino is bad, sets *wrong to its number. */
-static enum dom_status row_check(const struct dom_row *row, const struct dom_compute *compute, size_t *wrong)
-{
-#define ROW_VALUE(effect, member, status) row->member,
-    const dom_real effect[] = {DOM_DYNAMICS(ROW_VALUE)}, push = row->push, tol = compute->tol;
-#undef ROW_VALUE
-    enum dom_status status = !positive(row->g)                                             ? DOM_BAD_G
-                             : !(tol >= dom_arithmetic()->tol_floor && (double)tol <= 0.1) ? DOM_BAD_TOL
-                             : !isnan(push) && !(push >= 0 && isfinite(push))              ? DOM_BAD_PUSH
-                             : !(row->release >= 0)                                        ? DOM_BAD_RELEASE
-                                                    : dynamics_check(effect);
-    for (size_t k = 0; status == DOM_OK && k < row->count; k++) {
-        if (k % CHECK_EVERY == 0 && dom_interrupted(compute->interrupt))
-            return DOM_INTERRUPTED;
-        status = row_domino_check(row, k);
-        if (status != DOM_OK)
-            *wrong = k + 1;
-    }
-    return status;
-}
-
 KERNEL bool row_repeats(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *a = &row->domino[k], *b = a - 1;
@@ -206,9 +179,23 @@ KERNEL bool row_repeats(const struct dom_row *row, size_t k)
 
 KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
 {
+#define VALUE(effect, member, status) given->member,
     const struct dom_row *given = &row->given;
+    const dom_real effect[] = {DOM_DYNAMICS(VALUE)}, push = given->push, tol = row->compute.tol;
+#undef VALUE
     size_t count = given->count;
-    enum dom_status status = row_check(given, &row->compute, wrong);
+    enum dom_status status = !positive(given->g)                                           ? DOM_BAD_G
+                             : !(tol >= dom_arithmetic()->tol_floor && (double)tol <= 0.1) ? DOM_BAD_TOL
+                             : !isnan(push) && !(push >= 0 && isfinite(push))              ? DOM_BAD_PUSH
+                             : !(given->release >= 0)                                      ? DOM_BAD_RELEASE
+                                                      : dynamics_check(effect);
+    for (size_t k = 0; status == DOM_OK && k < count; k++) {
+        if (k % CHECK_EVERY == 0 && dom_interrupted(row->compute.interrupt))
+            return DOM_INTERRUPTED;
+        status = row_domino_check(given, k);
+        if (status != DOM_OK)
+            *wrong = k + 1;
+    }
     while (status == DOM_OK && count > 1 && row_repeats(given, count - 1))
         count--;
     for (row->made = 0; row->made < count && status == DOM_OK; row->made++) {
