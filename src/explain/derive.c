@@ -183,7 +183,10 @@ static const char *words_of(struct derivation *d, const struct derived *q)
     else
         n = snprintf(words, sizeof words, "%s; with rounded edges the contact is found by iteration",
                      q->words);
-    return ends ? arena_text(&d->arena, words, (size_t)n) : q->words;
+    char *copy = ends ? arena_take(&d->arena, (size_t)n + 1) : NULL;
+    if (copy)
+        memcpy(copy, words, (size_t)n);
+    return ends ? copy : q->words;
 }
 
 /* Adds a step for this quantity, without its value. Returns NULL on failure. */

@@ -167,12 +167,6 @@ void *arena_take(struct arena *arena, size_t size)
     return memset(bytes, 0, size);
 }
 
-char *arena_text(struct arena *arena, const char *text, size_t length)
-{
-    char *copy = arena_take(arena, length + 1);
-    return copy ? memcpy(copy, text, length) : NULL;
-}
-
 void arena_free(struct arena *arena)
 {
     while (arena->block) {

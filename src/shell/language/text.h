@@ -72,8 +72,5 @@ struct arena {
 /* Returns zeroed memory that is aligned for any type, or NULL if memory runs out. */
 void *arena_take(struct arena *arena, size_t size);
 
-/* Returns a NUL-terminated copy of the first `length` bytes of a string, or NULL if memory runs out. */
-char *arena_text(struct arena *arena, const char *text, size_t length);
-
 /* Frees all memory of the arena. The arena is then empty and can be used again. */
 void arena_free(struct arena *arena);
