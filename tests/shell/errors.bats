@@ -40,6 +40,7 @@ END
 END
     all_wrong <<'END'
 8|set s -1e5000|^set: s.*too large
+7|print 1e4930 km|^print: VALUE at '1e4930': this number is too large
 13|set h 1e4900/1e-90|^set: h.*not a finite number
 8|set s 1/0|^set: s.*division by zero
 7|set q wooden|^set: .*q.*'wooden'

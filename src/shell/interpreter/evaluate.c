@@ -23,7 +23,7 @@ bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quan
 {
     if (!t->compute)
         return expression_wrong(e->problem, t->at, "'%s' has no value in a csv file", t->name);
-    return t->compute(e, t, q) && is_valid(e, t->at, q);
+    return t->compute(e, t, q) && (t->compute == number_value || is_valid(e, t->at, q));
 }
 
 bool arguments_evaluate(struct evaluation *e, const struct tree *t,

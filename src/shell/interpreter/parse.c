@@ -97,7 +97,10 @@ static struct tree *parse_unit(struct reader *r, struct tree *value)
     r->at = stop;
     if (is_plain_number(value)) {
         unit_scan(c, &value->value);
-        return value;
+        if (isfinite(value->value.value))
+            return value;
+        r->at = value->at;
+        return parse_fail(r, "this number is too large");
     }
     struct tree *factor = make_node(r, number_value, c);
     if (factor)
