@@ -7,36 +7,52 @@
  * smooth than an integrand. */
 enum { N = LINEAR_ORDER, N_EQUATION = REAL_BITS <= 64 && LINEAR_ORDER > 24 ? 24 : LINEAR_ORDER, N_ROUGH = 7 };
 
-/* Finds the series of n terms from n values at the Chebyshev nodes of the first kind. */
-static void series_of(const real *node, const real *value, int n, real *series)
+/* Returns the sum of the first n terms of a Chebyshev series at x, by Clenshaw's recurrence. */
+static real series_at(const real *series, int n, real x)
 {
-    for (int k = 0; k < n; k++)
-        series[k] = 0;
+    real b = 0, before = 0;
+    for (int k = n - 1; k > 0; k--) {
+        real next = 2 * x * b - before + series[k];
+        before = b;
+        b = next;
+    }
+    return x * b - before + series[0];
+}
+
+/*
+ * Finds the series of a function from n values at the Chebyshev nodes of the first kind, and integrates it.
+ * The integral equals `start` at the left end of the panel, whose width is 2 half. Its series has one term
+ * more. *error receives its error, estimated from the last three terms of the function.
+ *
+ * Returns false if the function has not converged: if these terms exceed the tolerance. They never get
+ * smaller than `noise`, the error of the values, and a few rounding errors. So a tolerance below this level
+ * is raised to it.
+ */
+static bool series_integrate(const real *node, const real *value, int n, real half, real start, real tol,
+                             real noise, real *integral, real *error)
+{
+    real series[N + 2] = {0}, size = 0, at_left = 0;
     for (int j = 0; j < n; j++) {
-        real x = node[j], T = 1, before = x,
-             part = value[j] * 2 / (real)n; /* `before` is T_(k-1), and T_-1 = T_1 = x */
+        real x = node[j], T = 1, before = x; /* `before` is T_(k-1), and T_-1 = T_1 = x */
         for (int k = 0; k < n; k++) {
-            series[k] += part * T;
+            series[k] += value[j] * 2 / (real)n * T;
             real next = 2 * x * T - before;
             before = T;
             T = next;
         }
     }
     series[0] /= 2;
-}
-
-/*
- * Returns true if the series has converged: its last three terms are below the tolerance. Stores the largest
- * of these terms in *last_terms. Terms never get smaller than the noise of the values and a few rounding
- * errors. So a tolerance below this level is raised to it.
- */
-static bool series_converged(const real *series, int n, real tol, real noise, real *last_terms)
-{
-    real size = 0;
-    *last_terms = fmax(fabs(series[n - 1]), fmax(fabs(series[n - 2]), fabs(series[n - 3])));
     for (int k = 0; k < n; k++)
         size = fmax(size, fabs(series[k]));
-    return *last_terms <= fmax(fmax(tol, 2 * (real)n * REAL_EPSILON) * size, noise);
+    const real last = fmax(fabs(series[n - 1]), fmax(fabs(series[n - 2]), fabs(series[n - 3])));
+    for (int k = 1; k <= n; k++) {
+        real below = k == 1 ? 2 * series[0] : series[k - 1];
+        integral[k] = half * (below - series[k + 1]) / (2 * (real)k);
+        at_left += k % 2 ? -integral[k] : integral[k];
+    }
+    integral[0] = start - at_left;
+    *error = half * last;
+    return last <= fmax(fmax(tol, 2 * (real)n * REAL_EPSILON) * size, noise);
 }
 
 /*
@@ -48,7 +64,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
                        real tol, struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {
     const real half = (panel->hi - panel->lo) / 2, middle = panel->lo + half;
-    real p[N], c[N], series[N], p_noise = 0, c_noise = 0, largest = 0, shrunk = 0, of_p = 0, of_c;
+    real p[N], c[N], p_noise = 0, c_noise = 0, shrunk = 1, ln_G_error = 0, v_error;
     panel->terms = n + 1;
     for (int j = 0; j < n; j++) {
         struct num_rate rate = {0};
@@ -64,27 +80,21 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
     if (s->integral)
         memset(panel->ln_G, 0, sizeof panel->ln_G);
     else {
-        series_of(node, p, n, series);
         /* The solution contains exp(ln G). So where ln G hardly changes, an absolute tolerance is enough. */
-        for (int k = 0; k < n; k++)
-            largest = fmax(largest, fabs(series[k]));
-        if (!series_converged(series, n, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, p_noise,
-                              &of_p))
+        if (!series_integrate(node, p, n, half, ln_G, tol, fmax(p_noise, tol / half), panel->ln_G,
+                              &ln_G_error))
             return false;
-        series_integral(series, n, half, ln_G, panel->ln_G);
+        shrunk = 0;
         for (int j = 0; j < n; j++) {
             const real by = exp(-series_at(panel->ln_G, n + 1, node[j]));
             c[j] *= by; /* c / G */
             shrunk = fmax(shrunk, by);
         }
-        c_noise *= shrunk;
     }
-    series_of(node, c, n, series);
-    if (!series_converged(series, n, tol, c_noise, &of_c))
+    if (!series_integrate(node, c, n, half, v, tol, c_noise * shrunk, panel->v, &v_error))
         return false;
-    series_integral(series, n, half, v, panel->v);
-    s->ln_G_error += half * of_p;
-    s->v_error += half * of_c;
+    s->ln_G_error += ln_G_error;
+    s->v_error += v_error;
     return true;
 }
 

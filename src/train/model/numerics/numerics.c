@@ -82,27 +82,3 @@ KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real
     }
     return NUM_NOT_CONVERGED;
 }
-
-/* ---- Chebyshev series ---- */
-
-KERNEL real series_at(const real *series, int n, real x)
-{
-    real b = 0, before = 0;
-    for (int k = n - 1; k > 0; k--) {
-        real next = 2 * x * b - before + series[k];
-        before = b;
-        b = next;
-    }
-    return x * b - before + series[0];
-}
-
-KERNEL void series_integral(const real *series, int n, real half, real start, real *integral)
-{
-    real at_left = 0;
-    for (int k = 1; k <= n; k++) {
-        real below = k == 1 ? 2 * series[0] : series[k - 1], above = k + 1 < n ? series[k + 1] : 0;
-        integral[k] = half * (below - above) / (2 * (real)k);
-        at_left += k % 2 ? -integral[k] : integral[k];
-    }
-    integral[0] = start - at_left;
-}

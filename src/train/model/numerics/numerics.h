@@ -35,13 +35,6 @@ KERNEL enum num_status num_root_between(num_function *f, void *context, real lo,
 KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real middle, real hi, real tol,
                                    real *x);
 
-/* Returns the sum of the first n terms of a Chebyshev series at x, by Clenshaw's recurrence. */
-KERNEL real series_at(const real *series, int n, real x);
-
-/* Integrates a Chebyshev series of n terms and multiplies the integral by `half`. The result has one term
- * more. Its constant term is chosen so that the result equals `start` at x = -1. */
-KERNEL void series_integral(const real *series, int n, real half, real start, real *integral);
-
 /* ---- Linear differential equations ---- */
 
 /*
