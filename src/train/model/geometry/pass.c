@@ -245,8 +245,8 @@ KERNEL_LOOP real energy_left(const struct geometry *geometry, struct tilt now, c
  *
  * Every term of R is proportional to the difference between a and b, so D is accurate even if this difference
  * is tiny. The stored turns of a and b could give D by a subtraction, but digits would cancel. Only the term
- * 2 tan(D/2) - D, called `excess`, is computed from that subtraction, by a power series unless D is large. If
- * D is small, this term is about D^3/12, so its error does not matter.
+ * 2 tan(D/2) - D, called `excess`, is computed from that subtraction. If D is small, this term is about
+ * D^3/12, so its error does not matter.
  */
 KERNEL_LOOP struct apart apart_next(const struct link *a, const struct link *b, struct apart apart)
 {
@@ -254,12 +254,7 @@ KERNEL_LOOP struct apart apart_next(const struct link *a, const struct link *b, 
     const struct rounded *of = &geometry->rounded;
     struct tilt A = a->tilt, B = b->tilt;
     real by = apart.by, t = apart.t, sines = t * (A.x + B.x), cosines = t * (A.y + B.y);
-    real D = a->turn.angle - b->turn.angle, square = D * D;
-    real excess = square * square * square * square * square > 65536 * ROUNDOFF
-                      ? 2 * tan(D / 2) - D
-                      : D * square * ((real)1 / 12) *
-                            (1 + square * ((real)1 / 10) *
-                                     (1 + square * ((real)17 / 168) * (1 + square * ((real)31 / 306))));
+    real D = a->turn.angle - b->turn.angle, excess = 2 * tan(D / 2) - D;
     real more = of->rho - of->rho_1, c = of->rho_1 * A.y,
          R = more * (sines - cosines + by * A.y - b->theta * sines) +
              sines * (of->rho_1 * b->turn.angle - geometry->L);
