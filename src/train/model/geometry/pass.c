@@ -2,7 +2,7 @@
 /*
  * The passes down a chain. Each pass visits the dominoes from the head down. There is one set of passes:
  * `rolls` says whether the edges are rounded. It is a constant in every call below. The step from a domino to
- * its follower is link_next (geometry/link.h).
+ * its follower is link_next.
  */
 #include "geometry/chain.h"
 
