@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "planning/model/shape.h"
-#include "numerics/decimal.h"
 #include "numerics/real.h"
 #include "rows/model/boxes.h"
+#include "search/search.h"
 #include <string.h>
 
 /* Limits of a gap, as fractions of the height of the domino before it. */

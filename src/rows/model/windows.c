@@ -3,7 +3,6 @@
  * large. The window of a gap is the range of gaps at which all dominoes fall, if nothing else in the row
  * changes. The position, the height, the thickness and the lean of a domino have windows too, and so does the
  * friction. If a row does not fall, its windows say which change of one value mends it. */
-#include "numerics/decimal.h"
 #include "rows/model/boxes.h"
 #include "rows/model/study.h"
 #include "search/search.h"

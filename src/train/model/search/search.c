@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "search/search.h"
-#include "numerics/decimal.h"
 #include "numerics/real.h"
 
 /* ---- An edge ---- */
