@@ -11,17 +11,6 @@ static domq_real argument_or(const struct arguments *call, int i, domq_real fall
     return i < call->count ? call->number[i] : fallback;
 }
 
-/* Writes why no growth is possible. Returns NULL if one is. */
-static const char *no_growth(const struct domq_limit *limit, char reason[START_TEXT])
-{
-    if (limit->ends != DOM_END_NONE)
-        return NULL;
-    snprintf(reason, START_TEXT, "no growth possible: even with equal dominoes (r = 1), %s%s",
-             verdict_reason(limit->why),
-             limit->why == DOM_OUT_OF_REACH ? ", because the edges are so round; use a smaller s" : "");
-    return reason;
-}
-
 enum dom_status limits_find(struct domq_train train, const struct any_compute *compute,
                             struct domq_limit *exact, struct domq_limit *paper)
 {
@@ -84,9 +73,12 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     const struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct start_growths growths = {.r_max = DOMQ_NAN};
     char reason[START_TEXT] = "";
-    if (no_growth(&used, reason))
+    if (used.ends == DOM_END_NONE) {
         answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.");
-    else
+        snprintf(reason, START_TEXT, "no growth possible: even with equal dominoes (r = 1), %s%s",
+                 verdict_reason(used.why),
+                 used.why == DOM_OUT_OF_REACH ? ", because the edges are so round; use a smaller s" : "");
+    } else
         answer_say(a,
                    "With gaps of %.6g times the height, %s can each be %s times as large as the one before. "
                    "With more growth %s.",

@@ -168,7 +168,7 @@ static bool walk_go(const struct query *query, struct answer *a, struct problem 
 {
     struct place p;
     struct walk *w = &p.walk;
-    bool begun;
+    bool begun = false;
     if (!place_find(query, a, problem, &p, &begun))
         return false;
     if (p.verdict == DOM_NO_FUEL)
