@@ -275,7 +275,7 @@ const char *parameter_setting_write(const struct state *state, const struct para
     snprintf(setting, PARAMETER_SETTING, "%s",
              is_length ? length_write(length->m, length->unit, text)
                        : parameter_text(p, 0, first, digits, text));
-    for (int i = 1; !is_off && (a = parameter_argument(p, i)) != NULL; i++) {
+    for (int i = 1; !is_off && parameter_argument(p, i); i++) {
         bool is_usual = true; /* this value and all after it may be left out */
         for (int k = i; (a = parameter_argument(p, k)) != NULL; k++)
             is_usual = is_usual && a->optional && value[k] == a->usual;
