@@ -208,33 +208,12 @@ static bool dominoes_check(const struct row_change *change, size_t count, bool g
     return true;
 }
 
-/* Returns true if there is a row into whose dominoes the walls fit. */
-static bool walls_fit(const struct scene *scene, struct problem *problem)
+/* Gives the scene an edited row. */
+static void edit_end(struct scene *scene, struct listed_row *next)
 {
-    struct scene_row row;
-    if (!scene_row_list(scene, &row, problem))
-        return false;
-    const bool fit = scene_walls_fit(scene, &row, problem);
-    free(row.domino);
-    return fit;
-}
-
-/* Gives the scene an edited row if `good` is true. The walls must fit into its dominoes, unless they did not
- * fit before: one edit need not mend all dominoes. If the scene does not get the edited row, frees it and
- * returns false. */
-static bool edit_end(struct scene *scene, struct listed_row *next, bool good, struct problem *problem)
-{
-    struct problem ignored = {.kind = PROBLEM_NONE};
-    struct slot *before = scene->slot;
-    const bool fitted = good && walls_fit(scene, &ignored);
+    slot_drop(scene->slot);
     scene->slot = &next->slot;
-    good = good && (!fitted || walls_fit(scene, problem));
-    if (good)
-        scene_apply_lengths(scene);
-    else
-        scene->slot = before;
-    slot_drop(good ? before : &next->slot);
-    return good;
+    scene_apply_lengths(scene);
 }
 
 /* ---- Change ---- */
@@ -297,7 +276,10 @@ bool run_change(const struct query *query, struct answer *a, struct problem *pro
             good = domino_change(scene, change, &row, k, row_measure_at(&next->change[k].to, change->measure),
                                  problem) &&
                    (!dom_raised(scene->compute.interrupt) || problem_status(problem, scene, DOM_INTERRUPTED));
-    good = next && edit_end(scene, next, good, problem);
+    if (good)
+        edit_end(scene, next);
+    else if (next)
+        slot_drop(&next->slot);
     if (good && answer_for_people(a) && !query->run_context->sourced)
         good = change_say(query, a, change, &row, problem);
     free(row.domino);
@@ -344,7 +326,8 @@ bool scene_row_set(struct scene *scene, const struct domq_domino *to, size_t cou
             domino_set(&next->change[k], &now.domino[k], to[k], sizes,
                        masses ? now.domino[0].mass / to[0].mass : 0);
         free(now.domino);
-        good = good && edit_end(scene, next, true, problem);
+        if (good)
+            edit_end(scene, next);
     }
     return good;
 }
@@ -370,11 +353,11 @@ bool run_remove(const struct query *query, struct answer *a, struct problem *pro
             next->change[kept++] = next->change[k];
     next->changes = kept;
     next->change->to.gap = DOMQ_NAN;
-    if (!edit_end(scene, next,
-                  kept > 0 || problem_error(problem, "a row has at least one domino; 'set row off' removes "
-                                                     "the row"),
-                  problem))
-        return false;
+    if (kept == 0) {
+        slot_drop(&next->slot);
+        return problem_error(problem, "a row has at least one domino; 'set row off' removes the row");
+    }
+    edit_end(scene, next);
     if (answer_for_people(a) && !query->run_context->sourced)
         answer_say(a, "%zu domino%s removed; the row has %zu.", count - kept, count - kept == 1 ? "" : "es",
                    kept);
@@ -418,8 +401,7 @@ bool run_insert(const struct query *query, struct answer *a, struct problem *pro
         to[1].to.gap = gap;
     to->to.gap = DOMQ_NAN;
     next->changes = count + 1;
-    if (!edit_end(scene, next, true, problem))
-        return false;
+    edit_end(scene, next);
     if (answer_for_people(a) && !query->run_context->sourced)
         answer_say(a, "domino %zu: %s tall and %s thick; the row has %zu.", k,
                    measured(copied.height, "m", 4).text, measured(copied.thickness, "m", 4).text, count + 1);

@@ -54,9 +54,10 @@ static void origins_fill(const struct scene *scene, struct domq_domino *domino, 
 static void domino_complete(const struct scene *scene, struct domq_domino *d)
 {
     const struct row_file *file = row_of(scene)->file;
+    const domq_real width = scene->length[SHARE_width].m;
     const bool has_width = d->width > 0;
     if (!has_width)
-        d->width = scene_width(scene, d->height);
+        d->width = width > 0 ? width : scene->train.width * d->height;
     if (file && file->from_volumes) /* with the width that the file gives, or with half the height */
         d->mass *= (has_width ? 1 : d->width / (d->height / 2)) * scene_filled(scene, d);
     else if (!file && scene_boxes_above(scene) > 0)

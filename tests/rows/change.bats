@@ -86,7 +86,7 @@ change 2 mass 20 g|the masses of this row are not known; enter the mass of its f
 change 2 gap -20 cm|domino 2: gap = -0.1712 m is negative
 END
     wrong 'change 2 gap 1 cm' 'there is no row'
-    wrong 'effect row 3; set walls 1 mm; change 2 thickness 1 mm' 'walls of 1 mm do not fit into domino 2'
+    wrong 'effect row 3; set walls 1 mm; change 2 thickness 1 mm; verdict' 'walls of 1 mm do not fit into domino 2'
 }
 
 @test "change takes a range with '-', ':' or '..'" {

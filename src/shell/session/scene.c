@@ -64,12 +64,6 @@ domq_real scene_filled(const struct scene *scene, const struct domq_domino *d)
                                                                                                 : 1;
 }
 
-domq_real scene_width(const struct scene *scene, domq_real height)
-{
-    const domq_real length = scene->length[SHARE_width].m;
-    return length > 0 ? length : scene->train.width * height;
-}
-
 domq_real scene_first_mass(const struct scene *scene, const struct domq_domino *d)
 {
     return scene->mass > 0 ? scene->mass

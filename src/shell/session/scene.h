@@ -148,9 +148,6 @@ static inline domq_real scene_boxes_above(const struct scene *scene)
 /* Returns the fraction of a domino's volume that its walls fill: 1 for a solid domino. */
 domq_real scene_filled(const struct scene *scene, const struct domq_domino *domino);
 
-/* Returns the width in m of a domino of a row from a file that gives no width. */
-domq_real scene_width(const struct scene *scene, domq_real height);
-
 /* Returns the mass in kg of a domino that is the first one of the row, or 0 if the mass is not known. */
 domq_real scene_first_mass(const struct scene *scene, const struct domq_domino *domino);
 
