@@ -21,10 +21,10 @@
  * The minimizer uses only the signs of the slopes. Each variable moves by a step of its own against the sign
  * of its slope. The step grows while the sign stays the same, and is halved when the sign changes (Rprop,
  * Riedmiller and Braun, 1993). So neither second derivatives nor searches along a line are needed. For eleven
- * dominoes, 2.9 % of rows still fail with errors of gaps, and 5.1 % with errors of four kinds. In trials, BFGS
- * left 2.8 % and 5.1 %, and of the methods of NLopt, BOBYQA 4.2 % and 5.2 %, SLSQP, in less than half the
- * time, 5.9 % and 5.4 %, and COBYLA, in more than twice the time, 7.8 % and 5.1 %. Cross-entropy with 40
- * candidates left 9.3 % and 7.5 % after three of the four levels.
+ * dominoes, 2.9 % of rows still fail with errors of gaps, and 5.1 % with errors of four kinds. In trials,
+ * BFGS left 2.8 % and 5.1 %, and of the methods of NLopt, BOBYQA 4.2 % and 5.2 %, SLSQP, in less than half
+ * the time, 5.9 % and 5.4 %, and COBYLA, in more than twice the time, 7.8 % and 5.1 %. Cross-entropy with 40
+ * candidates left 6.1 % with errors of gaps.
  */
 #include "chance/model/draw.h"
 #include "numerics/real.h"
