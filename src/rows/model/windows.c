@@ -91,17 +91,6 @@ static struct range range_of(const struct trial *t)
     return (struct range){fmin(least * (1 + STANDS_SHORT), d->thickness), HEIGHT_MULTIPLE * d->thickness};
 }
 
-static void place_set(struct trial *t, struct dom_domino *d, double value)
-{
-    const double by = value - t->place;
-    d->gap = fmax(d->gap + by, 0);
-    /* rounding must not put the gap out of reach of the previous domino */
-    if (fabs(d->gap - d[-1].height) < 4 * DBL_EPSILON * value)
-        d->gap = d[-1].height;
-    if (t->k + 1 < t->row.count)
-        d[1].gap = fmax(d[1].gap - by, 0);
-}
-
 /* Returns where the value that is changed is stored. */
 static double *value_at(struct trial *t, struct dom_domino *d)
 {
@@ -121,16 +110,21 @@ static double value_now(struct trial *t)
 static void value_set(struct trial *t, struct dom_domino *d, double value)
 {
     const struct dom_domino before = *d;
-    double *const at = value_at(t, d);
-    if (t->of == DOM_WINDOW_PLACE)
-        place_set(t, d, value);
-    else if (t->of == DOM_WINDOW_HEIGHT || t->of == DOM_WINDOW_THICKNESS) {
-        const double by = value / *at;
-        d->width = width_of(d);
+    double *const at = value_at(t, d), by = value - *at, times = value / *at;
+    if (t->of != DOM_WINDOW_PLACE)
         *at = value;
-        d->mass *= wood_factor(&t->row, &before, d, by);
-    } else
-        *at = value;
+    if (t->of == DOM_WINDOW_HEIGHT || t->of == DOM_WINDOW_THICKNESS) {
+        d->width = width_of(&before);
+        d->mass *= wood_factor(&t->row, &before, d, times);
+    }
+    if (t->of == DOM_WINDOW_PLACE) {
+        d->gap = fmax(d->gap + by, 0);
+        /* rounding must not put the gap out of reach of the previous domino */
+        if (fabs(d->gap - d[-1].height) < 4 * DBL_EPSILON * value)
+            d->gap = d[-1].height;
+        if (t->k + 1 < t->row.count)
+            d[1].gap = fmax(d[1].gap - by, 0);
+    }
 }
 
 /* An edge_test. Sets the value, runs the row, and then restores the row. */
@@ -160,7 +154,7 @@ static bool falls_with(double value, double *spare, void *context)
     return t->status == DOM_OK && v.end == DOM_ROW_FALLS;
 }
 
-/* ---- A walk, and a search for each edge ---- */
+/* ---- A walk to an edge ---- */
 
 /* Values are rounded to VALUE_DIGITS after the first digit, which makes them short enough to type, and STEPS
  * values are tried in each direction. An engine takes about a thousand times as long for each value, and its
@@ -172,64 +166,39 @@ static double value_digit(const struct trial *t, double value)
     return digit_of(fabs(value), t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
-/* Returns value number i of a walk. The values are close together near `from`, and farther apart towards
- * `end`. For an engine, they have few digits. */
-static double value_step(const struct trial *t, double from, double end, int i, int steps)
+/* Rounds a value to its digits, but not beyond `one` or `other`. */
+static double value_rounded(const struct trial *t, double value, double one, double other)
 {
-    const double part = (double)i / (double)steps, x = from + (end - from) * part * part * part;
-    if (!t->row.engine || x == end)
-        return x;
-    const double digit = value_digit(t, x), rounded = multiple_of(round(x / digit), digit);
-    return fmin(fmax(rounded, fmin(from, end)), fmax(from, end));
+    const double digit = value_digit(t, value), rounded = multiple_of(round(value / digit), digit);
+    return value == 0 ? 0 : fmin(fmax(rounded, fmin(one, other)), fmax(one, other));
 }
 
-/* Searches for the edge between two values. All dominoes must fall at the value `good`, but not at the value
- * `bad`. */
-static double value_edge(struct trial *t, double good, double bad)
-{
-    return edge_find(falls_with, t, good, &bad, value_digit(t, fmax(fabs(good), fabs(bad))), 0);
-}
-
-/* A band of values at which all dominoes fall. A walk from a value begins it at `from` and ends it at `to`.
+/*
+ * Walks from a value towards `end` until the verdict changes. `falls` tells whether all dominoes fall at
+ * `from`. The first step is a single digit, and the others are close together near `from`, and farther apart
+ * towards `end`. Returns the value at the change, with which all dominoes fall. If there is no change,
+ * returns `end` if all dominoes fall there, and NaN otherwise.
  */
-struct band {
-    bool found;
-    double from, to;
-};
-
-/* Walks from the value `from` towards `end`. If all dominoes fall at `from` (`falls` is true), the band
- * begins there. Otherwise the walk looks for the first band on its way. */
-static struct band walk(struct trial *t, double from, double end, bool falls)
+static double edge_towards(struct trial *t, double from, double end, bool falls)
 {
-    struct band band = {.found = falls, .from = from, .to = end};
-    double last = from, spare;
     const int steps = t->row.engine ? STEPS_OF_ENGINE : STEPS;
-    for (int i = 1; i <= steps && last != end && t->status == DOM_OK; i++) {
-        const double x = value_step(t, from, end, i, steps);
-        const bool good = x == last ? band.found : falls_with(x, &spare, t);
-        if (good && !band.found) {
-            band.from = value_edge(t, x, last);
-            band.found = true;
-        } else if (!good && band.found) {
-            band.to = value_edge(t, last, x);
-            break;
+    const double range = end - from, digit = value_digit(t, from != 0 ? from : end);
+    double last = from, spare;
+    for (int i = 0; i <= steps && last != end && t->status == DOM_OK; i++) {
+        const double part = fmax(digit / fabs(range), pow((double)i / steps, 3)),
+                     near = part < 1 ? from + range * part : end,
+                     x = t->row.engine && part < 1 ? value_rounded(t, near, from, end) : near;
+        if (x != last && falls_with(x, &spare, t) != falls) {
+            double bad = falls ? x : last;
+            const double size = fmax(fabs(x), fabs(last));
+            return edge_find(falls_with, t, falls ? last : x, &bad, value_digit(t, size), 0);
         }
         last = x;
     }
-    band.found = band.found && t->status == DOM_OK;
-    return band;
+    return falls ? end : DOM_NAN;
 }
 
 /* ---- Windows ---- */
-
-/* Finds the window around the current value. All dominoes must fall at the current value. */
-static void window_around(struct trial *t, struct dom_window *w)
-{
-    const struct range range = range_of(t);
-    /* Rounding to a few digits must not move an edge past the current value. */
-    w->low = fmin(walk(t, w->now, range.lowest, true).to, w->now);
-    w->high = fmax(walk(t, w->now, range.highest, true).to, w->now);
-}
 
 /* Returns true if domino k and its two neighbours equal domino k - 1 and its two neighbours. Then the window
  * of domino k nearly equals the window of domino k - 1. */
@@ -244,35 +213,25 @@ static bool is_repeated(const struct dom_row *row, size_t k)
     return equal;
 }
 
-/* Looks for an edge near `guess`. The search steps from there towards the edge, each step eight times as long
- * as the one before, until the edge lies between two trials. */
-static double edge_near(struct trial *t, double guess, double end)
+/* Returns an end of the window around the value `now`, at which all dominoes fall. The search begins near
+ * `guess`. */
+static double end_find(struct trial *t, double now, double guess, double end)
 {
-    const double now = value_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
-    const double first = fmin(fmax(multiple_of(round(guess / digit), digit), fmin(now, end)), fmax(now, end));
-    double good = first, bad = first, spare, step = end < now ? -digit : digit;
-    if (falls_with(first, &spare, t))
-        for (; good == bad && good != end; step *= 8) {
-            bad = fabs(end - good) < fabs(step) ? end : good + step;
-            good = falls_with(bad, &spare, t) ? bad : good;
-        }
-    else
-        for (; good == bad && good != now; step *= 8) {
-            good = fabs(good - now) < fabs(step) ? now : bad - step;
-            bad = falls_with(good, &spare, t) ? bad : good;
-        }
-    /* If both are equal, all dominoes fall even at the end of the range. */
-    return good == bad ? good : value_edge(t, good, bad);
+    double spare;
+    const double from = guess == now ? now : value_rounded(t, guess, now, end);
+    return from == now || falls_with(from, &spare, t) ? edge_towards(t, from, end, true)
+                                                      : edge_towards(t, from, now, false);
 }
 
-/* Finds the window of a domino that equals the previous domino. To save time, the search looks first near the
- * edges of the previous domino's window, *last. */
-static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
+/* For a row that falls, finds the window around the current value. `last` is the window of the previous
+ * domino if this domino equals it, or NULL. */
+static void window_around(struct trial *t, const struct dom_window *last, struct dom_window *w)
 {
     const struct range range = range_of(t);
-    const double by = w->now - last->now;
-    w->low = fmin(edge_near(t, last->low + by, range.lowest), w->now);
-    w->high = fmax(edge_near(t, last->high + by, range.highest), w->now);
+    const double by = last ? w->now - last->now : 0;
+    /* Rounding to a few digits must not move an edge past the current value. */
+    w->low = fmin(end_find(t, w->now, last ? last->low + by : w->now, range.lowest), w->now);
+    w->high = fmax(end_find(t, w->now, last ? last->high + by : w->now, range.highest), w->now);
 }
 
 /* For a row that does not fall, finds the window nearest to the current value, if there is one. If the value
@@ -281,20 +240,19 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
-    struct band near;
-    double spare;
-    if (w->now > range.highest && falls_with(range.highest, &spare, t))
-        near = walk(t, range.highest, range.lowest, true);
-    else {
-        const struct band out = walk(t, w->now, range.highest, false);
-        near = walk(t, w->now, range.lowest, false);
-        if (!near.found || (out.found && fabs(out.from - w->now) < fabs(w->now - near.from)))
-            near = out;
+    double spare, near = range.highest, end = range.lowest;
+    if (!(w->now > near && falls_with(near, &spare, t))) {
+        const double above = edge_towards(t, w->now, range.highest, false),
+                     below = edge_towards(t, w->now, range.lowest, false);
+        const bool up = fabs(above - w->now) < fabs(w->now - below) || isnan(below);
+        near = up ? above : below;
+        end = up ? range.highest : range.lowest;
     }
-    if (!near.found)
+    if (isnan(near))
         return;
-    w->low = fmin(near.from, near.to);
-    w->high = fmax(near.from, near.to);
+    const double far = edge_towards(t, near, end, true);
+    w->low = fmin(near, far);
+    w->high = fmax(near, far);
 }
 
 /* If a row does not fall, only this many dominoes before the one that is not hit have windows. Dominoes that
@@ -332,10 +290,8 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
             t.place += t.domino[t.k - 1].thickness + t.domino[t.k].gap;
         struct dom_window w = {
             .domino = one ? 0 : t.k + 1, .now = value_now(&t), .low = DOM_NAN, .high = DOM_NAN};
-        if (falls && t.k > first && is_repeated(row, t.k))
-            window_repeat(&t, &windows[t.k - first - 1], &w);
-        else if (falls)
-            window_around(&t, &w);
+        if (falls)
+            window_around(&t, t.k > first && is_repeated(row, t.k) ? &windows[t.k - first - 1] : NULL, &w);
         else if (matters(of, t.k, &planned))
             window_beside(&t, &w);
         windows[t.k - first] = w;
