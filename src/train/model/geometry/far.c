@@ -75,7 +75,8 @@ static real far_from(const struct geometry *geometry, real z)
     return geometry->inf.v - 2 * z * (geometry->inf.x - geometry->inf.y * z) / (1 + z * z);
 }
 
-/* Returns (z / radius)^order, the size of the omitted terms of a series compared with its value. */
+/* Returns (z / radius)^order. Multiplied by rest_H or rest_J, it bounds the omitted terms of dH/dz or of J.
+ */
 static real far_share(const struct far *far, real z)
 {
     const real square = (z / far->radius) * (z / far->radius);
@@ -137,6 +138,14 @@ KERNEL void far_make(struct geometry *geometry, int passes)
         far_multiply(power, f, j, n);
     }
     far->radius = far_radius(geometry);
+    far->rest_H = 0;
+    far->rest_J = 1; /* J[0] is at least 1 */
+    real scale = 1;
+    for (int k = 1; k <= n; k++) {
+        far->rest_H = fmax(far->rest_H, fabs(H[k]) * scale);
+        scale *= far->radius;
+        far->rest_J = fmax(far->rest_J, fabs(J[k]) * scale);
+    }
     /* from one domino to the next, z shrinks by the factor `slope`, and the omitted terms by slope^n decay */
     far->power = log(slope) / ((real)n * log(slope) + log(geometry->decay));
     const real first = half_of_tilt(geometry->inf), share = far_share(far, first);
@@ -144,12 +153,11 @@ KERNEL void far_make(struct geometry *geometry, int passes)
         geometry, fmin(first * pow(share / (TAIL_SHARE * geometry->tol), -far->power), far->radius / 2));
 }
 
-/* Returns by which factor the omitted terms of a series are too large: the fraction `share` of its value
- * `tail`. They are compared with the sum that includes `tail`, because `tail` may cancel most of it. */
-static real far_excess(const struct series *s, real tail, real share, real tol)
+/* Returns by which factor the bound `rest` on the omitted terms of a series is too large. It is compared with
+ * the sum that includes the value `tail` of the series, because `tail` may cancel most of the sum. */
+static real far_excess(const struct series *s, real tail, real rest, real tol)
 {
-    return fabs(tail) * share /
-           (TAIL_SHARE * fmax(tol * fabs(s->sum + tail), ROUNDOFF * (s->size + fabs(tail))));
+    return fabs(rest) / (TAIL_SHARE * fmax(tol * fabs(s->sum + tail), ROUNDOFF * (s->size + fabs(tail))));
 }
 
 KERNEL real far_find(const struct geometry *geometry, struct far_tail *tail, struct sum_state sum)
@@ -175,9 +183,11 @@ KERNEL real far_find(const struct geometry *geometry, struct far_tail *tail, str
     tail->H2 = tail->weight * one / 2 *
                (slope * slope * (one * second + z_a * first) - tail->second_derivative * first);
     tail->J = tail->inertia * slope * slope * one * one * J;
-    const real share = far_share(far, z);
-    real excess = fmax(far_excess(&sum.dH, tail->dH, share, tol), far_excess(&sum.J, tail->J, share, tol));
+    const real share = far_share(far, z), rest_H = tail->weight * far->rest_H * share,
+               rest_J = tail->inertia * slope * slope * far->rest_J * share;
+    real excess =
+        fmax(far_excess(&sum.dH, tail->dH, rest_H * tail->t, tol), far_excess(&sum.J, tail->J, rest_J, tol));
     if (sum.H1.size > 0) /* H1 is needed */
-        excess = fmax(excess, far_excess(&sum.H1, tail->H1, share, tol));
+        excess = fmax(excess, far_excess(&sum.H1, tail->H1, rest_H * slope / 2, tol));
     return excess > 1 ? far_from(geometry, z * pow(2 * excess, -far->power)) : 0;
 }

@@ -28,7 +28,7 @@ enum { FAR_FIRST = 4, FAR_ORDER = 20 };
 struct far {
     int order; /* the order of both series, which is even; 0 if there are no series */
     real from; /* the series are probably accurate enough where 1 - cos theta >= from */
-    real radius;
+    real radius, rest_H, rest_J;
     real power; /* omitted terms decrease by x while z decreases by x^power, and the pass goes on */
     real H[FAR_ORDER + 1], J[FAR_ORDER + 1];
 };
