@@ -188,48 +188,6 @@ KERNEL_SHARED bool flow_rough(const struct geometry *geometry, real hi)
            num_linear_solve(flow_rate, &c, 0, hi, (real)INFINITY, &geometry->flow->solution) == NUM_OK;
 }
 
-/* If the motion stops soon after lo, a long piece would have panels that are too wide to locate the stop. So
- * this function solves a short piece that contains the stop and lowers *hi to the end of the short piece. */
-static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
-                                     real *hi)
-{
-    struct equation_of_motion equation = {.n = 0};
-    real ln_G, u, omegasq = start->omegasq, J0 = geometry->flow->J0;
-    bool cut = false;
-    enum dom_status status = chain_equation(geometry, start->from, &equation);
-    flow_at(geometry, lo, &ln_G, &u);
-    const real slope = -2 * equation.C / (equation.A * exp(ln_G)); /* du/dtheta */
-    if (status != DOM_OK || !(slope > 0))
-        return status;
-    for (real close = lo + 4 * omegasq / slope; close < *hi && close > lo; close = lo + 4 * (close - lo)) {
-        cut = true;
-        status = flow_solve_piece(geometry, J0, lo, &close);
-        if (status != DOM_OK)
-            return status;
-        flow_at(geometry, close, &ln_G, &u);
-        if (u >= omegasq) {
-            *hi = close;
-            return DOM_OK;
-        }
-    }
-    /* The motion stops so late in this piece that the solution over the whole piece is accurate enough. */
-    return cut ? flow_solve_piece(geometry, J0, lo, hi) : DOM_OK;
-}
-
-KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,
-                                  const real edge[2], real *hi)
-{
-    real first = fmin(*hi, edge[1]), spent = first;
-    enum dom_status status = flow_spent_in(geometry, start, edge[0], &spent);
-    if (status != DOM_OK || spent < first || first == *hi) {
-        *hi = spent;
-        return status;
-    }
-    /* the motion continues beyond edge[1], so the flow of the whole cycle is needed again */
-    geometry->flow->solution.panels = 0;
-    return flow_solve(geometry);
-}
-
 /*
  * Finds the launch of a train whose cycles repeat, in place of (24; c6). Let w = tau^2 omega^2. A cycle
  * begins with the value w(0), and by the solution in dynamics.h it ends with w(theta_c) = G (w(0) - u). The

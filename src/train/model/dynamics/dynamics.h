@@ -167,11 +167,6 @@ KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J,
  * Returns false if friction may lock the motion. */
 KERNEL_SHARED bool flow_rough(const struct geometry *geometry, real hi);
 
-/* If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. The motion starts in a smooth
- * piece, which extends from edge[0] to edge[1]. */
-KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,
-                                  const real edge[2], real *hi);
-
 /* Finds ln G, unless it is NULL, and u at a tilt from the last solution. */
 KERNEL_SHARED void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u);
 

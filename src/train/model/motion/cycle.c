@@ -123,6 +123,10 @@ enum dom_status dom_cycle_duration(const struct dom_train *train, const struct d
 
 /* ---- Events ---- */
 
+/* The state at the tilt at which a follower detaches is that just after it has detached, whatever rounding does
+ * to the tilt. */
+#define DETACHED (64 * REAL_EPSILON)
+
 /* Lists the events of the motion in the order in which they happen. There are at most DOM_EVENTS_MAX. */
 static enum dom_status motion_events(const struct motion *m, struct dom_event *events, int *count)
 {
@@ -133,7 +137,7 @@ static enum dom_status motion_events(const struct motion *m, struct dom_event *e
     if (status != DOM_OK)
         return status;
     const real top = m->segment.barrier.theta_m > 0 ? m->segment.barrier.theta_m : m->end,
-               fall = leaves ? tilt_angle(leave) : m->end;
+               fall = leaves ? tilt_angle(leave) * (1 + DETACHED) : m->end;
     const struct dom_event passed[] = {{.kind = DOM_EVENT_TOP, .theta = top},
                                        {.kind = DOM_EVENT_DETACH, .theta = fall, .domino = domino}};
     int n = 0;
@@ -163,24 +167,6 @@ enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom
 
 /* ---- The state at a tilt ---- */
 
-/* If theta is the tilt at which a follower detaches, the follower counts as detached, even if rounding has
- * made theta slightly smaller. In that case, corrects *left, the energy change of the detached follower. */
-static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
-{
-    const real near = 4096 * REAL_EPSILON;
-    bool leaves;
-    struct tilt leave;
-    struct sums at;
-    enum dom_status status = chain_leave(geometry, &leaves, &leave, NULL);
-    real fall = leaves ? tilt_angle(leave) : 0;
-    if (status != DOM_OK || !leaves || *left != 0 || fabs(theta - fall) > near * fall)
-        return status;
-    status = chain_energy_at(geometry, fmin(fall * (1 + near), tilt_angle(geometry->c)), &at);
-    if (status == DOM_OK)
-        *left = at.left;
-    return status;
-}
-
 static enum dom_status motion_state(struct motion *m, real theta, struct dom_state *state)
 {
     const struct launch *launch = &m->launch;
@@ -195,8 +181,6 @@ static enum dom_status motion_state(struct motion *m, real theta, struct dom_sta
     theta = fmin(theta, m->end);
     if (status == DOM_OK)
         status = chain_change(geometry, standing, head, PASS_PLAIN, &at);
-    if (status == DOM_OK)
-        status = fallen_energy(geometry, theta, &at.left);
     if (status == DOM_OK)
         status = chain_acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)

@@ -101,18 +101,23 @@ static real segment_short(real theta, void *context)
 
 KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
 {
+    const struct geometry *geometry = &st->geometry;
     const real *edge = st->barrier.edge;
     real hi = st->barrier.theta_m, slope = 0;
     if (st->start.omegasq == 0 &&
-        (dynamics_slope(&st->geometry, st->start.from, false, &slope) != DOM_OK || slope >= 0)) {
+        (dynamics_slope(geometry, st->start.from, false, &slope) != DOM_OK || slope >= 0)) {
         *theta = st->lo;
         return DOM_OK;
     }
-    enum dom_status status =
-        st->geometry.conservative ? DOM_OK : flow_spent(&st->geometry, &st->start, edge, &hi);
-    if (status != DOM_OK)
-        return status;
-    enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
+    enum num_status solver = num_root(segment_short, st, edge[0], hi, geometry->tol / 8, theta);
+    /* The solution of the motion has the precision of the largest energy in a panel. For a stop soon after
+     * the start, a short solution has more digits. */
+    if (solver == NUM_OK && !geometry->conservative && *theta - edge[0] < (edge[1] - edge[0]) / 8) {
+        hi = edge[0] + 2 * (*theta - edge[0]);
+        st->status = flow_solve_piece(geometry, geometry->flow->J0, edge[0], &hi);
+        if (st->status == DOM_OK)
+            solver = num_root(segment_short, st, edge[0], hi, geometry->tol / 8, theta);
+    }
     /* Here the energy is just enough for the highest point, to within a rounding error. The row comes to rest
      * at this point. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
