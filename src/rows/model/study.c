@@ -308,14 +308,13 @@ static enum dom_status study_change(struct study *s, size_t first, size_t last, 
  * the row again, precisely. */
 static enum dom_status study_random(struct study *s, struct dom_verdict *verdict)
 {
-#define VALUE(effect, member, status) row->member,
     const struct dom_row *row = &s->row.given;
-    const dom_real effect[] = {DOM_DYNAMICS(VALUE)}, tol = s->row.compute.tol;
-#undef VALUE
+    const struct dom_train first = dynamics_of_domino(row, 0);
+    const dom_real tol = s->row.compute.tol;
     s->quick = true;
     for (size_t k = 0; k < row->count; k++)
         s->quick = s->quick && row->domino[k].lean == 0;
-    s->rough = s->quick && dynamics_dissipate(effect);
+    s->rough = s->quick && dom_dissipates(&first);
     s->row.compute.tol = s->rough && tol < (dom_real)ROUGH_TOL ? (dom_real)ROUGH_TOL : tol;
     enum dom_status status = row_read(&s->row, &verdict->domino);
     if (status == DOM_OK)

@@ -16,13 +16,6 @@
  */
 #include "effects/effects.h"
 
-static dom_real air_of_domino(const struct dom_row *row, size_t k)
-{
-    const struct dom_domino *d = &row->domino[k];
-    const dom_real width = d->width > 0 ? d->width : d->height / 2;
-    return row->air * d->height * d->thickness * width / d->mass;
-}
-
 static enum dom_status air_apply(struct geometry *geometry, real value)
 {
     if (geometry->n == CHAIN_ENDLESS && geometry->q != 4)
@@ -44,15 +37,11 @@ static enum dom_status air_apply(struct geometry *geometry, real value)
     return DOM_OK;
 }
 
-static const struct terms air_terms = {.apply = air_apply, .of_domino = air_of_domino};
-
 static enum dom_status drag_apply(struct geometry *geometry, real value)
 {
     geometry->drag *= value / AIR_COEFFICIENT;
     return DOM_OK;
 }
-
-static const struct terms drag_terms = {.apply = drag_apply};
 
 const struct dom_effect dom_effect_air = {
     .name = "air",

@@ -11,13 +11,6 @@
 #include "effects/effects.h"
 #include "geometry/chain.h"
 
-KERNEL dom_real edges_of_domino(const struct dom_row *row, size_t k)
-{
-    const struct dom_domino *domino = &row->domino[k];
-    dom_real rho = row->rho;
-    return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
-}
-
 /* Switches the effect on, with rho = value. */
 static enum dom_status edges_apply(struct geometry *geometry, real value)
 {
@@ -28,8 +21,6 @@ static enum dom_status edges_apply(struct geometry *geometry, real value)
                   (fabs(geometry->g.along) < of->wide * geometry->g.down && geometry->h.y > 0);
     return status == DOM_OK && !stands ? DOM_NO_STAND : status;
 }
-
-static const struct terms edges_terms = {.apply = edges_apply, .of_domino = edges_of_domino};
 
 const struct dom_effect dom_effect_edges = {
     .name = "edges",

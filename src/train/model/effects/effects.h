@@ -1,56 +1,37 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The effects, and the choice of the law of motion and of the potential energy for those that are on. The
- * values of the effects of DOM_DYNAMICS are in an array indexed by enum dom_effect_name.
- *
- * An effect of DOM_DYNAMICS has a file in this folder, which fills two tables, struct dom_effect and struct
- * terms; drag, the coefficient of the air, is in air.c. The other effects have a struct dom_effect in rows.c.
+ * The effects. An effect of DOM_DYNAMICS has a file in this folder, with a struct dom_effect and the function
+ * NAME_apply; drag, the coefficient of the air, is in air.c. The other effects have a struct dom_effect in
+ * rows.c.
  */
 #pragma once
 
 #include "dynamics/dynamics.h"
 
-/* What an effect adds to the law of motion. Each effect of DOM_DYNAMICS has such a table in its file. */
-struct terms {
-    /* Switches the effect on, with this value, for a train or for one domino of a row. The geometry has its
-     * d, and the effects before this one. */
-    enum dom_status (*apply)(struct geometry *geometry, real value);
-    /* Returns the value for domino k of a row, counted from 0, if the effect is on. NULL if all dominoes have
-     * the value of the row. */
-    dom_real (*of_domino)(const struct dom_row *row, size_t k);
-};
+/* friction_apply and so on switch an effect on, with this value, for a train or for one domino of a row. The
+ * geometry has its d, and the effects before this one. */
+#define APPLY_DECLARE(effect, member, status)                                                                \
+    static enum dom_status effect##_apply(struct geometry *geometry, real value);
+DOM_DYNAMICS(APPLY_DECLARE)
+#undef APPLY_DECLARE
 
-#define TERMS_DECLARE(effect, member, status) static const struct terms effect##_terms;
-DOM_DYNAMICS(TERMS_DECLARE)
-#undef TERMS_DECLARE
-
-/* The values of walls and edges, divided by the height, for domino k of a row. */
-KERNEL dom_real walls_of_domino(const struct dom_row *row, size_t k);
-KERNEL dom_real edges_of_domino(const struct dom_row *row, size_t k);
-
-/* Chooses the law of motion and the potential energy for the effects that are on. geometry->d must be set. */
-KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry);
-
-/* Finds the values of all effects for domino k of a row, counted from 0. */
-KERNEL void dynamics_of_domino(const struct dom_row *row, size_t k, dom_real effect[DOM_DYNAMICS_COUNT]);
+/* Returns domino k of a row, counted from 0, as one of a train: its d and its width, and its values of the
+ * effects, which are relative as in struct dom_train. */
+KERNEL_SHARED struct dom_train dynamics_of_domino(const struct dom_row *row, size_t k);
 
 /* Prepares the geometry and the law of motion. geometry_set must then set the separation and the growth. */
 KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct dom_compute *compute,
                                      struct geometry *geometry);
 
-/* Prepare the geometry and the law of motion, and set the separation and the growth. train_make also checks
- * the train. Call dynamics_begin before the law is used. */
-KERNEL enum dom_status dynamics_make(const struct dom_train *train, const struct dom_compute *compute,
-                                     struct geometry *geometry);
-KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
+/* Checks a train, prepares its geometry and the law of motion, and sets the separation and the growth.
+ * Computes to the tolerance `tol`, or if that is 0 to the tolerance of the caller. Call dynamics_begin before
+ * the law is used. */
+KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute, real tol,
                                   struct geometry *geometry);
 
 /* Returns DOM_OK, or the status of the first effect whose value is outside its range. 0 (off) is always
  * allowed. */
-KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT]);
-
-/* Returns true if one of the effects that are on takes energy from moving dominoes. */
-KERNEL_SHARED bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT]);
+KERNEL enum dom_status dynamics_check(const struct dom_train *train);
 
 /* ---- Moments of inertia ---- */
 
@@ -98,13 +79,4 @@ KERNEL inline bool walls_fit(real d, real walls)
 KERNEL inline real air_entrained(real d, real width, real air)
 {
     return PI * air * width / (4 * d * (1 + d * d));
-}
-
-/* Returns the moment of inertia of a domino relative to that of a solid block of the same size and mass. The
- * values of the effects are those of this domino. */
-KERNEL inline real inertia_factor(real d, real width, const dom_real effect[DOM_DYNAMICS_COUNT])
-{
-    const real walls = (real)effect[DOM_EFFECT_walls], air = (real)effect[DOM_EFFECT_air];
-    return (walls != 0 ? walls_box(d, width, walls).inertia : 1) +
-           (air != 0 ? air_entrained(d, width, air) : 0);
 }

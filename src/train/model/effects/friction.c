@@ -15,8 +15,6 @@ static enum dom_status friction_apply(struct geometry *geometry, real value)
     return DOM_OK;
 }
 
-static const struct terms friction_terms = {.apply = friction_apply};
-
 const struct dom_effect dom_effect_friction = {
     .name = "friction",
     .synonyms = "mu rub rough sandpaper slippery coefficient",

@@ -13,31 +13,19 @@ const struct dom_effect *dom_effect(enum dom_effect_name name)
     return name < DOM_EFFECT_COUNT ? effects[name] : NULL;
 }
 
-static const struct terms *const terms[] = {
-#define DYNAMICS_TERMS(effect, member, status) &effect##_terms,
-    DOM_DYNAMICS(DYNAMICS_TERMS)
-#undef DYNAMICS_TERMS
-};
-
-KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry)
+KERNEL_SHARED struct dom_train dynamics_of_domino(const struct dom_row *row, size_t k)
 {
-    enum dom_status status = DOM_OK;
-    geometry->conservative = true;
-    for (int i = 0; i < DOM_DYNAMICS_COUNT && status == DOM_OK; i++)
-        if (effect[i] != 0)
-            status = terms[i]->apply(geometry, (real)effect[i]);
-    return status;
-}
-
-KERNEL void dynamics_of_domino(const struct dom_row *row, size_t k, dom_real effect[DOM_DYNAMICS_COUNT])
-{
-/* without a loop, so that effects of which all dominoes have the same value cost nothing */
-#define DYNAMICS_VALUE(name, member, status)                                                                 \
-    effect[DOM_EFFECT_##name] = row->member;                                                                 \
-    if (name##_terms.of_domino && row->member != 0)                                                          \
-        effect[DOM_EFFECT_##name] = name##_terms.of_domino(row, k);
-    DOM_DYNAMICS(DYNAMICS_VALUE)
-#undef DYNAMICS_VALUE
+#define OF_ROW(effect, member, status) .member = row->member,
+    const struct dom_domino *self = &row->domino[k];
+    const dom_real height = self->height, width = self->width > 0 ? self->width : height / 2;
+    struct dom_train own = {DOM_DYNAMICS(OF_ROW).d = self->thickness / height, .q = 4,
+                            .width = width / height};
+#undef OF_ROW
+    own.walls = height > row->boxes_above ? row->walls / height : 0;
+    own.air = row->air * height * self->thickness * width / self->mass; /* the ratio of the densities */
+    if (row->rho != 0 && self->radius > 0)
+        own.rho = self->radius / height;
+    return own;
 }
 
 #define VALUE(effect, member, status) train->member,
@@ -45,15 +33,27 @@ KERNEL void dynamics_of_domino(const struct dom_row *row, size_t k, dom_real eff
 KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct dom_compute *compute,
                                      struct geometry *geometry)
 {
+#define APPLY(effect, member, status) effect##_apply,
+    static enum dom_status (*const apply[])(struct geometry *, real) = {DOM_DYNAMICS(APPLY)};
+#undef APPLY
     const dom_real value[] = {DOM_DYNAMICS(VALUE)};
+    enum dom_status status = DOM_OK;
     *geometry = geometry_read(train, compute);
-    return dynamics_choose(value, geometry);
+    for (int k = 0; k < DOM_DYNAMICS_COUNT && status == DOM_OK; k++)
+        if (value[k] != 0)
+            status = apply[k](geometry, (real)value[k]);
+    return status;
 }
 
-KERNEL enum dom_status dynamics_make(const struct dom_train *train, const struct dom_compute *compute,
-                                     struct geometry *geometry)
+KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute, real tol,
+                                  struct geometry *geometry)
 {
-    enum dom_status status = dynamics_read(train, compute, geometry);
+    enum dom_status status = train_check(train, compute);
+    struct dom_compute own = compute_or_default(compute);
+    own.tol = tol > 0 ? tol : own.tol;
+    *geometry = (struct geometry){.flow = NULL}; /* for dynamics_end */
+    if (status == DOM_OK)
+        status = dynamics_read(train, &own, geometry);
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
     if (status == DOM_OK)
@@ -61,33 +61,18 @@ KERNEL enum dom_status dynamics_make(const struct dom_train *train, const struct
     return status;
 }
 
-KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
-                                  struct geometry *geometry)
-{
-    const enum dom_status status = train_check(train, compute);
-    *geometry = (struct geometry){.flow = NULL}; /* for dynamics_end */
-    return status == DOM_OK ? dynamics_make(train, compute, geometry) : status;
-}
-
-KERNEL enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
+KERNEL enum dom_status dynamics_check(const struct dom_train *train)
 {
 #define STATUS(effect, member, status) status,
     static const enum dom_status bad[] = {DOM_DYNAMICS(STATUS)};
 #undef STATUS
+    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++) {
         const struct dom_effect_argument *argument = effects[k]->argument;
-        if (effect[k] != 0 && !(effect[k] >= argument->lowest && effect[k] <= argument->highest))
+        if (value[k] != 0 && !(value[k] >= argument->lowest && value[k] <= argument->highest))
             return bad[k];
     }
     return DOM_OK;
-}
-
-KERNEL_SHARED bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT])
-{
-    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
-        if (effect[k] != 0 && effects[k]->dissipates)
-            return true;
-    return false;
 }
 
 const struct dom_effect *dom_first_effect(const struct dom_train *train)
@@ -102,17 +87,21 @@ const struct dom_effect *dom_first_effect(const struct dom_train *train)
 bool dom_dissipates(const struct dom_train *train)
 {
     const dom_real value[] = {DOM_DYNAMICS(VALUE)};
-    return dynamics_dissipate(value);
-}
-
-dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
-{
-    dom_real d = train->d, solid = scale->h * (1 + d * d) / (3 * scale->g);
-    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
-    return sqrt(solid * inertia_factor(d, train->width, value));
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        if (value[k] != 0 && effects[k]->dissipates)
+            return true;
+    return false;
 }
 
 #undef VALUE
+
+dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
+{
+    const real d = (real)train->d, width = (real)train->width, walls = (real)train->walls,
+               inertia = (walls != 0 ? walls_box(d, width, walls).inertia : 1) +
+                         air_entrained(d, width, (real)train->air);
+    return sqrt((real)scale->h * (1 + d * d) / (3 * (real)scale->g) * inertia);
+}
 
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)
 {

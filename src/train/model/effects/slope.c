@@ -24,8 +24,6 @@ static enum dom_status slope_apply(struct geometry *geometry, real value)
     return stands ? DOM_OK : DOM_NO_STAND;
 }
 
-static const struct terms slope_terms = {.apply = slope_apply};
-
 const struct dom_effect dom_effect_slope = {
     .name = "slope",
     .synonyms = "alpha hill incline ramp tilt downhill uphill",

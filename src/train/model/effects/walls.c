@@ -9,12 +9,6 @@
  */
 #include "effects/effects.h"
 
-KERNEL dom_real walls_of_domino(const struct dom_row *row, size_t k)
-{
-    const dom_real height = row->domino[k].height;
-    return height > row->boxes_above ? row->walls / height : 0;
-}
-
 /* Switches the effect on; value is the thickness of the walls, relative to the height. */
 static enum dom_status walls_apply(struct geometry *geometry, real value)
 {
@@ -23,8 +17,6 @@ static enum dom_status walls_apply(struct geometry *geometry, real value)
     geometry->inertia_factor = walls_box(geometry->d, geometry->width, value).inertia;
     return DOM_OK;
 }
-
-static const struct terms walls_terms = {.apply = walls_apply, .of_domino = walls_of_domino};
 
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box)

@@ -6,7 +6,7 @@ enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_
                                 struct dom_angles *angles)
 {
     struct geometry geometry;
-    enum dom_status status = train_make(train, compute, &geometry);
+    enum dom_status status = train_make(train, compute, 0, &geometry);
     if (status != DOM_OK)
         return status;
     *angles = (struct dom_angles){
@@ -25,7 +25,7 @@ enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_co
 {
     struct geometry geometry;
     struct fuel fuel;
-    enum dom_status status = train_make(train, compute, &geometry);
+    enum dom_status status = train_make(train, compute, 0, &geometry);
     if (status == DOM_OK)
         status = energy_fuel(&geometry, &fuel);
     if (status != DOM_OK)
@@ -40,7 +40,7 @@ enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_
     struct geometry geometry;
     struct sums at;
     struct fuel fuel;
-    enum dom_status status = train_make(train, compute, &geometry);
+    enum dom_status status = train_make(train, compute, 0, &geometry);
     if (status == DOM_OK)
         status = chain_energy_at(&geometry, (real)theta, &at);
     if (status == DOM_OK)
@@ -57,7 +57,7 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
 {
     struct geometry geometry;
     struct launch l;
-    enum dom_status status = train_make(train, compute, &geometry);
+    enum dom_status status = train_make(train, compute, 0, &geometry);
     if (status == DOM_OK)
         status = dynamics_begin(&geometry);
     if (status == DOM_OK)

@@ -21,16 +21,13 @@
 
 KERNEL enum dom_status train_check(const struct dom_train *train, const struct dom_compute *given)
 {
-#define VALUE(effect, member, status) train->member,
     const struct dom_compute compute = compute_or_default(given), *c = &compute;
-    const dom_real effect[] = {DOM_DYNAMICS(VALUE)};
     enum dom_status status = IS_NEWER(train) || IS_NEWER(c) ? DOM_NEWER : DOM_OK;
-#undef VALUE
 #define CHECK_TRAIN(name, default_, lowest, highest, unit, meaning)   CHECK(train, name, lowest, highest)
 #define CHECK_COMPUTE(name, default_, lowest, highest, unit, meaning) CHECK(c, name, lowest, highest)
     DOM_TRAIN_PARAMETERS(CHECK_TRAIN)
     if (status == DOM_OK)
-        status = dynamics_check(effect);
+        status = dynamics_check(train);
     if (status == DOM_OK && train->fuel > DOM_FUEL_PAPER)
         status = DOM_BAD_FUEL;
     if (status == DOM_OK && dom_arithmetic()->bits == 0)

@@ -13,11 +13,12 @@ KERNEL struct geometry geometry_read(const struct dom_train *t, const struct dom
                                 .q = (real)t->q,
                                 .width = (real)t->width,
                                 .tol = (real)compute.tol,
+                                .conservative = true,
                                 .inertia_factor = 1,
                                 .n = CHAIN_ENDLESS,
                                 .interrupt = compute.interrupt,
                                 .work = compute.work};
-    geometry.steepest = sqrt(1 + geometry.d * geometry.d);
+    geometry.steepest = hypot(1, geometry.d);
     geometry_gravity(&geometry, 0, 1);
     return geometry;
 }

@@ -57,7 +57,7 @@ struct rounded {
 struct geometry {
     real s, r, d, q, tol;
     /* True if the motion conserves energy. The barrier is then the maximum of the potential energy H. If it
-     * is false, an equation of motion is solved (dynamics.h). dynamics_choose sets it. */
+     * is false, an equation of motion is solved (dynamics.h). */
     bool conservative;
     real mu;    /* friction coefficient between dominoes, >= 0 */
     real width; /* width divided by height, for boxes */

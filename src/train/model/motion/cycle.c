@@ -11,12 +11,9 @@ static enum dom_status motion_begin(const struct dom_train *train, const struct 
 {
     struct segment *st = &m->segment;
     const struct launch *launch = &m->launch;
-    struct dom_compute own = compute_or_default(compute);
-    enum dom_status status = train_check(train, compute);
-    own.tol = tol > 0 ? tol : own.tol;
-    *m = (struct motion){.launch.fuel = REAL_NAN, .tol = own.tol};
-    if (status == DOM_OK)
-        status = dynamics_make(train, &own, &st->geometry);
+    *m = (struct motion){.launch.fuel = REAL_NAN};
+    enum dom_status status = train_make(train, compute, tol, &st->geometry);
+    m->tol = st->geometry.tol;
     if (status == DOM_OK)
         status = dynamics_begin(&st->geometry);
     m->end = st->hi = tilt_angle(st->geometry.c);
@@ -123,8 +120,8 @@ enum dom_status dom_cycle_duration(const struct dom_train *train, const struct d
 
 /* ---- Events ---- */
 
-/* The state at the tilt at which a follower detaches is that just after it has detached, whatever rounding does
- * to the tilt. */
+/* The state at the tilt at which a follower detaches is that just after it has detached, whatever rounding
+ * does to the tilt. */
 #define DETACHED (64 * REAL_EPSILON)
 
 /* Lists the events of the motion in the order in which they happen. There are at most DOM_EVENTS_MAX. */

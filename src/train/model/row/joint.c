@@ -19,12 +19,6 @@ KERNEL real row_lean(const struct dom_row *row, size_t k)
     return k == 0 && row_releases(row) ? 0 : (real)row->domino[k].lean;
 }
 
-/* Returns the thickness of domino k divided by its height. */
-static real row_thickness(const struct dom_row *row, size_t k)
-{
-    return (real)(row->domino[k].thickness / row->domino[k].height);
-}
-
 KERNEL real row_tau(const struct row *row, size_t k)
 {
     const struct geometry *self = &row->geometry[k];
@@ -89,7 +83,8 @@ static void joint_make(const struct dom_row *row, size_t k, const struct geometr
 
 KERNEL bool lean_touch(const struct dom_row *row, size_t k, struct contact *contact, struct tilt *tilt)
 {
-    struct geometry next = {.d = row_thickness(row, k + 1), .lean = (real)row->domino[k + 1].lean};
+    const struct dom_domino *other = &row->domino[k + 1];
+    struct geometry next = {.d = (real)(other->thickness / other->height), .lean = (real)other->lean};
     joint_shape(row, k + 1, &next);
     *contact = geometry_contact(&next, geometry_rest(&next));
     *tilt = tilt_follower_back(geometry_rest(&next), *contact);
@@ -117,23 +112,14 @@ static struct tilt row_end(const struct dom_row *row, size_t k, const struct geo
 KERNEL_SHARED enum dom_status row_geometry(struct row *row, size_t k)
 {
     const struct dom_row *given = &row->given;
-    const struct dom_domino *self = &given->domino[k];
+    const struct dom_train own = dynamics_of_domino(given, k);
     struct geometry *geometry = &row->geometry[k];
-    *geometry = (struct geometry){.tol = (real)row->compute.tol,
-                                  .flow = row->geometry[0].flow,
-                                  .interrupt = row->compute.interrupt,
-                                  .work = row->compute.work,
-                                  .d = row_thickness(given, k),
-                                  .width = self->width > 0 ? (real)(self->width / self->height) : (real)1 / 2,
-                                  .inertia_factor = 1,
-                                  .lean = row_lean(given, k),
-                                  .short_of = 1,
-                                  .n = k + 1};
-    geometry->steepest = hypot(1, geometry->d);
-    geometry_gravity(geometry, 0, 1);
-    dom_real effect[DOM_DYNAMICS_COUNT];
-    dynamics_of_domino(given, k, effect);
-    enum dom_status status = dynamics_choose(effect, geometry);
+    struct flow *flow = row->geometry[0].flow;
+    const enum dom_status status = dynamics_read(&own, &row->compute, geometry);
+    geometry->flow = flow;
+    geometry->lean = row_lean(given, k);
+    geometry->short_of = 1;
+    geometry->n = k + 1;
     geometry->c = row_end(given, k, geometry);
     if (k == 0 && row_releases(given))
         geometry->lean = fmin((real)given->release, tilt_angle(geometry->c));
@@ -153,21 +139,20 @@ static bool positive(dom_real value)
 KERNEL_SHARED enum dom_status row_domino_check(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
-    const real own = row_thickness(row, k);
-    const real walls = walls_of_domino(row, k), thin = d->thickness / d->height;
+    const struct dom_train own = dynamics_of_domino(row, k);
     const bool leans = row_lean(row, k) != 0, rounds = row->rho != 0;
-    return !positive(d->height)                        ? DOM_BAD_HEIGHT
-           : !positive(d->thickness) || !positive(own) ? DOM_BAD_THICKNESS
+    return !positive(d->height)                          ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(own.d) ? DOM_BAD_THICKNESS
            : !positive(d->mass) || !positive((real)d->mass * (real)row->g * (real)d->height / 2)
                ? DOM_BAD_MASS
            : !(d->gap >= 0) || !isfinite(d->gap)                         ? DOM_BAD_GAP
            : !(d->radius >= 0 && (!rounds || d->radius < d->height / 2)) ? DOM_BAD_RADIUS
-           : rounds && 2 * edges_of_domino(row, k) > thin                ? DOM_NO_ROUND
-           : walls != 0 && !walls_fit(own, walls)                        ? DOM_NO_ROOM
-           : leans && edges_of_domino(row, k) != 0                       ? DOM_NO_LEAN
+           : 2 * own.rho > own.d                                         ? DOM_NO_ROUND
+           : own.walls != 0 && !walls_fit((real)own.d, (real)own.walls)  ? DOM_NO_ROOM
+           : leans && own.rho != 0                                       ? DOM_NO_LEAN
            /* a leaning domino with sharp edges must not tip over the front or back edge of its foot */
-           : leans && !(fabs(d->lean + row->alpha) < atan(thin)) ? DOM_BAD_LEAN
-                                                                 : DOM_OK;
+           : leans && !(fabs(d->lean + row->alpha) < atan(own.d)) ? DOM_BAD_LEAN
+                                                                  : DOM_OK;
 }
 
 KERNEL bool row_repeats(const struct dom_row *row, size_t k)
@@ -179,16 +164,17 @@ KERNEL bool row_repeats(const struct dom_row *row, size_t k)
 
 KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
 {
-#define VALUE(effect, member, status) given->member,
+#define OF_ROW(effect, member, status) .member = given->member,
     const struct dom_row *given = &row->given;
-    const dom_real effect[] = {DOM_DYNAMICS(VALUE)}, push = given->push, tol = row->compute.tol;
-#undef VALUE
+    const struct dom_train effects_given = {DOM_DYNAMICS(OF_ROW).q = 4};
+    const dom_real push = given->push, tol = row->compute.tol;
+#undef OF_ROW
     size_t count = given->count;
     enum dom_status status = !positive(given->g)                                           ? DOM_BAD_G
                              : !(tol >= dom_arithmetic()->tol_floor && (double)tol <= 0.1) ? DOM_BAD_TOL
                              : !isnan(push) && !(push >= 0 && isfinite(push))              ? DOM_BAD_PUSH
                              : !(given->release >= 0)                                      ? DOM_BAD_RELEASE
-                                                      : dynamics_check(effect);
+                                                      : dynamics_check(&effects_given);
     for (size_t k = 0; status == DOM_OK && k < count; k++) {
         if (k % CHECK_EVERY == 0 && dom_interrupted(row->compute.interrupt))
             return DOM_INTERRUPTED;
