@@ -109,15 +109,19 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
         *theta = st->lo;
         return DOM_OK;
     }
-    enum num_status solver = num_root(segment_short, st, edge[0], hi, geometry->tol / 8, theta);
-    /* The solution of the motion has the precision of the largest energy in a panel. For a stop soon after
-     * the start, a short solution has more digits. */
-    if (solver == NUM_OK && !geometry->conservative && *theta - edge[0] < (edge[1] - edge[0]) / 8) {
-        hi = edge[0] + 2 * (*theta - edge[0]);
-        st->status = flow_solve_piece(geometry, geometry->flow->J0, edge[0], &hi);
-        if (st->status == DOM_OK)
-            solver = num_root(segment_short, st, edge[0], hi, geometry->tol / 8, theta);
+    /* The solution of the motion is as precise as the largest energy in a panel. A stop long before the first
+     * panel ends needs a short solution. Up to the stop the required energy is then almost linear. */
+    if (!geometry->conservative && dynamics_slope(geometry, st->start.from, true, &slope) == DOM_OK) {
+        real close = edge[0] + 4 * st->start.omegasq / slope;
+        if (close > edge[0] &&
+            close - edge[0] < fmin(edge[1] - edge[0], edge[0] + geometry_finest(geometry)) / 16) {
+            const enum dom_status status = flow_solve_piece(geometry, geometry->flow->J0, edge[0], &close);
+            if (status != DOM_OK)
+                return status;
+            hi = close;
+        }
     }
+    const enum num_status solver = num_root(segment_short, st, edge[0], hi, geometry->tol / 8, theta);
     /* Here the energy is just enough for the highest point, to within a rounding error. The row comes to rest
      * at this point. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
