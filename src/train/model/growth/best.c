@@ -20,7 +20,7 @@ enum { BEST_PATIENCE = 16, BEST_MOST = 140 };
 #define BEST_FIRST  fmax((real)1e-6, 64 * REAL_EPSILON)
 
 struct best {
-    struct margin_context *c;
+    struct growth *g;
     real s, r_max;     /* the best separation so far, and r_max there */
     struct limit last; /* of the last separation that was tried */
     real finer;        /* slope_step is multiplied by this factor */
@@ -31,12 +31,12 @@ struct best {
 static real rmax_at(real s, void *context)
 {
     struct best *b = context;
-    struct margin_context *c = b->c;
+    struct growth *g = b->g;
     struct limit *limit = &b->last;
-    if (c->status != DOM_OK) /* a later failure does not replace the status of the first one */
+    if (g->status != DOM_OK) /* a later failure does not replace the status of the first one */
         return REAL_NAN;
-    c->s = s;
-    if (limit_find(c, limit) != DOM_OK)
+    g->s = s;
+    if (limit_find(g, limit) != DOM_OK)
         return REAL_NAN;
     const real r_max = limit->ends == DOM_END_NONE ? 0 : fmin(limit->r_max, limit->open);
     if (r_max > b->r_max) {
@@ -68,7 +68,7 @@ static void best_between(struct best *b, const struct point *before, const struc
 {
     const real width = hi->s - lo->s,
                highest = fmax(highest_near(lo, before, width), highest_near(hi, after, width));
-    if (b->c->status != DOM_OK || width <= (b->r_max > 1 ? BEST_FINEST : BEST_FIRST) * hi->s ||
+    if (b->g->status != DOM_OK || width <= (b->r_max > 1 ? BEST_FINEST : BEST_FIRST) * hi->s ||
         !(highest > b->r_max))
         return;
     const real s = (lo->s + hi->s) / 2;
@@ -81,9 +81,9 @@ static void best_between(struct best *b, const struct point *before, const struc
 static void best_sample(struct best *b)
 {
     struct point at[BEST_MOST];
-    const real span = b->c->geometry.span;
+    const real span = b->g->geometry.span;
     int n = 0, lower = 0;
-    for (real s = span; n < BEST_MOST && s > BEST_LOWEST && lower < BEST_PATIENCE && b->c->status == DOM_OK;
+    for (real s = span; n < BEST_MOST && s > BEST_LOWEST && lower < BEST_PATIENCE && b->g->status == DOM_OK;
          s *= BEST_RATIO, n++) {
         const real before = b->r_max;
         at[n] = (struct point){s, rmax_at(s, b)};
@@ -106,19 +106,20 @@ static real slope_step(real span, real s, real r)
     return fmin((real)0.03 * s, (span / r - s) / 2) * exp(log(REAL_EPSILON) / 9);
 }
 
-static real margin_slope(struct margin_context *c, real s, real r, real h)
+static real margin_slope(struct growth *g, real s, real r, real h)
 {
     static const int weight[] = {672, -168, 32, -3};
-    const real tol = c->geometry.tol;
+    const real tol = g->geometry.tol;
     real sum = 0;
-    c->geometry.tol = fmax(tol / 512, 8 * REAL_EPSILON); /* a difference quotient needs all digits */
-    for (int k = 1; k <= 4 && c->status == DOM_OK; k++) {
-        c->s = s + (real)k * h;
-        const real after = margin_at(r, c);
-        c->s = s - (real)k * h;
-        sum += (real)weight[k - 1] * (after - (c->status == DOM_OK ? margin_at(r, c) : 0));
+    g->geometry.tol = fmax(tol / 512, 8 * REAL_EPSILON); /* a difference quotient needs all digits */
+    for (int k = 1; k <= 4 && g->status == DOM_OK; k++) {
+        g->s = s + (real)k * h;
+        const struct margin after = margin_within(g, r, g->geometry.tol);
+        g->s = s - (real)k * h;
+        const struct margin before = g->status == DOM_OK ? margin_within(g, r, g->geometry.tol) : after;
+        sum += (real)weight[k - 1] * (margin_value(&after) - margin_value(&before));
     }
-    c->geometry.tol = tol;
+    g->geometry.tol = tol;
     return sum / (840 * h);
 }
 
@@ -128,11 +129,11 @@ static real margin_slope(struct margin_context *c, real s, real r, real h)
 static real best_slope(real s, void *context)
 {
     struct best *b = context;
-    struct margin_context *c = b->c;
-    const real r = rmax_at(s, b), h = r > 0 ? slope_step(c->geometry.span, s, r) * b->finer : 0;
-    if (c->status != DOM_OK)
+    struct growth *g = b->g;
+    const real r = rmax_at(s, b), h = r > 0 ? slope_step(g->geometry.span, s, r) * b->finer : 0;
+    if (g->status != DOM_OK)
         return REAL_NAN;
-    const real slope = b->last.ends == DOM_END_BARRIER && s + h > s ? margin_slope(c, s, r, h) : -1;
+    const real slope = b->last.ends == DOM_END_BARRIER && s + h > s ? margin_slope(g, s, r, h) : -1;
     const bool rises = r >= b->r_max * (1 - BEST_JUMP) ? slope > 0 : s < b->s;
     const real size = fmin(fabs(slope), 1), dip = fabs(b->last.dip);
     return (rises ? 1 : -1) * (dip < BEST_DIP ? dip : size);
@@ -142,19 +143,19 @@ static real best_slope(real s, void *context)
  * is better where a follower begins to detach: the second derivative of the margin jumps there. */
 static void best_step(struct best *b)
 {
-    struct margin_context *c = b->c;
-    const real s = b->s, r = b->r_max, h = slope_step(c->geometry.span, s, r),
-               most = barrier_most(&c->geometry);
+    struct growth *g = b->g;
+    const real s = b->s, r = b->r_max, h = slope_step(g->geometry.span, s, r),
+               most = barrier_most(&g->geometry);
     real least = (real)INFINITY;
     b->finer = 1;
     if (!(s + h > s))
         return;
-    real last = margin_slope(c, s, r, h);
-    for (real share = 1; share > (real)1e-5 && c->status == DOM_OK; share /= 4) {
+    real last = margin_slope(g, s, r, h);
+    for (real share = 1; share > (real)1e-5 && g->status == DOM_OK; share /= 4) {
         const real rounding = 128 * REAL_EPSILON * most / (h * share);
         if (rounding >= least)
             break;
-        const real next = margin_slope(c, s, r, h * share / 4), wrong = fabs(next - last) + rounding;
+        const real next = margin_slope(g, s, r, h * share / 4), wrong = fabs(next - last) + rounding;
         if (wrong < least) {
             least = wrong;
             b->finer = share;
@@ -167,7 +168,7 @@ static void best_step(struct best *b)
  * from r_max alone, within `width` of b->s. */
 static enum dom_status best_kink(struct best *b, real width, bool *found)
 {
-    const real s = b->s, lo = s - width, hi = fmin(s + width, b->c->geometry.span), r = b->r_max,
+    const real s = b->s, lo = s - width, hi = fmin(s + width, b->g->geometry.span), r = b->r_max,
                noise = 64 * REAL_EPSILON * r;
     const real far[] = {r - rmax_at(lo, b), r - rmax_at(hi, b)},
                near[] = {r - rmax_at((lo + s) / 2, b), r - rmax_at((hi + s) / 2, b)};
@@ -175,79 +176,79 @@ static enum dom_status best_kink(struct best *b, real width, bool *found)
     for (int k = 0; k < 2; k++) /* next to a smooth maximum, r_max falls with the square of the distance */
         kink = kink || (far[k] > noise && near[k] > (real)0.4 * far[k]);
     *found = false;
-    if (b->c->status != DOM_OK || !kink || !(b->s > lo && b->s < hi))
-        return b->c->status;
+    if (b->g->status != DOM_OK || !kink || !(b->s > lo && b->s < hi))
+        return b->g->status;
     real top;
-    const enum num_status solver = num_maximum(rmax_at, b, lo, b->s, hi, b->c->geometry.tol / 8, &top);
+    const enum num_status solver = num_maximum(rmax_at, b, lo, b->s, hi, b->g->geometry.tol / 8, &top);
     *found = solver == NUM_OK;
-    return solver == NUM_NOT_BRACKETED ? b->c->status : model_status(b->c->status, solver);
+    return solver == NUM_NOT_BRACKETED ? b->g->status : model_status(b->g->status, solver);
 }
 
 /* Finds the maximum of r_max(s) near b->s, within the distance `width`, relative to s. If there is none,
  * *found is false. */
 static enum dom_status best_top(struct best *b, real width, bool *found)
 {
-    struct margin_context *c = b->c;
-    const real lo = b->s * (1 - width), hi = fmin(b->s * (1 + width), c->geometry.span);
+    struct growth *g = b->g;
+    const real lo = b->s * (1 - width), hi = fmin(b->s * (1 + width), g->geometry.span);
     best_step(b);
-    const real up = best_slope(lo, b), down = c->status == DOM_OK ? best_slope(hi, b) : up;
+    const real up = best_slope(lo, b), down = g->status == DOM_OK ? best_slope(hi, b) : up;
     real s = hi;
-    *found = c->status == DOM_OK && up > 0;
+    *found = g->status == DOM_OK && up > 0;
     if (*found && down < 0) {
         const enum num_status solver =
-            num_root_between(best_slope, b, lo, up, hi, down, c->geometry.tol / 8, &s);
-        c->status = model_status(c->status, solver);
+            num_root_between(best_slope, b, lo, up, hi, down, g->geometry.tol / 8, &s);
+        g->status = model_status(g->status, solver);
         /* At a jump, the dip is open. Step back to the nearest separation whose train certainly passes it. */
         real r = rmax_at(s, b), step = b->s > s ? 2 * REAL_EPSILON * s : -2 * REAL_EPSILON * s;
         for (; r < b->r_max * (1 - BEST_JUMP) && fabs(step) < fabs(b->s - s); step *= 2)
             r = rmax_at(s + step, b);
         /* A smooth maximum is flat: the errors of r_max decide which of the separations near it has the
          * largest r_max. The root of the slope has more digits. */
-        const real error = fmax(c->geometry.tol, 64 * REAL_EPSILON);
-        if (c->status == DOM_OK && (r = rmax_at(s, b)) >= b->r_max * (1 - error)) {
+        const real error = fmax(g->geometry.tol, 64 * REAL_EPSILON);
+        if (g->status == DOM_OK && (r = rmax_at(s, b)) >= b->r_max * (1 - error)) {
             b->s = s;
             b->r_max = r;
         }
-        const real h = slope_step(c->geometry.span, b->s, b->r_max) * b->finer;
+        const real h = slope_step(g->geometry.span, b->s, b->r_max) * b->finer;
         bool kink;
-        if (c->status == DOM_OK && fabs(b->last.dip) > BEST_DIP && s + h > s)
+        if (g->status == DOM_OK && fabs(b->last.dip) > BEST_DIP && s + h > s)
             best_kink(b, 8 * h, &kink);
-    } else if (c->near > 0)
+    } else if (g->near > 0)
         best_kink(b, width * b->s, found);
     else
-        *found = *found && hi == c->geometry.span;
-    return c->status;
+        *found = *found && hi == g->geometry.span;
+    return g->status;
 }
 
 /* Finds the uncertainty of s and r_max. */
 static enum dom_status best_uncertainty(struct best *b, struct dom_best *best)
 {
-    struct margin_context *c = b->c;
-    const real s = b->s, r = b->r_max, span = c->geometry.span, tol = fmax(c->geometry.tol, REAL_EPSILON);
+    struct growth *g = b->g;
+    const real s = b->s, r = b->r_max, span = g->geometry.span, tol = fmax(g->geometry.tol, REAL_EPSILON);
     struct limit limit = {.ends = DOM_END_NONE};
     real r_error = 0, s_error = 4 * tol * s, drop = s * tol * 4;
-    c->s = s;
-    if (limit_find(c, &limit) != DOM_OK || limit_uncertainty(c, &limit, &r_error) != DOM_OK)
-        return c->status;
+    g->s = s;
+    if (limit_find(g, &limit) != DOM_OK || limit_uncertainty(g, &limit, &r_error) != DOM_OK)
+        return g->status;
     const struct margin at = {.kinetic = limit.barrier, .barrier = limit.barrier};
-    const real error = margin_error(c, &at, margin_finest(c)), h = slope_step(span, s, r) * b->finer;
+    const real error = margin_error(g, &at, margin_finest(g)), h = slope_step(span, s, r) * b->finer;
     /* on which side r_max is lower by a jump, if at all */
     struct best aside = *b;
     aside.r_max = (real)INFINITY;
     const real below = rmax_at(s - drop, &aside), above = s + drop < span ? rmax_at(s + drop, &aside) : r;
-    if (c->status == DOM_OK && fmin(below, above) < r * (1 - BEST_JUMP)) {
+    if (g->status == DOM_OK && fmin(below, above) < r * (1 - BEST_JUMP)) {
         /* The lower side stops in a dip. The margin at this dip is 0 at the jump. */
         const real dip = fmax(fmin(below, above), 1),
-                   by = fabs(margin_slope(c, s, dip, slope_step(span, s, dip)));
+                   by = fabs(margin_slope(g, s, dip, slope_step(span, s, dip)));
         s_error += 2 * error / by;
         const real far = rmax_at(below < above ? s + 2 * s_error : s - 2 * s_error, &aside);
         r_error += fabs(far - r);
-    } else if (c->status == DOM_OK && limit.ends == DOM_END_BARRIER && s + h > s) {
+    } else if (g->status == DOM_OK && limit.ends == DOM_END_BARRIER && s + h > s) {
         const real second = fabs(best_slope(s + 4 * h, b) - best_slope(s - 4 * h, b)) / (8 * h);
         s_error += 3 * error / h / second;
     }
     *best = (struct dom_best){.s = s, .r_max = r, .s_uncertainty = s_error, .r_uncertainty = r_error};
-    return c->status;
+    return g->status;
 }
 
 /* Quad precision looks for the best separation within these distances, relative to s, of the one that the
@@ -258,16 +259,16 @@ static enum dom_status best_uncertainty(struct best *b, struct dom_best *best)
 
 static enum dom_status best_find(struct best *b)
 {
-    struct margin_context *c = b->c;
-    enum dom_status status = c->status;
+    struct growth *g = b->g;
+    enum dom_status status = g->status;
     bool found = false;
-    if (c->near > 0) {
-        b->s = c->s;
+    if (g->near > 0) {
+        b->s = g->s;
         rmax_at(b->s, b);
         status = best_top(b, NEAR_WIDTH, &found);
         if (status == DOM_OK && !found) {
-            c->near = b->r_max = 0;
-            rmax_at((real)c->train->s, b);
+            g->near = b->r_max = 0;
+            rmax_at((real)g->train->s, b);
             status = best_top(b, JUMP_WIDTH, &found);
         }
     }
@@ -275,21 +276,20 @@ static enum dom_status best_find(struct best *b)
         return status;
     b->r_max = 0;
     best_sample(b);
-    if (c->status == DOM_OK && !(b->r_max > 1))
-        c->status = DOM_NO_GROWTH;
-    for (real width = 2 * BEST_FINEST; c->status == DOM_OK && !found && width < (real)0.5; width *= 4)
+    if (g->status == DOM_OK && !(b->r_max > 1))
+        g->status = DOM_NO_GROWTH;
+    for (real width = 2 * BEST_FINEST; g->status == DOM_OK && !found && width < (real)0.5; width *= 4)
         best_top(b, width, &found);
-    return c->status;
+    return g->status;
 }
 
 KERNEL enum dom_status limit_best(const struct dom_train *train, const struct dom_compute *compute, real near,
                                   struct dom_best *best)
 {
-    struct margin_context c = margin_of_train(train, compute);
-    struct best b = {.c = &c, .finer = 1};
-    c.near = near;
-    limit_begin(&c);
-    enum dom_status status = c.status == DOM_OK ? best_find(&b) : c.status;
+    struct growth g;
+    struct best b = {.g = &g, .finer = 1};
+    growth_begin(train, compute, false, near, &g);
+    enum dom_status status = g.status == DOM_OK ? best_find(&b) : g.status;
     if (status == DOM_OK)
         status = best_uncertainty(&b, best);
     return status;

@@ -3,29 +3,25 @@
 #include "dynamics/dynamics.h"
 #include "growth/limit.h"
 
-/* Finds the barrier by the method c->how. */
-static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
+/* Finds the barrier. Only the last steps of a root search need a fine tolerance. */
+static enum dom_status margin_barrier(const struct geometry *geometry, struct growth *g, enum margin_how how,
                                       struct margin *m)
 {
-    struct barrier *b = &c->barrier;
+    struct barrier *b = &g->barrier;
     const real most = barrier_most(geometry), sure = 4 * geometry->tol;
-    if (c->how == MARGIN_SIGN && m->kinetic * (1 - sure) > MARGIN_HIGH * most) {
+    if (how == MARGIN_SIGN && geometry->conservative && m->kinetic * (1 - sure) > most) {
         m->barrier = most;
-        m->barrier_is_bound = true;
+        m->is_bound = true;
         return DOM_OK;
     }
-    if (c->how != MARGIN_SURE && m->kinetic < 0) { /* the margin is negative, whatever the barrier is */
-        m->barrier = 0;
+    if (how != MARGIN_SURE && m->kinetic < 0) /* the margin is negative, whatever the barrier is */
         return DOM_OK;
-    }
     enum dom_status status = DOM_NOT_CONVERGED;
-    if (c->how != MARGIN_SURE) {
-        /* Only the last steps of a root search need a fine tolerance. */
-        const bool rough = c->how == MARGIN_FOLLOW && geometry->tol > c->geometry.tol;
-        const real tol = rough ? TOP_TOL_ROUGH(geometry) : TOP_TOL(geometry);
-        const bool top = barrier_follow(geometry, tol, b);
+    if (how != MARGIN_SURE && geometry->conservative) {
+        const bool rough = how == MARGIN_FOLLOW && geometry->tol > g->geometry.tol,
+                   top = barrier_follow(geometry, rough ? TOP_TOL_ROUGH(geometry) : TOP_TOL(geometry), b);
         m->barrier = fmax(b->height, 0); /* H(theta) - H(0) is 0 at the start */
-        if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
+        if (how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
         if (top)
             status = barrier_tops(geometry, b);
@@ -40,333 +36,284 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     return status;
 }
 
-/* Equation (26; c8), corrected: the kinetic energy has the factor J(0). */
-static enum dom_status train_margin(const struct geometry *geometry, struct margin_context *c,
-                                    struct margin *m)
+/* Finds K of a train by equation (26; c8), corrected: the kinetic energy has the factor J(0). */
+static enum dom_status train_kinetic(const struct geometry *geometry, enum dom_fuel fuel, real *kinetic)
 {
-    struct launch launch;
+    struct launch launch = {.kinetic = REAL_NAN};
     /* At r = 1 both fuel formulas agree, and the closed form is faster. */
     if (geometry->r == 1 && geometry->conservative && geometry_paper_fuel(geometry) <= 0)
         return DOM_NO_FUEL;
-    enum dom_status status = dynamics_collide(geometry, c->train->fuel, &launch);
-    if (status == DOM_OK && geometry->r == 1 && launch.fuel <= 0)
-        return DOM_NO_FUEL;
-    *m = (struct margin){.kinetic = launch.kinetic};
-    return status == DOM_OK ? margin_barrier(geometry, c, m) : status;
+    const enum dom_status status = dynamics_collide(geometry, fuel, &launch);
+    *kinetic = launch.kinetic;
+    return status == DOM_OK && geometry->r == 1 && launch.fuel <= 0 ? DOM_NO_FUEL : status;
 }
 
-/* Equation (17; b13). */
-static enum dom_status pair_margin(const struct geometry *geometry, struct margin_context *c,
-                                   struct margin *m)
+/* Finds K of a pair by equation (17; b13). */
+static enum dom_status pair_kinetic(const struct geometry *geometry, real *kinetic)
 {
-    struct geometry two = *geometry;
+    struct geometry one = *geometry;
     const bool tips = geometry_lift(geometry, geometry->c) < 0; /* (5; b0) */
-    two.n = 1;                                                  /* the domino that hits has no followers */
+    one.n = 1;                                                  /* the domino that hits has no followers */
     real J = geometry_inertia(geometry, geometry->c);
-    real k = geometry->inertia * J, inertia_ratio = 0;
-    enum dom_status status = dynamics_inertia_ratio(geometry, &two, geometry->c, J, &inertia_ratio);
-    if (status != DOM_OK)
-        return status;
-    real share = collision_velocity_ratio(inertia_ratio), tipped = 0; /* (15; b11) */
-    if (tips && losses_end_alone(geometry)) {
+    real k = geometry->inertia * J, inertia_ratio = 0, tipped = 0;
+    enum dom_status status = dynamics_inertia_ratio(geometry, &one, geometry->c, J, &inertia_ratio);
+    if (status == DOM_OK && tips && losses_end_alone(geometry)) {
         tipped = geometry_tipped_omegasq(geometry);
-    } else if (tips) {
+    } else if (status == DOM_OK && tips) {
         status = losses_tipped(geometry, &tipped);
-        if (status != DOM_OK)
-            return status;
         geometry->flow->solution.panels = 0; /* the flow is needed for the pair */
     }
-    *m = (struct margin){.kinetic = (geometry->upright_inertia + k) * geometry->r * tipped * share * share};
-    return margin_barrier(geometry, c, m);
+    const real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
+    *kinetic = (geometry->upright_inertia + k) * geometry->r * tipped * share * share;
+    return status;
 }
 
-KERNEL struct margin_context margin_of_train(const struct dom_train *train, const struct dom_compute *compute)
+KERNEL void growth_begin(const struct dom_train *train, const struct dom_compute *compute, bool pair,
+                         real near, struct growth *g)
 {
-    struct margin_context c = {.train = train, .s = (real)train->s, .margin = train_margin};
-    c.status = dynamics_read(train, compute, &c.geometry);
-    if (c.status == DOM_OK && train->fuel == DOM_FUEL_PAPER && !energy_paper_holds(&c.geometry))
-        c.status = DOM_NO_METHOD;
-    return c;
-}
-
-KERNEL struct margin_context margin_of_pair(const struct dom_train *train, const struct dom_compute *compute)
-{
-    struct margin_context c = margin_of_train(train, compute);
+    *g = (struct growth){.train = train, .s = (real)train->s, .near = near};
+    g->status = dynamics_read(train, compute, &g->geometry);
+    if (pair)
+        g->geometry.n = 2;
     /* the pair does not depend on the fuel formula */
-    c.status = c.status == DOM_NO_METHOD ? DOM_OK : c.status;
-    c.geometry.n = 2;
-    c.margin = pair_margin;
-    return c;
+    if (g->status == DOM_OK && !pair && train->fuel == DOM_FUEL_PAPER && !energy_paper_holds(&g->geometry))
+        g->status = DOM_NO_METHOD;
+    g->geometry.effort = &g->effort;
+    /* The maximum number of visits to dominoes. In double, they take about a second. */
+    g->geometry.effort_most = g->geometry.rolls ? 7000000 : g->geometry.conservative ? 60000000 : 15000000;
 }
 
-/* Margins below this fraction of K + B are too small to give the slope at a root. */
-#define MARGIN_BESIDE ((real)1e-5)
-
-static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
+static enum dom_status margin_find(struct growth *g, enum margin_how how, real r, real tol, struct margin *m)
 {
-    struct geometry geometry = c->geometry;
+    struct geometry geometry = g->geometry;
+    const bool pair = geometry.n == 2;
     geometry.tol = tol;
-    c->status = geometry_set(&geometry, c->s, r);
-    if (c->status == DOM_OK)
-        far_make(&geometry, c->how == MARGIN_SIGN ? 1 : 2);
-    if (c->status == DOM_OK)
-        c->status = dynamics_begin(&geometry);
-    if (c->status == DOM_OK)
-        c->status = c->margin(&geometry, c, m);
+    *m = (struct margin){.r = r, .tol = tol};
+    g->status = geometry_set(&geometry, g->s, r);
+    if (g->status == DOM_OK)
+        far_make(&geometry, how == MARGIN_SIGN ? 1 : 2);
+    if (g->status == DOM_OK)
+        g->status = dynamics_begin(&geometry);
+    if (g->status == DOM_OK)
+        g->status = pair ? pair_kinetic(&geometry, &m->kinetic)
+                         : train_kinetic(&geometry, g->train->fuel, &m->kinetic);
+    if (g->status == DOM_OK)
+        g->status = margin_barrier(&geometry, g, how, m);
     dynamics_end(&geometry);
-    c->locked = c->status == DOM_LOCKS;
+    g->locked = g->status == DOM_LOCKS;
     /* If a train locks, its energy tends to 0, so the train stops. The margin is then negative. Its size does
      * not matter. */
-    if (c->locked) {
-        c->status = DOM_OK;
-        *m = (struct margin){.kinetic = -1};
+    if (g->locked) {
+        g->status = DOM_OK;
+        *m = (struct margin){.r = r, .tol = tol, .kinetic = -1};
     }
-    if (c->status == DOM_OK && fabs(margin_share(m)) > MARGIN_BESIDE)
-        c->beside = (struct margin_point){r, margin_value(m)};
-    return c->status;
+    if (g->status != DOM_OK)
+        m->kinetic = REAL_NAN;
+    return g->status;
 }
 
-KERNEL real margin_at(real r, void *context)
-{
-    struct margin_context *c = context;
-    const struct margin m = margin_within(c, r, c->geometry.tol);
-    c->nearest = c->barrier;
-    return c->status == DOM_OK ? margin_value(&m) : REAL_NAN;
-}
-
-KERNEL real margin_error(const struct margin_context *c, const struct margin *m, real tol)
+KERNEL real margin_error(const struct growth *g, const struct margin *m, real tol)
 {
     /* near a root, |K| + barrier_most is of the size of the terms whose difference the margin is */
     return 4 * tol * (fabs(m->kinetic) + m->barrier) +
-           16 * REAL_EPSILON * (fabs(m->kinetic) + barrier_most(&c->geometry)) + 2 * m->barrier_error;
+           16 * REAL_EPSILON * (fabs(m->kinetic) + barrier_most(&g->geometry)) + 2 * m->barrier_error;
 }
 
-KERNEL real margin_finest(const struct margin_context *c)
+KERNEL real margin_finest(const struct growth *g)
 {
-    return fmin(c->geometry.tol, 4 * REAL_EPSILON);
+    return fmin(g->geometry.tol, 4 * REAL_EPSILON);
 }
 
-KERNEL struct margin margin_within(struct margin_context *c, real r, real tol)
+KERNEL struct margin margin_within(struct growth *g, real r, real tol)
 {
-    struct margin m = {.kinetic = REAL_NAN};
-    c->how = MARGIN_SURE;
-    if (margin_to(c, r, fmax(tol, margin_finest(c)), &m) == DOM_NOT_CONVERGED)
-        margin_to(c, r, c->geometry.tol, &m);
+    struct margin m;
+    if (margin_find(g, MARGIN_SURE, r, fmax(tol, margin_finest(g)), &m) == DOM_NOT_CONVERGED)
+        margin_find(g, MARGIN_SURE, r, g->geometry.tol, &m);
     return m;
 }
 
-#define MARGIN_ROUGH ((real)1e-3)
-
-KERNEL struct margin margin_sign(struct margin_context *c, real r, bool bound)
+KERNEL struct margin margin_signed(struct growth *g, enum margin_how how, real r, real tol)
 {
+    const real finest = how == MARGIN_FOLLOW ? g->geometry.tol : margin_finest(g);
     struct margin m = {.kinetic = REAL_NAN};
-    real tol = fmax(MARGIN_ROUGH, c->geometry.tol);
-    c->how = bound && c->geometry.conservative ? MARGIN_SIGN : MARGIN_SURE;
-    for (;; tol = fmax(tol * MARGIN_ROUGH, margin_finest(c))) {
-        struct margin finer = {.kinetic = REAL_NAN};
-        const enum dom_status status = margin_to(c, r, tol, &finer);
+    for (tol = fmax(tol, g->geometry.tol);; tol = fmax(tol * MARGIN_ROUGH, finest)) {
+        struct margin finer;
+        const enum dom_status status = margin_find(g, how, r, tol, &finer);
         /* if the arithmetic allows no finer tolerance, keep the last result */
         if (status == DOM_NOT_CONVERGED && !isnan(m.kinetic)) {
-            c->status = DOM_OK;
+            g->status = DOM_OK;
             return m;
         }
         m = finer;
-        if (status != DOM_OK || tol <= margin_finest(c) || fabs(margin_value(&m)) > margin_error(c, &m, tol))
+        if (status != DOM_OK || tol <= finest || fabs(margin_value(&m)) > margin_error(g, &m, tol))
             return m;
-        c->how = tol <= c->geometry.tol ? MARGIN_SURE : c->how;
+        how = tol <= g->geometry.tol ? MARGIN_SURE : how;
     }
 }
 
 /* ---- Its roots ---- */
 
-/*
- * margin_follow returns margin_share at r, for the next step of a root search. Without losses, it follows one
- * maximum of H from growth to growth by Newton's method, and computes only as many digits as this step needs.
- * This takes a third of the time of a search for the barrier at each growth. Call margin_follow_begin before
- * the first call, with an estimate of margin_share there.
- */
-static void margin_follow_begin(struct margin_context *c, real share)
+/* Returns (K - B) / (|K| + B), a number between -1 and 1. */
+static real margin_share(const struct margin *m)
 {
-    c->how = c->geometry.conservative ? MARGIN_FOLLOW : MARGIN_SURE;
-    c->share = share;
+    return margin_value(m) / (fabs(m->kinetic) + m->barrier + REAL_MIN);
 }
 
-static real margin_follow(real r, void *context)
+/* Returns true if the maximum of H that the search has followed to the root r is the highest maximum. */
+static bool margin_highest(const struct growth *g, real r)
 {
-    struct margin_context *c = context;
-    struct margin m = {0};
-    real tol = c->geometry.tol, next = fmax(tol, MARGIN_ROUGH * c->share * c->share), rough, share;
-    do {
-        rough = next;
-        if (margin_to(c, r, rough, &m) != DOM_OK)
-            return REAL_NAN;
-        share = margin_share(&m);
-        next = fmax(tol, MARGIN_ROUGH * share * share);
-    } while (rough > tol && fabs(share) < 8 * rough);
-    c->followed_value = margin_value(&m);
-    c->followed_tol = rough;
-    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* finer sums could not show the sign either */
-        share = 0;
-    if (fabs(share) <= c->share) {
-        c->share = fabs(share);
-        c->nearest = c->barrier;
-    }
-    return share;
-}
-
-/* Returns true if the maximum of H that margin_follow has tracked is the highest maximum at the root r. */
-static bool margin_highest(const struct margin_context *c, real r)
-{
-    struct geometry geometry = c->geometry;
-    struct barrier b = c->nearest;
-    if (geometry_set(&geometry, c->s, r) != DOM_OK)
+    struct geometry geometry = g->geometry;
+    struct barrier b = g->barrier;
+    if (!geometry.conservative) /* then no maximum was followed */
+        return true;
+    if (geometry_set(&geometry, g->s, r) != DOM_OK)
         return false;
     return barrier_tops(&geometry, &b) == DOM_OK &&
-           b.height <= c->nearest.height * (1 + fmax(geometry.tol, 4 * REAL_EPSILON));
+           b.height <= g->barrier.height * (1 + fmax(geometry.tol, 4 * REAL_EPSILON));
 }
 
-/* ---- From a bracket ---- */
-
-/* Finds the root in a bracket: one function gives the margin or a number of the same sign. The slope is that
- * of the line to the last growth at which the margin was not almost 0. */
-static enum dom_status root_of(struct margin_context *c, num_function *f, const struct margin_sample *lo,
-                               const struct margin_sample *hi, struct root *root)
-{
-    const struct margin *at_lo = &lo->margin, *at_hi = &hi->margin;
-    const bool follows = f == margin_follow;
-    c->beside = (struct margin_point){.r = 0};
-    margin_follow_begin(c, 1);
-    const enum num_status solver =
-        num_root_between(f, c, lo->r, follows ? margin_share(at_lo) : margin_value(at_lo), hi->r,
-                         follows ? margin_share(at_hi) : margin_value(at_hi), c->geometry.tol / 8, &root->r);
-    root->barrier = c->nearest.height;
-    root->beside = c->beside.r;
-    root->falls = c->beside.r > 0 && c->beside.r != root->r ? c->beside.value / (root->r - c->beside.r) : 0;
-    return model_status(c->status, solver);
-}
-
-KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
-                                    const struct margin_sample *hi, bool follow, struct root *root)
-{
-    if (follow) {
-        const enum dom_status status = root_of(c, margin_follow, lo, hi, root);
-        if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
-            return status;
-        c->status = DOM_OK;
-        if (status == DOM_OK && margin_highest(c, root->r))
-            return DOM_OK;
-    }
-    return root_of(c, margin_at, lo, hi, root);
-}
-
-/* ---- From a guess ---- */
-
-/* A point of the secant method: the growth r, margin_share at r, the margin itself, and its relative
- * tolerance. */
-struct root_point {
-    real r, share, value, tol;
-};
-
-/* Returns the root of the line through two points. */
-static real root_line(const struct root_point *a, const struct root_point *b)
+/* Returns how far the root of the line through two margins is from b->r. The line is one in the variable x
+ * = -sqrt(1 - r/reach), of which the margin is a smooth function. */
+static real root_line(const struct growth *g, const struct margin *a, const struct margin *b)
 {
     /* Close to the root, margin_share is less curved than the margin. Far from the root, margin_share is
      * almost constant, so the line goes through values of the margin. */
-    bool near = fabs(a->share) + fabs(b->share) < 1;
-    real f_a = near ? a->share : a->value, f_b = near ? b->share : b->value;
-    return b->r - f_b * (b->r - a->r) / (f_b - f_a);
+    const real reach = g->geometry.span / g->s, x_a = x_of(g, a->r), x_b = x_of(g, b->r);
+    real f_a = margin_share(a), f_b = margin_share(b);
+    if (fabs(f_a) + fabs(f_b) >= 1) {
+        f_a = margin_value(a);
+        f_b = margin_value(b);
+    }
+    const real by = f_b / (f_b - f_a) * (b->r - a->r) / (reach * (x_a + x_b)); /* x of the root - x_b */
+    return -reach * by * (2 * x_b + by);
 }
 
 enum { ROOT_STEPS = 12 };
 
-/* Follows one maximum of H from the growth r to a root between `from` and the reach, by the secant method,
- * and by inverse interpolation through the last three points near the root. `slope` is about -d margin / d ln
- * r. If it is accurate, `exact` is true. Returns false if the method does not find a root. */
-static bool root_secant(struct margin_context *c, real from, real r, real slope, bool exact,
-                        struct root *root)
+/* Finds a root between the growths lo and hi by the secant method and, near the root, by inverse
+ * interpolation through the last three margins. It begins with the margins a and b. Follows one maximum of H,
+ * and computes only as many digits as the next step needs. Returns false if it does not find a root. */
+static bool root_secant(struct growth *g, const struct margin *a, const struct margin *b, real lo, real hi,
+                        struct limit *limit)
 {
-    struct root_point at[3] = {{0}};
-    const real tol = c->geometry.tol, reach = c->geometry.span / c->s;
-    for (int known = 1; known <= ROOT_STEPS && r > from && r < reach; known++) {
+    struct margin at[3] = {[1] = *a, [2] = *b};
+    const real tol = g->geometry.tol;
+    real next = b->r + root_line(g, a, b);
+    for (int k = 0; k < ROOT_STEPS; k++) {
+        if (!(next > lo && next < hi))
+            next = (lo + hi) / 2;
         at[0] = at[1];
         at[1] = at[2];
-        at[2].r = r;
-        at[2].share = margin_follow(r, c);
-        at[2].value = c->followed_value;
-        at[2].tol = c->followed_tol;
-        if (c->status != DOM_OK)
+        const real before = margin_share(&at[1]), r = next;
+        at[2] = margin_signed(g, MARGIN_FOLLOW, next, MARGIN_ROUGH * fabs(before * before * before));
+        if (g->status != DOM_OK)
             return false;
-        const real f = at[2].share;
-        /* if the first growth is a root, a step aside gives the slope */
-        real next = known > 1 ? root_line(&at[1], &at[2])
-                    : f == 0  ? r * (1 - (real)1e-5)
-                              : r * exp(at[2].value / slope);
-        if (known > 2 && fabs(f) < fabs(at[1].share) / 2 && fabs(at[1].share) + fabs(at[0].share) < 1)
-            next += (next - root_line(&at[0], &at[1])) * f / (at[0].share - f);
-        const real step = fabs(next - r), before = known == 1 ? r : fabs(r - at[1].r);
-        *root = (struct root){.r = next,
-                              .barrier = c->nearest.height,
-                              .falls = known > 1 ? (at[1].value - at[2].value) / (r - at[1].r) : 0,
-                              .beside = at[1].r};
-        /* The error after the next step is about the product of the last two errors, divided by a length.
-         * With an exact slope, the steps do not show this length, which is about r. The step has the relative
-         * error of the share at the point before. */
-        const bool last =
-            exact ? 16 * step * before <= tol * r * r : 16 * step * step <= tol / 8 * r * before;
-        if (known > 1 && last && at[2].tol <= tol && step * at[1].tol <= tol / 2 * r * fabs(at[1].share))
-            return next > from && next < reach;
-        r = next;
+        const real f = margin_share(&at[2]), far = margin_share(&at[0]);
+        *(f > 0 ? &lo : &hi) = r;
+        real bend = (real)INFINITY; /* how far the root of the line is from the root */
+        next = r + root_line(g, &at[1], &at[2]);
+        if (fabs(f) < fabs(before) / 2 && fabs(f) < fabs(far) && fabs(before) + fabs(far) < 1) {
+            bend = (next - at[1].r - root_line(g, &at[0], &at[1])) * f / (far - f);
+            next += bend;
+        }
+        if (fabs(bend) <= tol / 16 * r && at[2].tol <= tol &&
+            fabs(next - r) * at[1].tol <= tol / 16 * r * fabs(before)) {
+            limit->r_max = next;
+            limit->barrier = g->barrier.height;
+            limit->beside = at[1];
+            return true;
+        }
     }
     return false;
 }
 
-/* The root that a coarser kernel has found is correct to about ROOT_NEAR. With losses, a margin is expensive,
- * so the slope there comes from a margin with a few digits, at the relative distance ROOT_ASIDE. */
-#define ROOT_NEAR  ((real)1e-10)
-#define ROOT_ASIDE ((real)1e-5)
+static real margin_at(real r, void *context)
+{
+    struct growth *g = context;
+    const struct margin m = margin_within(g, r, g->geometry.tol);
+    return margin_value(&m);
+}
+
+KERNEL enum dom_status root_between(struct growth *g, const struct margin *lo, const struct margin *hi,
+                                    bool follow, struct limit *limit)
+{
+    const bool nearer = fabs(margin_share(hi)) < fabs(margin_share(lo));
+    g->hard = follow && !(root_secant(g, nearer ? lo : hi, nearer ? hi : lo, lo->r, hi->r, limit) &&
+                          margin_highest(g, limit->r_max));
+    if (follow && !g->hard)
+        return DOM_OK;
+    if (g->status == DOM_INTERRUPTED || g->status == DOM_TOO_LONG)
+        return g->status;
+    g->status = DOM_OK;
+    const enum num_status solver = num_root_between(margin_at, g, lo->r, margin_value(lo), hi->r,
+                                                    margin_value(hi), g->geometry.tol / 8, &limit->r_max);
+    limit->barrier = g->barrier.height;
+    if (g->status == DOM_OK && solver == NUM_OK) {
+        const real step = fmin(cbrt(REAL_EPSILON) / 8 * limit->r_max, (limit->r_max - lo->r) / 2);
+        limit->beside = margin_within(g, limit->r_max - step, 0);
+    }
+    return model_status(g->status, solver);
+}
+
+/* Ends a search that began beside a root. It may have failed, but then another search follows. */
+static bool root_sure(struct growth *g, bool found, const struct limit *limit)
+{
+    const bool highest = found && margin_highest(g, limit->r_max);
+    if (g->status != DOM_INTERRUPTED && g->status != DOM_TOO_LONG)
+        g->status = DOM_OK;
+    return highest && g->status == DOM_OK;
+}
 
 /* Estimates the root by a fitted formula. For ordinary dominoes, the logarithm of the estimate is correct to
  * a few percent. Also estimates the slope at the root: minus the derivative of the margin with respect to
  * ln r. */
-static real root_guess(const struct margin_context *c, real *slope)
+static real root_guess(const struct growth *g, real *slope)
 {
     /* A rounded domino has nearly the same r_max as a sharp one with the proportions of its flat part. */
-    const real flat = c->geometry.rounded.wide / c->geometry.rounded.tall, d = fmin(flat, (real)0.35),
-               q = c->geometry.q, s = c->s / (1 - c->geometry.rounded.rho);
+    const real flat = g->geometry.rounded.wide / g->geometry.rounded.tall, d = fmin(flat, (real)0.35),
+               q = g->geometry.q, s = g->s / (1 - g->geometry.rounded.rho);
     /* With sharp edges on a level floor, equal dominoes have fuel only if u is positive. */
     const real u = fmax(s / flat - 2 * flat * flat / (1 - flat * flat), 0), x = fmin(log(u + (real)0.1), 2);
     const real share = (real)1.132 - (real)0.886 * d +
                        x * ((real)0.072 - (real)0.043 * d - (real)0.0244 * (q - (real)3.5) -
                             x * ((real)0.0701 + (real)0.0195 * x));
     const real room = fmax(u, (real)0.1);
-    *slope = barrier_most(&c->geometry) * fmax(q - (real)1.2, (real)0.5) * (1 + 1 / (room * room));
+    *slope = barrier_most(&g->geometry) * fmax(q - (real)1.2, (real)0.5) * (1 + 1 / (room * room));
     return exp((real)2.4 / (q - (real)0.6) * share * log1p((real)0.4 * u));
 }
 
-KERNEL enum dom_status root_any(struct margin_context *c, real from, real near, struct root *root)
+KERNEL bool root_guessed(struct growth *g, real from, struct limit *limit)
 {
-    real slope, start = root_guess(c, &slope);
-    struct root at = {.r = 0};
-    *root = (struct root){.r = (real)INFINITY};
-    const bool exact = near > 0 && !c->geometry.conservative;
-    margin_follow_begin(c, near > 0 ? ROOT_NEAR : 1);
-    if (exact) {
-        const real tol = c->geometry.tol;
-        c->geometry.tol = fmax(tol, ROOT_ASIDE * ROOT_NEAR);
-        margin_follow(near * (1 - ROOT_ASIDE), c);
-        slope = c->followed_value / ROOT_ASIDE;
-        c->geometry.tol = tol;
-    }
-    const bool found = root_secant(c, from, near > 0 ? near : start, slope, exact, &at);
-    if (c->status == DOM_INTERRUPTED || c->status == DOM_TOO_LONG)
-        return c->status;
-    c->status = DOM_OK;
+    real slope;
+    const real r = root_guess(g, &slope), reach = g->geometry.span / g->s;
+    struct limit root = *limit;
+    if (!(r > from && r < reach))
+        return false;
+    const struct margin at = margin_signed(g, MARGIN_FOLLOW, r, MARGIN_ROUGH);
+    /* a margin that would make the line fall by `slope` */
+    const struct margin aside = {
+        .r = r * exp(margin_value(&at) / slope), .kinetic = at.barrier, .barrier = at.barrier, .tol = at.tol};
+    const bool found = g->status == DOM_OK && root_secant(g, &aside, &at, from, reach, &root);
     /* Near the bottom of a shallow dip, the search may end where there is no root. */
-    const struct margin m = {.kinetic = at.barrier, .barrier = at.barrier};
-    const real error = fmax(c->geometry.tol * at.barrier, margin_error(c, &m, margin_finest(c)));
-    const bool sure =
-        near > 0 ? fabs(at.r - near) <= ROOT_NEAR * near : at.falls * at.r > 100 * sqrt(error * at.barrier);
-    if (found && sure && (!c->geometry.conservative || margin_highest(c, at.r)))
-        *root = at;
-    return DOM_OK;
+    const struct margin top = {.kinetic = root.barrier, .barrier = root.barrier};
+    const real error = fmax(g->geometry.tol * root.barrier, margin_error(g, &top, margin_finest(g))),
+               falls = margin_value(&root.beside) / (root.r_max - root.beside.r);
+    if (!root_sure(g, found && falls * root.r_max > 100 * sqrt(error * root.barrier), &root))
+        return false;
+    *limit = root;
+    return true;
+}
+
+/* The root that a coarser kernel has found is correct to about ROOT_NEAR. A margin with a few digits at the
+ * relative distance ROOT_ASIDE gives the slope there. */
+#define ROOT_NEAR  ((real)1e-10)
+#define ROOT_ASIDE ((real)1e-5)
+
+KERNEL bool root_near(struct growth *g, struct limit *limit)
+{
+    const real near = g->near, width = ROOT_NEAR * near;
+    const struct margin aside = margin_signed(g, MARGIN_FOLLOW, near * (1 - ROOT_ASIDE), ROOT_NEAR);
+    const struct margin at = g->status == DOM_OK ? margin_signed(g, MARGIN_FOLLOW, near, 0) : aside;
+    return root_sure(g, g->status == DOM_OK && root_secant(g, &aside, &at, near - width, near + width, limit),
+                     limit);
 }
