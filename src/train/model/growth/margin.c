@@ -216,7 +216,10 @@ static bool root_secant(struct growth *g, const struct margin *a, const struct m
             bend = (next - at[1].r - root_line(g, &at[0], &at[1])) * f / (far - f);
             next += bend;
         }
-        if (fabs(bend) <= tol / 16 * r && at[2].tol <= tol &&
+        /* With losses no maximum of H is followed, so the margin may have a kink. Where the line bends as much
+         * as at a kink, it has to end closer to the root. */
+        const real kink = g->geometry.conservative ? 0 : f / (before - f) * (next - r);
+        if (fabs(bend) <= tol / 16 * r && fabs(kink) <= tol / 16 * r && at[2].tol <= tol &&
             fabs(next - r) * at[1].tol <= tol / 16 * r * fabs(before)) {
             limit->r_max = next;
             limit->barrier = g->barrier.height;
