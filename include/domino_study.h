@@ -84,9 +84,7 @@ enum dom_design_limit {
     DOM_DESIGN_FITS,   /* the wish can be fulfilled */
     DOM_DESIGN_SAFETY, /* no train has this safety; `needs` is slightly below the largest possible one */
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
-    DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row, in m */
-    /* some trains or rows could not be computed; `needs` is the separation s of one of them */
-    DOM_DESIGN_FAILED
+    DOM_DESIGN_HALL    /* the hall is too short; `needs` is the length of the shortest row, in m */
 };
 
 /* The row that a builder wants. */
@@ -129,19 +127,16 @@ struct dom_design {
  * boards. The rounded row is as safe as wish->safety demands and fits into wish->hall. The results about the
  * endless train are computed before rounding. The members `sizes` and `hall` of the limits have no effect.
  *
+ * Unless `domino` is NULL, *domino is set to the design->steps + 1 dominoes of the row, which the caller
+ * frees with free(), or to NULL if no row was found. The first mass is 1 kg.
+ *
  * The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the
  * wish is outside its range, and DOM_BAD_Q, DOM_BAD_HALL, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a
  * board) if a member of the limits is.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_limits *limits, const struct dom_compute *compute,
-                                struct dom_design *design);
-
-/* Writes the design->steps + 1 dominoes of a design that was found for these arguments. The first mass is
- * 1 kg. `limits` may be NULL. The status is DOM_BAD_COUNT unless design->limit is DOM_DESIGN_FITS. */
-enum dom_status dom_design_dominoes(const struct dom_train *train, const struct dom_wish *wish,
-                                    const struct dom_limits *limits, const struct dom_design *design,
-                                    struct dom_domino *domino);
+                                struct dom_design *design, struct dom_domino **domino);
 
 /* ---- Parallel work ---- */
 

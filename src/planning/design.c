@@ -255,33 +255,18 @@ static void designing_begin(const struct query *query, const struct wishes *w, s
     d->limits = w->grid > 0 || w->boards > 0 ? &d->sizes : NULL;
 }
 
+/* Finds a design and makes its dominoes. */
 static bool design_find(const struct query *query, struct designing *d, struct problem *problem)
 {
-    const enum dom_status status = dom_design_find(&d->train, &d->wish, d->limits, &d->compute, &d->found);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
-    return d->found.limit != DOM_DESIGN_FAILED ||
-           problem_no_answer(problem,
-                             "no row was found: the search failed at s = %.2g; try another thickness%s",
-                             d->found.needs,
-                             d->train.rho > 0  ? ", or 'set edges off'"
-                             : d->train.mu > 0 ? ", or 'set friction off'"
-                                               : "");
-}
-
-/* Makes the dominoes of the design that was found. */
-static bool dominoes_make(const struct query *query, struct designing *d, struct problem *problem)
-{
-    const size_t count = d->found.steps + 1;
     const domq_real mass = scene_mass(query->scene);
-    struct dom_domino *domino = malloc(count * sizeof *domino);
+    struct dom_domino *domino = NULL;
+    enum dom_status status = dom_design_find(&d->train, &d->wish, d->limits, &d->compute, &d->found, &domino);
     free(d->domino);
-    d->domino = malloc(count * sizeof *d->domino);
-    const enum dom_status status =
-        domino && d->domino ? dom_design_dominoes(&d->train, &d->wish, d->limits, &d->found, domino)
-                            : DOM_NO_MEMORY;
+    d->domino = domino ? malloc((d->found.steps + 1) * sizeof *d->domino) : NULL;
+    if (domino && !d->domino)
+        status = DOM_NO_MEMORY;
     d->mass = mass > 0 ? 0 : DOMQ_NAN;
-    for (size_t k = 0; k < count && status == DOM_OK; k++) {
+    for (size_t k = 0; d->domino && k <= d->found.steps; k++) {
         d->domino[k] = domino_from_double(&domino[k]);
         d->domino[k].mass *= mass > 0 ? mass : 1;
         d->mass += d->domino[k].mass;
@@ -428,7 +413,7 @@ static bool falls_find(const struct query *query, domq_real falls, struct design
         if (d->found.limit != DOM_DESIGN_FITS)
             break;
         d->tried = d->found.steps + 1;
-        if (!dominoes_make(query, d, problem) || !design_study(query, d, falls, problem))
+        if (!design_study(query, d, falls, problem))
             return false;
         if ((domq_real)d->study.low >= falls)
             return true;
@@ -445,7 +430,7 @@ static bool design_answer(const struct query *query, struct answer *a, struct de
     const bool keeps = a->out && !a->sink.take && query->next;
     struct query of_row = *query;
     struct answer list = {.out = answer_rest(a), .style = a->style};
-    if (!dominoes_make(query, d, problem) || (keeps && !design_keep(query->next, d, problem)))
+    if (keeps && !design_keep(query->next, d, problem))
         return false;
     of_row.scene = keeps ? &query->next->scene : NULL;
     if (keeps && a->path && !a->style.format->for_people)

@@ -95,7 +95,7 @@ TEST(designs_hold)
         train.alpha = i % 5 ? 0 : 0.04 * random_unit(&seed) - 0.02;
         double height = random_log(&seed, 0.06, 20), safety = 1 + random_log(&seed, 0.05, 4);
         struct dom_wish w = wish_of(height, safety, i % 4 ? HUGE_VAL : height * (2 + random_unit(&seed)));
-        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+        assert_status(dom_design_find(&train, &w, NULL, NULL, &d, NULL), DOM_OK);
         limits[d.limit]++;
         if (d.limit != DOM_DESIGN_FITS)
             continue;
@@ -127,7 +127,7 @@ TEST(friction_with_edges)
         train.mu = 0.1 + 0.3 * random_unit(&seed);
         train.rho = 0.003 + 0.03 * random_unit(&seed);
         const struct dom_wish w = wish_of(5, 1.5, HUGE_VAL);
-        assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+        assert_status(dom_design_find(&train, &w, NULL, NULL, &d, NULL), DOM_OK);
         assert_int_equal(d.limit, DOM_DESIGN_FITS);
         assert_true(d.row >= w.safety && d.train >= w.safety);
         assert_near("row", d.row, row_least(&train, &w, d.s, d.steps, false, &v), 1e-4);
@@ -142,27 +142,27 @@ TEST(needs_are_enough)
     train.q = 3;
     train.mu = 0.3;
     struct dom_wish w = wish_of(8, 2, 15);
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d, NULL), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_HALL);
     double shortest = d.needs;
     w.hall = shortest;
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d, NULL), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_FITS);
     w.hall = shortest * (1 - 1e-9);
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d, NULL), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_HALL);
 
     w = wish_of(8, 2, HUGE_VAL);
     w.push = 0.5;
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d, NULL), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_START);
     w.push = d.needs;
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d, NULL), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_FITS);
 
     train.mu = 3;
     w = wish_of(8, 2, HUGE_VAL);
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d, NULL), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_SAFETY);
     double most = 0;
     for (int k = 1; k < 1000; k++)
@@ -176,10 +176,10 @@ static struct dom_design shortest(const struct dom_train *train, struct dom_wish
 {
     struct dom_design d;
     w->hall = w->height * (1 + 1e-9);
-    assert_status(dom_design_find(train, w, NULL, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(train, w, NULL, NULL, &d, NULL), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_HALL);
     w->hall = d.needs;
-    assert_status(dom_design_find(train, w, NULL, NULL, &d), DOM_OK);
+    assert_status(dom_design_find(train, w, NULL, NULL, &d, NULL), DOM_OK);
     assert_int_equal(d.limit, DOM_DESIGN_FITS);
     return d;
 }
@@ -245,12 +245,12 @@ TEST(wrong_wishes)
         for (int k = 0; k < 4; k++) {
             struct dom_wish changed = w;
             memcpy((char *)&changed + wrong[i].member, &wrong[i].values[k], sizeof(double));
-            assert_status(dom_design_find(&train, &changed, NULL, NULL, &d), wrong[i].status);
+            assert_status(dom_design_find(&train, &changed, NULL, NULL, &d, NULL), wrong[i].status);
         }
     volatile sig_atomic_t stop = 1;
     struct dom_compute compute = dom_compute_default();
     compute.interrupt = &stop;
-    assert_status(dom_design_find(&train, &w, NULL, &compute, &d), DOM_INTERRUPTED);
+    assert_status(dom_design_find(&train, &w, NULL, &compute, &d, NULL), DOM_INTERRUPTED);
     train.d = 0;
-    assert_status(dom_design_find(&train, &w, NULL, NULL, &d), DOM_BAD_D);
+    assert_status(dom_design_find(&train, &w, NULL, NULL, &d, NULL), DOM_BAD_D);
 }

@@ -62,7 +62,7 @@ ASKS(budget, struct dom_budget found,
      dom_placement_budget(&row, &compute, &placement, DOM_ERROR_gap, 0.5, &found))
 ASKS(improve, struct dom_study found[2],
      dom_row_improve(&row, &compute, &placement, &limits, NULL, NULL, other, found))
-ASKS(design, struct dom_design found, dom_design_find(&train, &wish, NULL, &compute, &found))
+ASKS(design, struct dom_design found, dom_design_find(&train, &wish, NULL, &compute, &found, NULL))
 
 static enum dom_status prove(void)
 {

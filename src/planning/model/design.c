@@ -41,8 +41,6 @@ struct planner {
     struct dom_row row;              /* the last candidate row, with the dominoes `domino` */
     struct dom_domino *domino;
     enum dom_status status;
-    double failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
-    bool whole; /* true to run all dominoes; false to end a run at the first one that is not safe enough */
     /* number of the weakest domino in the last run, counted from 1: the domino with the smallest ratio of
      * kinetic energy to barrier; the first domino does not count, because its energy depends on the push */
     size_t weakest;
@@ -59,9 +57,9 @@ static double growth_of(const struct planner *p, size_t steps)
 
 /* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
-/* Decides whether a failed computation is tried again. A few digits can be found even if rounding errors
- * exceed the usual tolerance, so this function sets a larger tolerance in *compute and returns true. If it is
- * already large, only the present separation is skipped. Any other failure ends the search. */
+/* A few digits can be found even if rounding errors exceed the usual tolerance. If this is why a computation
+ * has failed, sets a larger tolerance in *compute and returns true. If it is already large, or after another
+ * failure, ends the search. */
 static bool tried_again(struct planner *p, enum dom_status status, struct dom_compute *compute)
 {
     const double rougher = 1000, roughest = 1e-6;
@@ -70,10 +68,7 @@ static bool tried_again(struct planner *p, enum dom_status status, struct dom_co
         compute->tol = fmin(rougher * compute->tol, roughest);
         return true;
     }
-    if (imprecise)
-        p->failed_s = p->train.s;
-    else
-        p->status = status;
+    p->status = status;
     return false;
 }
 
@@ -141,7 +136,7 @@ static bool row_write(struct planner *p, struct choice c)
     return true;
 }
 
-/* Records the smallest ratio of kinetic energy to barrier so far. Returns false to end the run. */
+/* Records the smallest ratio of kinetic energy to barrier so far. */
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {
     struct planner *p = context;
@@ -150,13 +145,11 @@ static bool ratio_seen(const struct dom_fall *fall, void *context)
         p->least = ratio;
         p->weakest = fall->domino;
     }
-    return p->whole || p->least >= p->wish->safety;
+    return true;
 }
 
 /* Writes a candidate row and runs it. Returns the smallest ratio of kinetic energy to barrier among the
- * dominoes after the first. If the row does not fall, returns 0. If `times` is false, the run ends at the
- * first domino whose ratio is below the required safety, and this ratio is returned. Since the dominoes after
- * it are not run, the row may stop even if the ratio is above 1. */
+ * dominoes after the first. If the row does not fall, returns 0. */
 static double row_ratio(struct planner *p, struct choice c, double push, bool times)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -168,7 +161,6 @@ static double row_ratio(struct planner *p, struct choice c, double push, bool ti
     do {
         p->least = HUGE_VAL;
         p->weakest = 0;
-        p->whole = times;
         status = dom_row_run(&p->row, &compute, times, ratio_seen, p, &verdict);
     } while (status != DOM_OK && tried_again(p, status, &compute));
     p->seconds = verdict.seconds;
@@ -361,39 +353,28 @@ static struct choice design_search(struct planner *p, struct dom_design *found)
     return (struct choice){0, 0};
 }
 
-/* Prepares a search. If an argument is outside its range, the member `status` of the result tells which. The
- * caller must free the member `domino` of the result. */
-static struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
-                                   const struct dom_limits *limits, const struct dom_compute *compute)
+/* Returns DOM_OK, or a status that says which argument is outside its range. */
+static enum dom_status wish_check(const struct dom_train *train, const struct dom_wish *wish,
+                                  const struct dom_limits *limits, const struct dom_compute *compute)
 {
-    struct planner p = {.train = *train, .compute = *compute, .wish = wish, .limits = limits};
-    p.status = !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
-                   ? DOM_BAD_HEIGHT
-               : !(wish->safety > 1 && isfinite(wish->safety)) ? DOM_BAD_SAFETY
-               : !(wish->hall > wish->height)                  ? DOM_BAD_HALL
-               : !(wish->g > 0 && isfinite(wish->g))           ? DOM_BAD_G
-               : wish->push < 0 || isinf(wish->push)           ? DOM_BAD_PUSH
-               : !(wish->release >= 0)                         ? DOM_BAD_RELEASE
-               : limits                                        ? limits_check(limits)
-                                                               : DOM_OK;
-    if (p.status != DOM_OK)
-        return p;
-    p.train.s = 0.5;
-    p.train.r = 1;
-    if (wish->boxes_above > 0)
-        p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
     struct dom_angles angles;
-    p.status = dom_angles_find(&p.train, &p.compute, &angles);
-    p.compute.tol = dom_arithmetic()->tol_default;
-    return p;
+    return !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
+               ? DOM_BAD_HEIGHT
+           : !(wish->safety > 1 && isfinite(wish->safety)) ? DOM_BAD_SAFETY
+           : !(wish->hall > wish->height)                  ? DOM_BAD_HALL
+           : !(wish->g > 0 && isfinite(wish->g))           ? DOM_BAD_G
+           : wish->push < 0 || isinf(wish->push)           ? DOM_BAD_PUSH
+           : !(wish->release >= 0)                         ? DOM_BAD_RELEASE
+           : limits && limits_check(limits) != DOM_OK      ? limits_check(limits)
+                                                           : dom_angles_find(train, compute, &angles);
 }
 
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_limits *limits, const struct dom_compute *compute,
-                                struct dom_design *design)
+                                struct dom_design *design, struct dom_domino **domino)
 {
     const struct dom_compute final = compute_or_default(compute);
-    struct planner p = planner_make(train, wish, limits, &final);
+    struct planner p = {.train = *train, .compute = final, .wish = wish, .limits = limits};
     struct dom_design found = {.s = DOM_NAN,
                                .r = DOM_NAN,
                                .feet = DOM_NAN,
@@ -402,48 +383,35 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
                                .train = DOM_NAN,
                                .row = DOM_NAN,
                                .needs = DOM_NAN};
+    p.train.s = 0.5;
+    p.train.r = 1;
+    if (wish->boxes_above > 0)
+        p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
+    p.status = wish_check(&p.train, wish, limits, &final);
+    p.compute.tol = dom_arithmetic()->tol_default;
     struct choice c = {0, 0};
     if (p.status == DOM_OK)
         c = design_search(&p, &found);
-    const bool remedy =
-        found.limit == DOM_DESIGN_HALL || (found.limit == DOM_DESIGN_START && !isnan(found.needs));
-    if (found.limit != DOM_DESIGN_FITS && !remedy && p.failed_s > 0) {
-        found.limit = DOM_DESIGN_FAILED;
-        found.needs = p.failed_s;
-    }
     if (p.status == DOM_OK && c.k > 0) {
         p.compute = final; /* the answer has the requested tolerance */
         found.s = (double)c.k / GRID;
         found.r = growth_of(&p, c.steps);
         found.steps = c.steps;
-        const double ratio = train_ratio(&p, found.s, found.r), least = row_ratio(&p, c, wish->push, true);
-        found.train = ratio > 0 ? ratio : DOM_NAN;
-        found.row = least > 0 ? least : DOM_NAN;
+        found.train = train_ratio(&p, found.s, found.r);
+        found.row = row_ratio(&p, c, wish->push, true);
         found.weakest = p.weakest;
         found.seconds = p.seconds;
         found.feet = feet_of(&p);
         found.length = found.feet + wish->height;
+        for (size_t k = c.steps + 1; k-- > 0;) /* in air, the search computes with a density of 1 */
+            p.domino[k].mass /= p.domino->mass;
     }
+    const bool keeps = p.status == DOM_OK && domino;
     if (p.status == DOM_OK)
         *design = found;
-    free(p.domino);
-    return p.status;
-}
-
-enum dom_status dom_design_dominoes(const struct dom_train *train, const struct dom_wish *wish,
-                                    const struct dom_limits *limits, const struct dom_design *design,
-                                    struct dom_domino *domino)
-{
-    const struct dom_compute compute = compute_or_default(NULL);
-    struct planner p = planner_make(train, wish, limits, &compute);
-    const struct choice c = {(int)floor(design->s * GRID + 0.5), design->steps};
-    if (p.status == DOM_OK && design->limit != DOM_DESIGN_FITS)
-        p.status = DOM_BAD_COUNT;
-    if (p.status == DOM_OK && row_write(&p, c))
-        for (size_t k = 0; k <= c.steps; k++) {
-            domino[k] = p.domino[k];
-            domino[k].mass /= p.domino->mass; /* in air, the planner computes with a density of 1 */
-        }
-    free(p.domino);
+    if (keeps)
+        *domino = c.k > 0 ? p.domino : NULL;
+    if (!keeps || c.k == 0)
+        free(p.domino);
     return p.status;
 }

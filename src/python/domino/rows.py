@@ -224,14 +224,13 @@ def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: fl
                         push=math.nan if push is None else push)  # fmt: skip
     found, compute = api.dom_design(), computing(None)
     with interruptible(compute):
-        status = run(lib.dom_design_find, ctypes.byref(train), ctypes.byref(wish), None, ctypes.byref(compute), ctypes.byref(found))
+        status = run(lib.dom_design_find, ctypes.byref(train), ctypes.byref(wish), None, ctypes.byref(compute), ctypes.byref(found), None)
     raise_status(status)
     limits = api.dom_design_limit
     refusals = {
         limits.DOM_DESIGN_SAFETY: f"no train has a safety of {safety:.6g}; the largest is just above {found.needs:.6g}",
         limits.DOM_DESIGN_START: f"the start is too weak; a push of {found.needs:.6g} rad/s is enough",
         limits.DOM_DESIGN_HALL: f"the hall is too short; the shortest row found needs {found.needs:.6g} m",
-        limits.DOM_DESIGN_FAILED: f"no row was found: at s = {found.needs:.6g} a train or row could not be computed",
     }
     if found.limit != limits.DOM_DESIGN_FITS:
         raise DominoError(refusals.get(found.limit, "no such row falls"), limits(found.limit).name.removeprefix("DOM_"))
