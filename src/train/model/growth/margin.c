@@ -216,8 +216,8 @@ static bool root_secant(struct growth *g, const struct margin *a, const struct m
             bend = (next - at[1].r - root_line(g, &at[0], &at[1])) * f / (far - f);
             next += bend;
         }
-        /* With losses no maximum of H is followed, so the margin may have a kink. Where the line bends as much
-         * as at a kink, it has to end closer to the root. */
+        /* With losses no maximum of H is followed, so the margin may have a kink. Where the line bends as
+         * much as at a kink, it has to end closer to the root. */
         const real kink = g->geometry.conservative ? 0 : f / (before - f) * (next - r);
         if (fabs(bend) <= tol / 16 * r && fabs(kink) <= tol / 16 * r && at[2].tol <= tol &&
             fabs(next - r) * at[1].tol <= tol / 16 * r * fabs(before)) {
@@ -315,7 +315,8 @@ KERNEL bool root_guessed(struct growth *g, real from, struct limit *limit)
 KERNEL bool root_near(struct growth *g, struct limit *limit)
 {
     const real near = g->near, width = ROOT_NEAR * near;
-    const struct margin aside = margin_signed(g, MARGIN_FOLLOW, near * (1 - ROOT_ASIDE), ROOT_ASIDE * ROOT_NEAR);
+    const struct margin aside =
+        margin_signed(g, MARGIN_FOLLOW, near * (1 - ROOT_ASIDE), ROOT_ASIDE * ROOT_NEAR);
     const struct margin at = g->status == DOM_OK ? margin_signed(g, MARGIN_FOLLOW, near, 0) : aside;
     return root_sure(g, g->status == DOM_OK && root_secant(g, &aside, &at, near - width, near + width, limit),
                      limit);
