@@ -70,6 +70,7 @@ END
 }
 
 # The sum is cut off where the rest no longer matters, so that it falls in steps, of which the first are tiny.
+# bats test_tags=sums
 @test "a step below the best values ends the range of the maximum" {
     says 'maximize s 0.02 0.6 : sum(chain(0).weight)' 'sum(chain(0).weight) is largest, 1.24615, for every s from 0.02 '
 }

@@ -99,7 +99,7 @@ struct answer {
 
     /* If the answer belongs to one point of a sweep, `take` receives its rows, and nothing is written
      * directly. Otherwise `take` is NULL. */
-    struct {
+    struct sink {
         void (*take)(struct answer *answer, const struct cell *cells, const char *reason);
         void *context;
         size_t point; /* the number of the point, counted from 0 */

@@ -169,12 +169,13 @@ struct method;
 struct plot;
 
 struct feature {
-    const char *name;                   /* its folder; a_b for a folder b in a folder a */
-    const struct command_group *groups; /* its commands; the last title is NULL */
-    const struct plot *const *plots;    /* tables of charts for 'plot'; the last one is NULL */
-    const struct engine_driver *engine; /* a rigid-body engine */
-    const struct method *method;        /* what 'cost' compares with */
-    void (*progress)(bool begins);      /* shows the progress of a command (io/terminal.h) */
+    const char *name;                    /* its folder; a_b for a folder b in a folder a */
+    const struct command_group *groups;  /* its commands; the last title is NULL */
+    const struct plot *const *plots;     /* tables of charts for 'plot'; the last one is NULL */
+    const struct engine_driver *engine;  /* a rigid-body engine */
+    const struct method *method;         /* what 'cost' compares with */
+    const struct aggregates *aggregates; /* functions of the columns of tables (interpreter/question.h) */
+    void (*progress)(bool begins);       /* shows the progress of a command (io/terminal.h) */
     /* Runs a command in place of command_answer, which it calls; at most one feature does */
     bool (*compute)(const struct command *command, const struct query *query, struct answer *answer,
                     struct problem *problem);

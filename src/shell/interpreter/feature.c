@@ -17,6 +17,8 @@ static int named_count;
 static const struct feature *const no_feature[] = {NULL};
 static const struct feature *const *features = no_feature;
 
+const struct aggregates *aggregates;
+
 /* What runs a command. */
 static bool (*computes)(const struct command *, const struct query *, struct answer *, struct problem *);
 
@@ -45,6 +47,8 @@ void features_register(const struct feature *const *list)
             computes = (*f)->compute;
         if ((*f)->progress)
             progress_hook = (*f)->progress;
+        if ((*f)->aggregates)
+            aggregates = (*f)->aggregates;
         if ((*f)->engine)
             row_engine = (*f)->engine;
         for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++) {
@@ -149,8 +153,8 @@ const char *value_names(const void *context, int k)
     if (k < variables)
         return state->variables.list[k].name;
     k -= variables;
-    if (state && k-- == 0)
-        return "sum";
+    if (state && aggregates && k-- == 0)
+        return aggregates->name;
     return k == 0 ? "ans" : topic_names(NULL, k - 1);
 }
 
@@ -218,6 +222,6 @@ int command_arity(const struct command *c, int *fewest)
 bool command_is_table(const struct command *c)
 {
     int fewest;
-    return c && c->rows && !c->principal && c->columns && c->columns->key && c->run && !c->writes &&
-           !c->access.changes && command_values(c, &fewest) >= 0;
+    return aggregates && c && c->rows && !c->principal && c->columns && c->columns->key && c->run &&
+           !c->writes && !c->access.changes && command_values(c, &fewest) >= 0;
 }

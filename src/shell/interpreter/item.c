@@ -76,7 +76,7 @@ bool item_parse_expression(struct reader *r, const struct argument *a, struct it
     r->at = begin;
     if (r->offer)
         value_offer(r, a, end, item->value != NULL);
-    if (!item->value || (r->names && !is_single(r->problem, item->value)))
+    if (!item->value)
         return item_wrong(r->problem, r->text, a->name);
     if (!end_check(r, a->name, end))
         return false;

@@ -165,10 +165,10 @@ static bool built_in_resolve(struct reader *r, struct tree *t)
         t->compute = wanted == 3 ? if_value : function_value;
         t->refers = f;
     }
-    /* perhaps of a column, as in max(chain(0).weight) */
-    const bool is_aggregate = t->count == 1 && (strcmp(t->name, "min") == 0 || strcmp(t->name, "max") == 0);
-    if (!f || t->count == wanted || is_aggregate)
+    if (!f || t->count == wanted)
         return true;
+    if (aggregates && aggregates->resolve(r, t)) /* a function of a column, as in max(chain(0).weight) */
+        return t->compute || !r->names;
     r->at = t->at;
     if (wanted == 3)
         (void)parse_fail(r, "'if' takes a condition and two values, as in 'if(r > 1.5, 1, 0)'");

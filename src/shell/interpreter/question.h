@@ -86,7 +86,7 @@ struct evaluation {
     struct problem *problem;
     const struct query *query;
     const struct quantity *argument; /* the arguments of the 'let' function that is being evaluated */
-    struct rows *rows;               /* the table of the aggregate that is being evaluated */
+    struct rows *rows;               /* of the feature `aggregates` */
     void *context;                   /* for evaluators of features */
     /* the number of radians in the session's angle unit, which applies to angles typed without a unit */
     domq_real angle;
@@ -109,13 +109,27 @@ const struct function *function_find(const char *name, int *arguments);
 const char *expression_names(const void *context, int k);
 
 /* Resolves a name. Is the callback reader.names. A name can stand for a parameter, a variable, a 'let'
- * function, a command or the last answer. The functions sum, min, max and count take a column of a table. To
- * choose one column of an answer, the user appends a dot and the key of the column, as in 'rmax.r' or
- * 'ans.margin'. */
+ * function, a command or the last answer. To choose one column of an answer, the user appends a dot and the
+ * key of the column, as in 'rmax.r' or 'ans.margin'. */
 bool name_resolve(struct reader *reader, struct tree *name);
 
-/* Returns false, with an error in *problem, if the value of a tree depends on the row of a table. */
-bool is_single(struct problem *problem, const struct tree *tree);
+/* Resolves the name of a command whose number, in the column of the name's key, `compute` finds. */
+bool command_resolve(struct reader *reader, struct tree *name, const struct command *command,
+                     evaluator *compute);
+
+/* Runs the command of a name. The caller sets answer->kept and may set answer->sink. */
+bool command_run(struct evaluation *evaluation, const struct tree *name, const struct quantity *argument,
+                 struct answer *answer);
+
+/* A feature that computes numbers of the columns of a table. */
+struct aggregates {
+    const char *name; /* a function that no other name hides */
+    /* Resolves a name, like name_resolve, if it is one of the feature or a table, and otherwise returns
+     * false. After an error, tree->compute is NULL. If reader.names is NULL, it only finds out what the name
+     * is. */
+    bool (*resolve)(struct reader *reader, struct tree *name);
+};
+extern const struct aggregates *aggregates; /* NULL without such a feature */
 
 /* Returns what is needed to evaluate trees in the state of a query. An error has a position if it is one of
  * the expression (problem.at), and none if a command in it has no answer. */

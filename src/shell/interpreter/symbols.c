@@ -7,130 +7,33 @@
 #include <stdio.h>
 #include <string.h>
 
-/* ---- Columns of answers ---- */
+/* ---- Values ---- */
 
-/* The table over which an aggregate such as sum(chain(0).weight) is computed, row by row. */
-struct rows {
-    struct evaluation *e;
-    const struct tree *aggregate;
-    const struct tree *column; /* the first column in the aggregate; all others must be of the same table */
-    struct quantity argument[EXPRESSION_ARGUMENTS]; /* the arguments of the table's command */
-    const struct column *columns;
-    const struct cell *cells; /* the current row */
-    size_t count;             /* the number of rows so far */
-    struct quantity value;    /* the value of the aggregate over these rows */
-    bool failed;
-};
-
-/* Finds the value of the node t, which is the number in a cell with this unit. If the cell is empty or
- * contains a word, reports an error. `row` is the number of the cell's row in a table, or 0. `reason` is the
- * reason why the cell is empty, or "". */
-static bool cell_quantity(struct evaluation *e, const struct tree *t, struct cell cell, struct quantity unit,
-                          size_t row, const char *reason, struct quantity *result)
+/* Finds the value of the node t, which is the number in a cell. If the cell is empty or contains a word,
+ * reports an error. `reason` is the reason why the cell is empty, or "". */
+static bool cell_quantity(struct evaluation *e, const struct tree *t, struct cell cell, const char *reason,
+                          struct quantity *result)
 {
     const struct command *c = t->refers;
     const char *key = c->columns[t->index].key;
     if (cell.kind == CELL_WORD)
-        return expression_wrong(e->problem, t->at, "%s.%s is the word '%s', not a number%s", t->name, key,
-                                cell.word, row ? "; only 'count' takes words" : "");
-    *result = unit;
+        return expression_wrong(e->problem, t->at, "%s.%s is the word '%s', not a number", t->name, key,
+                                cell.word);
+    *result = t->value;
     result->value *= cell.number;
-    if (cell.kind != CELL_NONE)
-        return true;
-    if (row)
-        return expression_no_value(e->problem, t->at,
-                                   "%s.%s has no value in row %zu; 'if' can choose another value there",
-                                   t->name, key, row);
-    return expression_no_value(e->problem, t->at,
+    return cell.kind != CELL_NONE ||
+           expression_no_value(e->problem, t->at,
                                *reason ? "%s.%s has no value here: %s"
                                        : "%s.%s has no value here; enter '%s' to see why",
                                t->name, key, *reason ? reason : c->name);
 }
 
-/* Finds the number of a column in the current row. All columns of an aggregate must be of the same table. */
-static bool column_value(struct evaluation *e, const struct tree *t, struct quantity *result)
-{
-    struct quantity argument[EXPRESSION_ARGUMENTS];
-    const struct rows *rows = e->rows;
-    const char *key = ((const struct command *)t->refers)->columns[t->index].key;
-    int index = 0;
-    bool is_same = t->refers == rows->column->refers;
-    if (is_same && t != rows->column && !arguments_evaluate(e, t, argument))
-        return false;
-    for (int i = 0; is_same && t != rows->column && i < t->count; i++)
-        is_same =
-            quantity_alike(argument[i], rows->argument[i]) && argument[i].value == rows->argument[i].value;
-    if (!is_same)
-        return expression_wrong(e->problem, t->at, "'%s' is another table; all columns must be of one table",
-                                t->name);
-    while (rows->columns[index].key && strcmp(rows->columns[index].key, key) != 0)
-        index++;
-    if (!rows->columns[index].key)
-        return expression_no_value(e->problem, t->at, "%s.%s is not in the table here; enter '%s' to see why",
-                                   t->name, key, t->name);
-    return cell_quantity(e, t, rows->cells[index], expression_unit(rows->columns[index].unit), rows->count,
-                         "", result);
-}
-
-static bool aggregate_value(struct evaluation *e, const struct tree *t, struct quantity *result);
-
-/* Returns the first column of a table in a tree that no aggregate takes, or NULL. */
-static const struct tree *column_in(const struct tree *t)
-{
-    const struct tree *found = t->compute == column_value ? t : NULL;
-    for (const struct tree *child = t->child; child && !found && t->compute != aggregate_value;
-         child = child->next)
-        found = column_in(child);
-    return found;
-}
-
-#define IS_TABLE                                                                                             \
-    "'%s' has no value: its answer is a table; 'sum', 'min', 'max' and 'count' make a number of a column, "  \
-    "as in 'sum(chain(0).weight)'"
-
-bool is_single(struct problem *problem, const struct tree *tree)
-{
-    const struct tree *column = column_in(tree);
-    return !column || expression_wrong(problem, column->at, IS_TABLE, column->name);
-}
-
-/* ---- Values of commands ---- */
-
-enum aggregate { AGGREGATE_SUM, AGGREGATE_MIN, AGGREGATE_MAX, AGGREGATE_COUNT };
-static const char *const aggregates[] = {"sum", "min", "max", "count", NULL};
-
-/* A sink (answer.h) that evaluates the child of an aggregate in each row. */
-static void row_take(struct answer *answer, const struct cell *cells, const char *reason)
-{
-    struct rows *rows = answer->sink.context;
-    const struct tree *t = rows->aggregate;
-    struct quantity value;
-    (void)reason;
-    rows->columns = answer->columns;
-    rows->cells = cells;
-    rows->count++;
-    if (rows->failed || t->index == AGGREGATE_COUNT)
-        return;
-    if (!expression_evaluate(rows->e, t->child, &value))
-        rows->failed = true;
-    else if (rows->count == 1)
-        rows->value = value;
-    else if (!quantity_alike(value, rows->value)) {
-        (void)expression_wrong(rows->e->problem, t->at, "%s and %s are in different rows of the same column",
-                               expression_kind(rows->value), expression_kind(value));
-        rows->failed = true;
-    } else
-        rows->value.value = t->index == AGGREGATE_SUM   ? rows->value.value + value.value
-                            : t->index == AGGREGATE_MIN ? quad_smaller(rows->value.value, value.value)
-                                                        : quad_larger(rows->value.value, value.value);
-}
-
-/* Runs a command in an expression. `rows` receives the rows of a table; otherwise it is NULL. */
-static bool command_run(struct evaluation *e, const struct tree *t, const struct quantity *argument,
-                        struct answer *answer, struct rows *rows)
+bool command_run(struct evaluation *e, const struct tree *t, const struct quantity *argument,
+                 struct answer *answer)
 {
     const struct command *c = t->refers;
     static const struct question no_question;
+    const struct sink sink = answer->sink;
     struct arguments given = {.count = t->count, .question = &no_question};
     struct query query = *e->query;
     if (!command_allowed(query.run_context, c, e->problem))
@@ -141,8 +44,7 @@ static bool command_run(struct evaluation *e, const struct tree *t, const struct
     query.given = &given;
     query.next = NULL;
     *answer = answer_kept(&query, c, answer->kept);
-    answer->sink.take = rows ? row_take : NULL;
-    answer->sink.context = rows;
+    answer->sink = sink;
     return command_compute(c, &query, answer, e->problem);
 }
 
@@ -154,8 +56,8 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
 {
     struct cell cells[ANSWER_CELLS];
     struct answer answer = {.kept = cells};
-    return command_run(e, t, argument, &answer, NULL) &&
-           cell_quantity(e, t, cells[t->index], t->value, 0, answer.late_reason, result);
+    return command_run(e, t, argument, &answer) &&
+           cell_quantity(e, t, cells[t->index], answer.late_reason, result);
 }
 
 /* The value of a command such as rmax(0.3). */
@@ -164,24 +66,6 @@ static bool command_value(struct evaluation *e, const struct tree *t, struct qua
     struct quantity argument[EXPRESSION_ARGUMENTS];
     return arguments_evaluate(e, t, argument) && command_quantity(e, t, argument, result);
 }
-
-static bool aggregate_value(struct evaluation *e, const struct tree *t, struct quantity *result)
-{
-    struct rows rows = {.e = e, .aggregate = t, .column = column_in(t->child)}, *outer = e->rows;
-    struct cell cells[ANSWER_CELLS];
-    struct answer answer = {.kept = cells};
-    e->rows = &rows;
-    const bool good = arguments_evaluate(e, rows.column, rows.argument) &&
-                      command_run(e, rows.column, rows.argument, &answer, &rows) && !rows.failed;
-    e->rows = outer;
-    *result = t->index == AGGREGATE_COUNT ? (struct quantity){.value = (domq_real)rows.count} : rows.value;
-    if (good && rows.count == 0 && t->index != AGGREGATE_COUNT)
-        return expression_no_value(e->problem, t->at, "the answer of '%s' has no rows here",
-                                   rows.column->name);
-    return good;
-}
-
-/* ---- Other values ---- */
 
 static bool parameter_value(struct evaluation *e, const struct tree *t, struct quantity *result)
 {
@@ -194,7 +78,7 @@ static bool ans_value(struct evaluation *e, const struct tree *t, struct quantit
 {
     const struct last_answer *ans = e->query->ans;
     *result = ans->value;
-    return !t->refers || cell_quantity(e, t, ans->cells[t->index], t->value, 0, "", result);
+    return !t->refers || cell_quantity(e, t, ans->cells[t->index], "", result);
 }
 
 static bool argument_value(struct evaluation *e, const struct tree *t, struct quantity *result)
@@ -277,8 +161,7 @@ static bool routine_resolve(struct reader *r, struct tree *t, const struct varia
     body.no_unit = NULL;
     t->body = expression_parse(&body);
     r->nodes = body.nodes;
-    return (t->body && is_single(r->problem, t->body)) ? stands_for(t, routine_value, f, 0)
-                                                       : routine_wrong(r->problem, t->at, f);
+    return t->body ? stands_for(t, routine_value, f, 0) : routine_wrong(r->problem, t->at, f);
 }
 
 /* Finds the column that a name such as "ans.margin" or "rmax.r" stands for. A name without a key, such as
@@ -303,39 +186,16 @@ static bool column_resolve(struct reader *r, struct tree *t, evaluator *compute,
     return stands_for(t, compute, c, index);
 }
 
-static bool command_resolve(struct reader *r, struct tree *t, const struct command *c)
+bool command_resolve(struct reader *r, struct tree *t, const struct command *c, evaluator *compute)
 {
     int fewest, most = command_values(c, &fewest);
-    const bool has_rows = command_is_table(c);
-    if (has_rows && !t->key)
-        return fail(r, t, IS_TABLE, c->name);
-    if (most < 0 || (!c->principal && !has_rows))
-        return fail(r, t, "'%s' has no value in an expression; enter the command alone", c->name);
     if (t->count == 0 && fewest == 1)
         return fail(r, t, "'%s' needs a value in parentheses: '%s(%s)%s%s'", c->name, c->name,
                     c->argument[0].name, t->key ? "." : "", t->key ? t->key : "");
     if (t->count < fewest || t->count > most)
         return fail(r, t, "'%s' does not take %d value%s", command_usage(c), t->count,
                     t->count == 1 ? "" : "s");
-    for (const struct tree *child = t->child; child && has_rows; child = child->next)
-        if (!is_single(r->problem, child)) /* the arguments of a table are the same for all its rows */
-            return false;
-    return column_resolve(r, t, has_rows ? column_value : command_value, c);
-}
-
-/* Resolves a call of an aggregate, such as sum(X). */
-static bool aggregate_resolve(struct reader *r, struct tree *t, int aggregate)
-{
-    const bool has_column = t->called && t->count == 1 && !t->key && column_in(t->child);
-    if (has_column && aggregate == AGGREGATE_COUNT && t->child->compute != column_value)
-        return fail(
-            r, t,
-            "'count' counts the rows of a table and takes one of its columns; 'sum(CONDITION)' counts "
-            "the rows for which a condition is true");
-    if (has_column)
-        return stands_for(t, aggregate_value, NULL, aggregate);
-    return fail(r, t, "'%s' takes a column of a table, as in '%s(chain(0).weight)'%s", t->name, t->name,
-                aggregate == AGGREGATE_SUM ? "" : ", or two values");
+    return column_resolve(r, t, compute, c);
 }
 
 bool name_resolve(struct reader *r, struct tree *t)
@@ -352,12 +212,6 @@ bool name_resolve(struct reader *r, struct tree *t)
         return routine_resolve(r, t, v);
     if (v && is_bare)
         return stands_for_number(t, v->value);
-    /* 'count' is also a command; min and max of two values have been resolved already */
-    for (int k = 0; aggregates[k]; k++)
-        if (strcmp(aggregates[k], t->name) == 0 &&
-            (k == AGGREGATE_SUM || (t->called && t->count == 1 && !t->key)) &&
-            (k != AGGREGATE_COUNT || column_in(t->child)))
-            return aggregate_resolve(r, t, k);
     const struct parameter *parameter = is_bare ? parameter_find(t->name) : NULL;
     if (parameter && parameter_is_number(parameter)) {
         t->value = expression_unit(parameter->value->unit);
@@ -368,9 +222,14 @@ bool name_resolve(struct reader *r, struct tree *t)
         return ans->printed && !t->key ? stands_for(t, ans_value, NULL, 0)
                : ans->command          ? column_resolve(r, t, ans_value, ans->command)
                                        : fail(r, t, "there is no earlier answer");
+    if (aggregates && aggregates->resolve(r, t))
+        return t->compute != NULL;
     const struct command *c = command_find(t->name);
+    int fewest;
+    if (c && command_arity(c, &fewest) < 0)
+        return fail(r, t, "'%s' has no value in an expression; enter the command alone", c->name);
     if (c)
-        return command_resolve(r, t, c);
+        return command_resolve(r, t, c, command_value);
     if (is_bare && feature_value(t->name, &name, &end, &value) && !*end)
         return stands_for_number(t, value);
     char message[NAMES_MESSAGE];

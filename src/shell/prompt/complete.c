@@ -74,8 +74,8 @@ static void emit_values(const struct completion *c)
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
     emit_name(c, "ans", "", !is_any);
-    if (is_any && *c->name)
-        emit_name(c, "sum", "(", false);
+    if (aggregates && is_any && *c->name)
+        emit_name(c, aggregates->name, "(", false);
     for (const struct variable *v = variables->list; v && v < variables->list + variables->count; v++)
         emit_name(c, v->name, v->body ? "(" : "", !is_any);
     for (int i = 0; (name = expression_names(NULL, i)) != NULL; i++)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Numbers made of the columns of a table in expressions: sum, min, max and count.
 
-load common
+load ../shell/common
 
 @test "sums over the chain give the inertia of the train, and the paper's collision law (e5) to (e8)" {
     # Domino i has the energy weight r^(-q i), and its moment of inertia is smaller by another r^-i.
