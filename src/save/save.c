@@ -69,8 +69,13 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
         free(folder);
         for (size_t i = 0; i < variables->count; i++) {
             const struct variable *v = &variables->list[i];
-            fprintf(file->out, "let %s = %s\n", variable_head(v),
-                    v->body ? v->body : variable_value(v, (char[VARIABLE_VALUE]){""}));
+            char number[WIDE_TEXT], unit[UNIT_TEXT];
+            if (v->body)
+                fprintf(file->out, "let %s = %s\n", variable_head(v), v->body);
+            else
+                fprintf(file->out, "let %s = %s%s%s\n", v->name,
+                        quad_exact(v->value.value, WIDE_DIGITS, number),
+                        *unit_write(v->value, "*", unit) ? " " : "", unit);
         }
         wrong = output_pop(&file, good);
         if (!good)

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* asprintf */
 #include "interpreter/question.h"
 #include "io/escape.h"
 #include "io/io.h"
@@ -10,6 +11,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* ---- Headings ---- */
 
@@ -442,6 +444,21 @@ bool csv_next(struct csv_table *csv)
 }
 
 /* ---- Files ---- */
+
+/* Finds a file that a script names. If there is such a file beside the running script, returns its path.
+ * Otherwise returns a copy of `name`. The caller frees the path. */
+static char *path_beside(const struct run_context *run_context, const char *name)
+{
+    const char *slash = run_context->script && *name != '/' ? strrchr(run_context->script, '/') : NULL;
+    char *path = NULL;
+    if (slash &&
+        asprintf(&path, "%.*s%s", (int)(slash + 1 - run_context->script), run_context->script, name) < 0)
+        return NULL;
+    if (path && access(path, F_OK) == 0)
+        return path;
+    free(path);
+    return strdup(name);
+}
 
 struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
                             const char *name, const struct csv_kind *kind, struct problem *problem)

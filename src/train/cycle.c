@@ -133,6 +133,11 @@ static bool missing_explain(const struct query *query, enum dom_status status, s
     return is_verdict || query_status(query, problem, status);
 }
 
+struct cell cell_omega(domq_real omegasq, domq_real tau)
+{
+    return cell_computed(quad(sqrt)(omegasq) / tau);
+}
+
 static const struct column launch_columns[] = {
     {"omega0sq", "", "tau^2 omega(0)^2 after the collision (24; c6)", 0},
     {"omega0", "rad/s", "omega(0), angular velocity of the head", 0},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How much dominoes can grow from one to the next: rmax, pair and best. How many topple a given height:
- * count. */
+ * count. Also the list of all commands about a train. */
 #include "language/quad.h"
 #include "train/train.h"
 #include <ctype.h>
@@ -341,7 +341,7 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
 
 #define SEPARATION .name = "S", .kind = ARGUMENT_VALUE_OF, .parameter = "s", .optional = true
 
-const struct command limit_commands[] = {
+static const struct command limit_commands[] = {
     {.name = "rmax",
      TRAIN_COMMAND,
      .synonyms = "maximum ratio factor larger",
@@ -412,3 +412,12 @@ const struct command limit_commands[] = {
      ANSWER(count)},
     {.name = NULL},
 };
+
+static const struct command_group groups[] = {
+    {"One cycle of the train", "cycles", cycle_commands},
+    {"The cycle, step by step", "cycles", walk_commands},
+    {"How far it can grow", "limits", limit_commands},
+    {NULL, NULL, NULL},
+};
+
+const struct feature train_feature = {.name = "train", .groups = groups};

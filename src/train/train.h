@@ -5,7 +5,7 @@
 
 #include "interpreter/command.h"
 
-extern const struct command cycle_commands[], walk_commands[], limit_commands[];
+extern const struct command cycle_commands[], walk_commands[];
 
 /* The members that most commands about a train share. */
 #define TRAIN_COMMAND .precision = PRECISION_AS_SET, .train = true
@@ -35,6 +35,9 @@ struct method {
     enum dom_status (*barrier)(const struct dom_train *, const struct dom_compute *, struct dom_barrier *);
     enum dom_status (*rmax)(const struct dom_train *, const struct dom_compute *, struct dom_limit *);
 };
+
+/* Returns omega. Omega is computed from its square: omegasq is tau^2 omega^2. */
+struct cell cell_omega(domq_real omegasq, domq_real tau);
 
 /* ---- A walk through the cycles of the train, event by event ---- */
 

@@ -18,10 +18,11 @@ static const struct {
 struct display display_of(FILE *stream)
 {
     static const char *const without_braille[] = {"dumb", "linux", "vt", "cons"};
-    const char *term = getenv("TERM");
+    const char *term = getenv("TERM"), *no = getenv("NO_COLOR");
     if (!terminal_shows(stream) || !term)
         return (struct display){.braille = false};
-    struct display display = {.braille = terminal_utf8(), .colours = terminal_colour(stream)};
+    struct display display = {.braille = terminal_utf8(),
+                              .colours = !(no && *no) && *term && strcmp(term, "dumb") != 0};
     for (size_t k = 0; k < sizeof without_braille / sizeof *without_braille; k++)
         display.braille &= strncmp(term, without_braille[k], strlen(without_braille[k])) != 0;
     return display;

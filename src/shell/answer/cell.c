@@ -46,13 +46,6 @@ struct cell cell_without_error(domq_real value)
     return cell;
 }
 
-struct cell cell_brief(double value)
-{
-    struct cell cell = cell_real((domq_real)value);
-    cell.digits = 3;
-    return cell;
-}
-
 struct cell cell_count(domq_real value)
 {
     return (struct cell){.kind = isfinite(value) ? CELL_COUNT : CELL_NONE, .number = value};

@@ -55,9 +55,6 @@ struct cell cell_limit(struct cell cell);
 /* Makes a cell for a number whose error is not known, and is not computed either. */
 struct cell cell_without_error(domq_real value);
 
-/* Makes a cell for a number that is known to only three digits. */
-struct cell cell_brief(double value);
-
 struct cell cell_count(domq_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);

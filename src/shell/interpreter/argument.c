@@ -114,11 +114,6 @@ struct answer answer_kept(const struct query *query, const struct command *c, st
         .style = state_style(query->state), .columns = c->columns, .rows = c->rows, .kept = kept};
 }
 
-struct cell cell_omega(domq_real omegasq, domq_real tau)
-{
-    return cell_computed(quad(sqrt)(omegasq) / tau);
-}
-
 /* ---- Answers ---- */
 
 bool command_answer(const struct command *c, const struct query *query, struct answer *answer,

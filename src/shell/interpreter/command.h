@@ -270,7 +270,4 @@ bool argument_check(const struct query *query, const struct argument *argument, 
 bool command_compute(const struct command *command, const struct query *query, struct answer *answer,
                      struct problem *problem);
 
-/* Returns omega. Omega is computed from its square: omegasq is tau^2 omega^2. */
-struct cell cell_omega(domq_real omegasq, domq_real tau);
-
 #define ROW(...) ((const struct cell[]){__VA_ARGS__})

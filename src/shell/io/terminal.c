@@ -34,14 +34,6 @@ bool terminal_shows(FILE *stream)
     return shown_on(stream) >= 0;
 }
 
-bool terminal_colour(FILE *stream)
-{
-    if (!terminal_shows(stream))
-        return false;
-    const char *term = getenv("TERM"), *no = getenv("NO_COLOR");
-    return !(no && *no) && term && *term && strcmp(term, "dumb") != 0;
-}
-
 bool terminal_size(FILE *stream, int *width, int *height)
 {
     struct winsize size = {0};

@@ -8,10 +8,6 @@
 /* Returns true if text written to the stream appears on a terminal. */
 bool terminal_shows(FILE *stream);
 
-/* Returns true if text written to the stream may contain colours. The stream must be shown on a terminal that
- * has colours, and the environment variable NO_COLOR must be empty or not set. */
-bool terminal_colour(FILE *stream);
-
 /* Stores the number of columns and the number of rows of the stream's terminal. If the stream is not shown on
  * a terminal, stores 0 in both and returns false. */
 bool terminal_size(FILE *stream, int *width, int *height);

@@ -291,12 +291,3 @@ const char *variable_head_write(const struct variable *v, char text[VARIABLE_HEA
     text_add(text, VARIABLE_HEAD, "%s", v->body ? ")" : "");
     return text;
 }
-
-const char *variable_value(const struct variable *v, char text[VARIABLE_VALUE])
-{
-    char number[WIDE_TEXT], unit[UNIT_TEXT];
-    unit_write(v->value, "*", unit);
-    snprintf(text, VARIABLE_VALUE, "%s%s%s", quad_exact(v->value.value, WIDE_DIGITS, number),
-             *unit ? " " : "", unit);
-    return text;
-}

@@ -122,7 +122,3 @@ void variables_free(struct variables *variables);
 enum { VARIABLE_HEAD = (EXPRESSION_ARGUMENTS + 1) * (VARIABLE_NAME + 2) };
 #define variable_head(variable) variable_head_write(variable, (char[VARIABLE_HEAD]){""})
 const char *variable_head_write(const struct variable *variable, char text[VARIABLE_HEAD]);
-
-/* Writes the value of a variable as an expression, such as "0.048 m". Returns `text`. */
-enum { VARIABLE_VALUE = 128 };
-const char *variable_value(const struct variable *variable, char text[VARIABLE_VALUE]);

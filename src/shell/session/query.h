@@ -67,7 +67,3 @@ static inline bool query_status(const struct query *query, struct problem *probl
 {
     return problem_status(problem, query->scene, status);
 }
-
-/* Finds a file that a script names. If there is such a file beside the running script, returns its path.
- * Otherwise returns a copy of `name`. The caller frees the path. */
-char *path_beside(const struct run_context *run_context, const char *name);

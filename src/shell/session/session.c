@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#define _GNU_SOURCE /* asprintf */
 #include "session/session.h"
 #include "answer/answer.h"
 #include "io/escape.h"
@@ -11,7 +10,6 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static void note(void *context, const char *text)
 {
@@ -122,19 +120,6 @@ void run_context_note(const struct run_context *run_context, const char *format,
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     run_context->note(run_context->note_context, text);
-}
-
-char *path_beside(const struct run_context *run_context, const char *name)
-{
-    const char *slash = run_context->script && *name != '/' ? strrchr(run_context->script, '/') : NULL;
-    char *path = NULL;
-    if (slash &&
-        asprintf(&path, "%.*s%s", (int)(slash + 1 - run_context->script), run_context->script, name) < 0)
-        return NULL;
-    if (path && access(path, F_OK) == 0)
-        return path;
-    free(path);
-    return strdup(name);
 }
 
 /* ---- Undo ---- */

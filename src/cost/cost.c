@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'cost', which measures computing time. It uses a single thread: more threads would compete for
- * caches and memory, and lower the clock rate. Also the list of all commands about a train. */
+ * caches and memory, and lower the clock rate. */
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -156,6 +156,14 @@ static const struct column cost_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* Makes a cell for a number that is known to only three digits. */
+static struct cell cell_brief(double value)
+{
+    struct cell cell = cell_real((domq_real)value);
+    cell.digits = 3;
+    return cell;
+}
+
 /* Returns the shortest time in s in which a contender, or any if `by` is -1, reached this relative error, or
  * NaN if it never did. */
 static double seconds_for(const struct cost *cost, int by, double error)
@@ -251,11 +259,8 @@ static const struct command cost_commands[] = {
 };
 
 static const struct command_group groups[] = {
-    {"One cycle of the train", "cycles", cycle_commands},
-    {"The cycle, step by step", "cycles", walk_commands},
-    {"How far it can grow", "limits", limit_commands},
     {"What accuracy costs", "limits", cost_commands},
     {NULL, NULL, NULL},
 };
 
-const struct feature train_feature = {.name = "train", .groups = groups};
+const struct feature cost_feature = {.name = "cost", .groups = groups};
