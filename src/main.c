@@ -159,7 +159,7 @@ static void run_file(struct session *session, const char *name)
             session_problem(session, &problem);
         return;
     }
-    FILE *in = standard ? io_stdin(&interrupted) : io_open_read(name, &interrupted);
+    FILE *in = standard ? io_stdin() : io_open_read(name);
     if (!in) {
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));
         return;
@@ -212,7 +212,7 @@ int main(int argc, char **argv)
     signal(SIGXFSZ, SIG_IGN);
     features_register(every_feature);
     session_init(&session, io_stdout(&ended));
-    session.state.scene.compute.interrupt = &interrupted;
+    session.state.scene.compute.interrupt = io_interrupt = &interrupted;
     if (!plan.typed) {
         fputs("domino: out of memory\n", stderr);
         return EXIT_FAILURE;

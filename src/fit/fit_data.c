@@ -156,7 +156,7 @@ bool fit_read(const struct query *query, const char *name, double rate, struct f
                               .run = calloc(POINTS_MOST, sizeof *data->run)};
     if (!data->point || !data->run)
         return query_status(query, problem, DOM_NO_MEMORY);
-    struct csv_table *csv = csv_named(query->scene, query->run_context, name, &speeds, problem);
+    struct csv_table *csv = csv_named(query->run_context, name, &speeds, problem);
     bool is_spread = false;
     if (csv) {
         const int *column = csv->column;

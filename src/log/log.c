@@ -71,7 +71,7 @@ static const struct session_log session_log = {record_typed, record_message, rec
 
 /* Begins a log, which is appended to its file. If there is already a log, it ends. Returns NULL, or the
  * reason why the file cannot be written. */
-static const char *record_begin(const char *path, const volatile sig_atomic_t *interrupt)
+static const char *record_begin(const char *path)
 {
     struct stat status;
     char *target;
@@ -82,8 +82,8 @@ static const char *record_begin(const char *path, const volatile sig_atomic_t *i
     if (record.file)
         fflush(record.file); /* it may be the same file */
     const bool in_line = !wrong && io_ends_in_line(path);
-    const int opened = wrong ? -1 : io_open(path, O_WRONLY | O_CREAT | O_APPEND, 0666, interrupt);
-    FILE *file = opened < 0 ? NULL : io_stream(opened, "a", interrupt);
+    const int opened = wrong ? -1 : io_open(path, O_WRONLY | O_CREAT | O_APPEND, 0666);
+    FILE *file = opened < 0 ? NULL : io_stream(opened, "a");
     if (!file) {
         wrong = wrong ? wrong : strerror(errno);
         free(target);
@@ -112,7 +112,7 @@ static bool run_log(struct session *session, const struct arguments *given, stru
     if (strcmp(path, "off") == 0) {
         record_end();
         session->log = NULL;
-    } else if (!(wrong = record_begin(path, session->state.scene.compute.interrupt)))
+    } else if (!(wrong = record_begin(path)))
         session->log = &session_log;
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }

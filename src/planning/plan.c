@@ -368,8 +368,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
     else if (!guide_write(&p, query->scene))
         good = problem_status(problem, query->scene, DOM_NO_MEMORY);
     else if (is_drawn)
-        good = paper_draw(p.paper, title ? *title : NULL, &p.row.stage, a, query->scene->compute.interrupt,
-                          problem);
+        good = paper_draw(p.paper, title ? *title : NULL, &p.row.stage, a, problem);
     else
         good =
             plan_text(&p, title ? *title : NULL, a) || problem_status(problem, query->scene, DOM_NO_MEMORY);

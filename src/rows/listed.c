@@ -309,7 +309,7 @@ bool rowfile_load(struct scene *scene, const char *name, const struct run_contex
         return problem_error(problem,
                              "'set row %s' reads a file, which a safe session cannot do; use 'set row N'",
                              names_shown(name));
-    struct csv_table *csv = csv_named(scene, run_context, name, &rowfile_kind, problem);
+    struct csv_table *csv = csv_named(run_context, name, &rowfile_kind, problem);
     if (!csv)
         return false;
     struct row_file *file = rowfile_read(csv, scene->train.alpha);

@@ -60,7 +60,7 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
     (void)a;
     if (!save_allowed(query->scene, path, problem))
         return false;
-    const char *wrong = output_push(&file, path, false, query->scene->compute.interrupt);
+    const char *wrong = output_push(&file, path, false);
     if (!wrong) {
         char *folder = output_folder(file);
         fprintf(file->out, "# A session of domino " DOM_VERSION

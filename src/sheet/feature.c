@@ -243,7 +243,6 @@ static char *pages_make(const struct class_row *class, const char *title)
 static bool sheet_write(struct class_row *class, struct answer *a, struct problem *problem)
 {
     static const char title[] = "How fast do dominoes fall?";
-    const volatile sig_atomic_t *interrupt = class->query->scene->compute.interrupt;
     struct stage *stage = &class->row.stage;
     char *paper = pages_make(class, title);
     bool good = paper || problem_status(problem, class->query->scene, DOM_NO_MEMORY);
@@ -251,10 +250,10 @@ static bool sheet_write(struct class_row *class, struct answer *a, struct proble
         stage->domino[k].part = STANDS; /* which domino is the weakest is a question */
     snprintf(stage->caption, CAPTION, "Name ____________________  Date ___________\nThe row, to scale:");
     if (good && picture_is_filed(a)) {
-        good = paper_draw(paper, title, stage, a, interrupt, problem);
+        good = paper_draw(paper, title, stage, a, problem);
     } else if (good) {
         fprintf(a->out, "%s\n", title);
-        good = stage_show(stage, a, interrupt, problem);
+        good = stage_show(stage, a, problem);
         paper_write(paper, a->out);
     }
     free(paper);

@@ -154,7 +154,6 @@ struct csv_table {
     int of[CSV_CELLS_MOST]; /* for each column of the file its column of the kind, or -1 if it is unknown */
     /* The unit of each column of the file, as a multiple of the SI unit, or 0 if the file gives none. */
     domq_real unit[CSV_CELLS_MOST];
-    const volatile sig_atomic_t *interrupt; /* once this flag is raised, no more rows are read; may be NULL */
     /* the names of the unknown columns of the file, except columns of notes */
     char unused[200];
 };
@@ -182,8 +181,8 @@ bool csv_check(struct csv_table *csv, int k, domq_real value);
 
 /* Opens a csv file and reads the first line of its table. The file may be beside the running script, or else
  * in the current directory. On failure, sets *problem and returns NULL. */
-struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
-                            const char *name, const struct csv_kind *kind, struct problem *problem);
+struct csv_table *csv_named(const struct run_context *run_context, const char *name,
+                            const struct csv_kind *kind, struct problem *problem);
 
 /* Closes a table after it has been read. Returns true if there was no error. Otherwise copies the error from
  * the table to *problem and returns false. If `csv` is NULL, only returns false. */

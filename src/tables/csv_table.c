@@ -425,7 +425,7 @@ bool csv_next(struct csv_table *csv)
                       kind->names);
         return false;
     }
-    if (dom_raised(csv->interrupt))
+    if (dom_raised(io_interrupt))
         return csv_wrong(&csv->file, csv->row.at, "%s", dom_status_text(DOM_INTERRUPTED));
     if (csv->rows == kind->rows_most)
         return csv_wrong(&csv->file, csv->row.at, "there are more than %zu rows, which is the maximum",
@@ -460,16 +460,13 @@ static char *path_beside(const struct run_context *run_context, const char *name
     return strdup(name);
 }
 
-struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
-                            const char *name, const struct csv_kind *kind, struct problem *problem)
+struct csv_table *csv_named(const struct run_context *run_context, const char *name,
+                            const struct csv_kind *kind, struct problem *problem)
 {
-    const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
     char *path = path_beside(run_context, name);
-    FILE *in = path ? io_open_read(path, interrupt) : NULL;
+    FILE *in = path ? io_open_read(path) : NULL;
     struct csv_table *csv = in ? csv_open(in, path, kind) : NULL;
-    if (csv)
-        csv->interrupt = interrupt;
-    else
+    if (!csv)
         problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
     if (in)
         fclose(in);

@@ -204,7 +204,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
     if (status != DOM_OK) {
         good = row_status(query, problem, status);
     } else if (good && answer_for_people(a)) {
-        good = stage_show(&row.stage, a, query->scene->compute.interrupt, problem);
+        good = stage_show(&row.stage, a, problem);
     } else if (good) {
         for (struct column *c = answer_columns(a, a->columns); c->key; c++)
             c->unit = strcmp(c->unit, "h") == 0 ? "m" : c->unit;
@@ -277,7 +277,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
     } else if (people) {
         stage.forces = (words & DRAW_FORCES);
         train_caption(query, &stage, theta, a);
-        good = stage_show(&stage, a, query->scene->compute.interrupt, problem);
+        good = stage_show(&stage, a, problem);
     } else {
         stage_rows(&stage, forces, a);
         good = true;

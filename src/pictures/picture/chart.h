@@ -113,8 +113,7 @@ int event_spots(const struct chart *chart, double letter, struct event_spot spot
 bool chart_text(const struct chart *chart, struct display display, int width, int height, FILE *out);
 
 /* Draws a chart to the destination of the answer and frees the chart. A terminal shows it in characters. */
-bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
-                struct problem *problem);
+bool chart_show(struct chart *chart, const struct answer *a, struct problem *problem);
 
 /* Writes a gnuplot script that draws a chart. */
 void chart_script(const struct chart *chart, FILE *script);

@@ -196,7 +196,7 @@ static struct pen pen_first(const char *title, const struct stage *stage, const 
 }
 
 bool paper_draw(const char *paper, const char *title, const struct stage *stage, const struct answer *a,
-                const volatile sig_atomic_t *interrupt, struct problem *problem)
+                struct problem *problem)
 {
     enum { A4_WIDE = 21 /* cm */ };
     const bool is_cut = strcmp(extension_of(a->path)->terminal, "pdfcairo") == 0;
@@ -211,7 +211,7 @@ bool paper_draw(const char *paper, const char *title, const struct stage *stage,
     }
     struct pen p = pen_first(title, stage, text, is_cut);
     struct picture picture;
-    bool good = picture_begin(&picture, a, p.sheet.height, A4_WIDE, 0, interrupt, problem);
+    bool good = picture_begin(&picture, a, p.sheet.height, A4_WIDE, 0, problem);
     if (good) {
         p.script = picture.script;
         if (title) {

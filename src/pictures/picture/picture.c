@@ -4,6 +4,7 @@
 #include "answer/answer.h"
 #include "domino_quad.h"
 #include "io/escape.h"
+#include "io/io.h"
 #include "io/terminal.h"
 #include "language/names.h"
 #include <errno.h>
@@ -65,7 +66,7 @@ static int gnuplot_copy(const struct picture *p, pid_t child, int pipe, bool *ha
         /* An interrupt can come just before poll, so poll does not wait for ever. */
         if (poll(&ready, 1, 100) > 0 && (n = read(pipe, bytes, sizeof bytes)) > 0)
             *has_drawn = fwrite(bytes, 1, (size_t)n, p->answer->out) > 0;
-        if (dom_raised(p->interrupt))
+        if (dom_raised(io_interrupt))
             kill(-child, SIGKILL); /* ^C does not reach the program's process group */
     }
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
@@ -125,7 +126,7 @@ static bool gnuplot_run(const struct picture *p, struct problem *problem)
     if (child > 0) {
         const int status = gnuplot_copy(p, child, ends[0], &has_drawn);
         good = status == 0 && has_drawn;
-        if (status != 0 && dom_raised(p->interrupt))
+        if (status != 0 && dom_raised(io_interrupt))
             problem_error(problem, "%s", dom_status_text(DOM_INTERRUPTED));
         else if (status != 0)
             gnuplot_failed(status, errors, problem);
@@ -174,11 +175,11 @@ bool picture_is_filed(const struct answer *a)
 }
 
 bool picture_begin(struct picture *p, const struct answer *a, double height, double wide, int delay,
-                   const volatile sig_atomic_t *interrupt, struct problem *problem)
+                   struct problem *problem)
 {
     const char *terminal = extension_of(a->path)->terminal;
     FILE *script = is_script(a) ? a->out : temporary_open(problem);
-    *p = (struct picture){.script = script, .answer = a, .interrupt = interrupt};
+    *p = (struct picture){.script = script, .answer = a};
     if (!script)
         return false;
     if (is_script(a)) {

@@ -86,7 +86,6 @@ void canvas_write(const struct canvas *canvas, FILE *out);
 struct picture {
     FILE *script; /* commands for gnuplot; picture_begin has already written the terminal setting */
     const struct answer *answer; /* receives the picture */
-    const volatile sig_atomic_t *interrupt;
 };
 
 /* The size of a picture in dots, unless it has another height; and the width of a text in it, in
@@ -101,7 +100,7 @@ bool picture_is_filed(const struct answer *a);
  * is the time between two frames in hundredths of a second, otherwise 0. On failure, sets *problem and
  * returns false. */
 bool picture_begin(struct picture *picture, const struct answer *answer, double height, double wide,
-                   int delay, const volatile sig_atomic_t *interrupt, struct problem *problem);
+                   int delay, struct problem *problem);
 
 /* Ends a picture. Draws it if the script is complete (`whole`). Otherwise discards it and returns false. */
 bool picture_end(struct picture *picture, bool whole, struct problem *problem);
@@ -127,4 +126,4 @@ void screen_end(void);
 
 /* Waits for a key, for at most this many seconds, and not longer than 0.2 s. Returns KEY_NONE if there is
  * none. */
-int screen_key(double seconds, const volatile sig_atomic_t *interrupt);
+int screen_key(double seconds);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "domino_common.h"
+#include "io/io.h"
 #include "io/terminal.h"
 #include "pictures/picture/picture.h"
 #include <errno.h>
@@ -66,7 +67,7 @@ static int byte_read(void)
                                          : key;
 }
 
-int screen_key(double seconds, const volatile sig_atomic_t *interrupt)
+int screen_key(double seconds)
 {
     struct pollfd typed = {.fd = screen.terminal, .events = POLLIN};
     /* An interrupt can come just before poll, so poll does not wait for ever. */
@@ -74,7 +75,7 @@ int screen_key(double seconds, const volatile sig_atomic_t *interrupt)
                      : seconds > 0 ? (int)(1000 * seconds) + 1
                                    : 0,
               ready = poll(&typed, 1, wait);
-    if (dom_raised(interrupt) || (ready < 0 && errno != EINTR) ||
+    if (dom_raised(io_interrupt) || (ready < 0 && errno != EINTR) ||
         (ready > 0 && (typed.revents & (POLLHUP | POLLERR)) != 0))
         return KEY_END;
     return ready > 0 ? byte_read() : KEY_NONE;

@@ -116,8 +116,7 @@ enum dom_status stage_forces(struct stage *stage, const struct domq_train *train
 struct axis_unit stage_unit(const struct stage *stage, double across);
 
 /* Draws a stage to the destination of the answer. A terminal shows it in characters. */
-bool stage_show(const struct stage *stage, const struct answer *a, const volatile sig_atomic_t *interrupt,
-                struct problem *problem);
+bool stage_show(const struct stage *stage, const struct answer *a, struct problem *problem);
 
 /* ---- In characters ---- */
 
@@ -164,4 +163,4 @@ void paper_write(const char *paper, FILE *out);
  * pages, like the .pdf file that a .gp script draws. Other pictures have one long page. On failure, sets
  * *problem and returns false. */
 bool paper_draw(const char *paper, const char *title, const struct stage *stage, const struct answer *a,
-                const volatile sig_atomic_t *interrupt, struct problem *problem);
+                struct problem *problem);

@@ -405,7 +405,7 @@ bool stage_text(const struct stage *stage, struct display display, int width, in
 
 /* Draws a chart, or a stage if chart is NULL. */
 static bool show(const struct answer *a, const struct chart *chart, const struct stage *stage,
-                 const volatile sig_atomic_t *interrupt, struct problem *problem)
+                 struct problem *problem)
 {
     enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23, PDF_WIDE = 16 };
     enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* the minimum and maximum height of a sheet, in dots */
@@ -413,7 +413,7 @@ static bool show(const struct answer *a, const struct chart *chart, const struct
         struct picture picture;
         const struct sheet sheet =
             stage ? sheet_of(stage, STAGE_LEAST, STAGE_MOST) : (struct sheet){.height = PICTURE_HEIGHT};
-        if (!picture_begin(&picture, a, sheet.height, PDF_WIDE, 0, interrupt, problem))
+        if (!picture_begin(&picture, a, sheet.height, PDF_WIDE, 0, problem))
             return false;
         if (chart)
             chart_script(chart, picture.script);
@@ -435,18 +435,16 @@ static bool show(const struct answer *a, const struct chart *chart, const struct
            problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY));
 }
 
-bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
-                struct problem *problem)
+bool chart_show(struct chart *chart, const struct answer *a, struct problem *problem)
 {
     chart_prepare(chart);
     const bool shown = chart->failed ? problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY))
-                                     : show(a, chart, NULL, interrupt, problem);
+                                     : show(a, chart, NULL, problem);
     chart_free(chart);
     return shown;
 }
 
-bool stage_show(const struct stage *stage, const struct answer *a, const volatile sig_atomic_t *interrupt,
-                struct problem *problem)
+bool stage_show(const struct stage *stage, const struct answer *a, struct problem *problem)
 {
-    return show(a, NULL, stage, interrupt, problem);
+    return show(a, NULL, stage, problem);
 }

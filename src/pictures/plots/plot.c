@@ -134,7 +134,7 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
         chart.x.unit = axis_label(&chart.x, &plot->x, a, curves.x);
         chart.y.unit = axis_label(&chart.y, &plot->y, a, curves.y);
     }
-    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
+    return chart_show(&chart, a, problem);
 }
 
 /* Each plot has its own columns. */

@@ -89,8 +89,7 @@ static bool frame_play(struct film *f)
     f->next = fmax(f->next, now - delay) + delay; /* after a slow frame, wait anew */
     screen_show(f);
     for (;;) {
-        const int key =
-            screen_key(f->is_stopped ? 1 : f->next - terminal_clock(), f->query->scene->compute.interrupt);
+        const int key = screen_key(f->is_stopped ? 1 : f->next - terminal_clock());
         if (key == KEY_END)
             return false;
         if (key == ' ' || key == KEY_RIGHT) {
@@ -219,8 +218,7 @@ static bool film_write(struct film *f)
     snprintf(f->out->made, sizeof f->out->made, "%zu frames, %.3g s", f->frames,
              (double)f->frames * f->delay / 100);
     f->sheet = sheet_of(stage, FRAME_LEAST, FRAME_MOST);
-    return picture_begin(&f->picture, f->out, f->sheet.height, 0, f->delay,
-                         f->query->scene->compute.interrupt, f->problem) &&
+    return picture_begin(&f->picture, f->out, f->sheet.height, 0, f->delay, f->problem) &&
            picture_end(&f->picture, frames_watch(f), f->problem);
 }
 

@@ -17,8 +17,7 @@ static bool run_source(struct session *session, const struct arguments *given, s
     if (session->source.depth == SOURCE_DEPTH)
         return problem_error(problem, "files are nested %d deep; perhaps one of them sources itself",
                              SOURCE_DEPTH);
-    FILE *in = standard ? io_stdin(session->state.scene.compute.interrupt)
-                        : io_open_read(name, session->state.scene.compute.interrupt);
+    FILE *in = standard ? io_stdin() : io_open_read(name);
     if (!in && errno == ECANCELED)
         return problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     if (!in)

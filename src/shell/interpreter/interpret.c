@@ -178,7 +178,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
         return problem_error(problem, "a safe session cannot read or write files");
     if (!extension_fits(c, path, appends, problem))
         return false;
-    const char *wrong = output_push(&session->output, path, appends, session->state.scene.compute.interrupt);
+    const char *wrong = output_push(&session->output, path, appends);
     if (!wrong) {
         /* The extension determines the format. With format_table, a picture is drawn even after 'set output
          * csv'. */

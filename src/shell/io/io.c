@@ -25,6 +25,8 @@ void io_unblock(const sigset_t *before)
     pthread_sigmask(SIG_SETMASK, before, NULL);
 }
 
+const volatile sig_atomic_t *io_interrupt;
+
 bool io_wait(int file, bool to_write, const struct timespec *longest, const volatile sig_atomic_t *interrupt)
 {
     fd_set in, out;
@@ -43,7 +45,7 @@ bool io_wait(int file, bool to_write, const struct timespec *longest, const vola
     return !dom_raised(interrupt);
 }
 
-int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt)
+int io_open(const char *path, int flags, mode_t mode)
 {
     const struct timespec moment = {.tv_nsec = 10000000};
     struct stat status;
@@ -52,7 +54,7 @@ int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_
         file = open(path, flags | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, mode);
     while (file < 0 &&
            (errno == EINTR || (errno == ENXIO && stat(path, &status) == 0 && S_ISFIFO(status.st_mode))) &&
-           io_wait(-1, false, &moment, interrupt));
+           io_wait(-1, false, &moment, io_interrupt));
     return file;
 }
 
@@ -152,33 +154,33 @@ static FILE *channel_stream(int file, const char *mode, const volatile sig_atomi
         (cookie_io_functions_t){.read = channel_read, .write = write_function, .close = channel_close});
 }
 
-FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt)
+FILE *io_stream(int file, const char *mode)
 {
-    FILE *stream = channel_stream(file, mode, interrupt, channel_write);
+    FILE *stream = channel_stream(file, mode, io_interrupt, channel_write);
     if (!stream)
         close(file);
     return stream;
 }
 
-FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt)
+FILE *io_open_read(const char *path)
 {
     struct stat status;
-    int file = io_open(path, O_RDONLY, 0, interrupt);
+    int file = io_open(path, O_RDONLY, 0);
     if (file >= 0 && fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
         close(file);
         errno = EISDIR;
         return NULL;
     }
-    return file >= 0 ? io_stream(file, "r", interrupt) : NULL;
+    return file >= 0 ? io_stream(file, "r") : NULL;
 }
 
-FILE *io_stdin(const volatile sig_atomic_t *interrupt)
+FILE *io_stdin(void)
 {
     static FILE *in;
     static struct channel channel = {.file = STDIN_FILENO};
     struct stat status;
     if (!in) {
-        channel.interrupt = interrupt;
+        channel.interrupt = io_interrupt;
         /* When the program ends, stdin leaves the unread lines of a regular file to the next program. */
         bool is_regular = fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode);
         in = is_regular ? stdin : fopencookie(&channel, "r", (cookie_io_functions_t){.read = channel_read});

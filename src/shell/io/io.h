@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Functions for files and streams. The user can interrupt them while they wait, for example for the other end
- * of a FIFO. A signal handler then raises the flag `interrupt` (see dom_raised), and the function fails with
- * errno ECANCELED. This also works if the signal handler was installed with SA_RESTART. If `interrupt` is
- * NULL, signals have their usual effect. All functions set errno on failure.
+ * of a FIFO. A signal handler then raises a flag, and the function fails with errno ECANCELED. This also
+ * works if the signal handler was installed with SA_RESTART. All functions set errno on failure.
  */
 #pragma once
 
@@ -13,14 +12,17 @@
 #include <sys/types.h>
 #include <time.h>
 
+/* The flag (see dom_raised). If it is NULL, signals have their usual effect. */
+extern const volatile sig_atomic_t *io_interrupt;
+
 /* Opens a file as open(2) does. If the file is a FIFO and is opened for writing, the function first waits
  * until a program reads from the FIFO. The descriptor is non-blocking and close-on-exec. Returns -1 on
  * failure. */
-int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
+int io_open(const char *path, int flags, mode_t mode);
 
 /* Waits until a file can be read or, if `to_write` is true, until it can be written. Waits no longer than
  * `longest`, or without limit if `longest` is NULL. If `file` is -1, there is no file to wait for, so the
- * function waits for the whole time. Returns false if the flag `interrupt` is raised. */
+ * function waits for the whole time. Returns false if `interrupt` is raised. */
 bool io_wait(int file, bool to_write, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
 /* Writes all bytes. If another program has made the file non-blocking, waits until its reader has taken
@@ -43,18 +45,18 @@ void io_begin(void);
 
 /* Makes a stream from an open file. When the stream is closed, the file is closed too. On failure, closes the
  * file and returns NULL. */
-FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt);
+FILE *io_stream(int file, const char *mode);
 
 /* Opens a file for reading. A directory is an error. Returns NULL on failure. */
-FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt);
+FILE *io_open_read(const char *path);
 
-/* Returns the stream for standard input. This stream must not be closed. The first call determines which flag
- * interrupts the stream. Later calls ignore `interrupt`. */
-FILE *io_stdin(const volatile sig_atomic_t *interrupt);
+/* Returns the stream for standard input. This stream must not be closed. */
+FILE *io_stdin(void);
 
 /* Returns the stream for standard output. On a terminal, each line appears immediately. Elsewhere, a system
  * call for each answer would be slow, so the stream keeps its text until its buffer is full or it is flushed.
- * That happens before a read that blocks, and in io_row. */
+ * That happens before a read that blocks, and in io_row. Only the flag `interrupt` of the first call
+ * interrupts it. */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
 void io_stdout_flush(void);

@@ -89,9 +89,9 @@ static const char *output_open(struct output *o)
         o->out = io_memory(&o->text, &o->size);
     else { /* a device, a FIFO and standard output get the text as it is written */
         io_stdout_flush();
-        const int file = to_standard ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
-                                     : io_open(o->target, O_WRONLY, 0, o->interrupt);
-        o->out = file >= 0 ? io_stream(file, "w", o->interrupt) : NULL;
+        const int file =
+            to_standard ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : io_open(o->target, O_WRONLY, 0);
+        o->out = file >= 0 ? io_stream(file, "w") : NULL;
     }
     return o->out ? NULL : strerror(errno);
 }
@@ -103,13 +103,12 @@ static void output_free(struct output *o)
     free(o);
 }
 
-const char *output_push(struct output **top, const char *path, bool append,
-                        const volatile sig_atomic_t *interrupt)
+const char *output_push(struct output **top, const char *path, bool append)
 {
     struct output *o = malloc(sizeof *o);
     if (!o)
         return strerror(ENOMEM);
-    *o = (struct output){.below = *top, .path = path, .append = append, .interrupt = interrupt};
+    *o = (struct output){.below = *top, .path = path, .append = append};
     const char *wrong = output_target(path, &o->target, &o->status);
     wrong = wrong ? wrong : output_open(o);
     if (wrong)
@@ -131,7 +130,7 @@ static size_t repeated_header(const struct output *o)
     snprintf(first, sizeof first, "%.*s", (int)length, o->text);
     if (!o->is_header(first))
         return 0;
-    FILE *in = io_open_read(o->target, o->interrupt);
+    FILE *in = io_open_read(o->target);
     for (bool begins = true, ends; in && fgets(line, sizeof line, in); begins = ends) {
         ends = strchr(line, '\n') != NULL;
         line[strcspn(line, "\n")] = '\0';
@@ -178,9 +177,9 @@ static bool text_rename(const struct output *o)
 static int append_open(const struct output *o)
 {
     const struct timespec moment = {.tv_nsec = 10000000};
-    int file = io_open(o->target, O_WRONLY | O_CREAT | O_APPEND, 0666, o->interrupt), tries = 1000;
+    int file = io_open(o->target, O_WRONLY | O_CREAT | O_APPEND, 0666), tries = 1000;
     while (file >= 0 && flock(file, LOCK_EX | LOCK_NB) != 0 && (errno == EWOULDBLOCK || errno == EINTR))
-        if (--tries == 0 || !io_wait(-1, false, &moment, o->interrupt)) {
+        if (--tries == 0 || !io_wait(-1, false, &moment, io_interrupt)) {
             close(file);
             return -1;
         }

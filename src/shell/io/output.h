@@ -5,7 +5,6 @@
  */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <sys/stat.h>
@@ -32,13 +31,11 @@ struct output {
     bool is_regular;    /* `out` writes into `text`; otherwise it writes the target, such as a FIFO */
     char *text;
     size_t size;
-    const volatile sig_atomic_t *interrupt;
 };
 
 /* Pushes a file onto the stack, which may be empty. If the file cannot be written, returns the reason.
  * Otherwise returns NULL. */
-const char *output_push(struct output **top, const char *path, bool append,
-                        const volatile sig_atomic_t *interrupt);
+const char *output_push(struct output **top, const char *path, bool append);
 
 /* Removes a file from the stack. If `keep` is true, all text is written into the file; otherwise the file
  * stays as it was. Returns NULL, or an error message. */

@@ -94,7 +94,7 @@ static bool watch_run(struct watch *w, FILE *out)
         width = across;
         height = down;
         shown = w->x;
-        key = screen_key(1, w->probe.query->scene->compute.interrupt);
+        key = screen_key(1);
         if (key >= KEY_UP && key <= KEY_LEFT) {
             step += steps[key - KEY_UP];
             step = step < 0 ? 0 : step > STEPS ? STEPS : step;
