@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Needs: rows */
-/* Studies save work: they run only the part of a row that a change affects, and leave out the search for the
- * barrier. They are compared here with runs of whole rows, and in test_verdicts for random rows. */
+/* Needs: chance */
+/* Studies save work: they run only the part of a row that a change affects, and those of random rows leave
+ * out the search for the barrier. They are compared here with runs of whole rows, and in test_verdicts for
+ * random rows. */
 
+#include "chance/model/verdict.c" // NOLINT(bugprone-suspicious-include)
 #include "request.h"
 #include "rows/model/study.c" // NOLINT(bugprone-suspicious-include)
 #include "support.h"
@@ -124,8 +126,8 @@ static void head_check(const struct run *run, size_t k, int *count)
     count[0]++;
     const double need = run->omegasq - d.least_margin / d.J0;
     slow.omegasq = need * (1 - 1e-7);
-    assert_false(need > 1e-9 * run->omegasq && study_passes(&slow, k, &at));
-    if (!study_passes(&quick, k, &at))
+    assert_false(need > 1e-9 * run->omegasq && head_passes(&slow, k, &at));
+    if (!head_passes(&quick, k, &at))
         return;
     count[1]++;
     assert_false(d.stops);
@@ -138,13 +140,13 @@ TEST(heads_that_keep_falling)
     int count[2] = {0, 0};
     for (int i = 0; i < 150; i++) {
         static struct random_dominoes row;
-        struct study *study;
+        struct row begun;
+        size_t wrong;
         dominoes_make(&row, &seed, 0);
-        const struct dom_row random = row.row;
-        assert_status(row_study_begin(&random, NULL, &study, NULL), DOM_OK);
-        study->quick = true;
-        const struct run_options options = {.context = study};
-        struct run run = row_launch(&study->row, &options);
+        assert_status(row_begin(&row.row, NULL, &begun, &wrong), DOM_OK);
+        struct quick precise = {.rough = false};
+        const struct run_options options = {.context = &precise};
+        struct run run = row_launch(&begun, &options);
         for (size_t k = 0; k < row.row.count && run.verdict.end == DOM_ROW_FALLS; k++) {
             struct descent d;
             struct dom_fall fall;
@@ -153,7 +155,7 @@ TEST(heads_that_keep_falling)
             if (k + 1 < row.row.count && run.verdict.end == DOM_ROW_FALLS)
                 assert_status(row_hit(&run, k, &d.st.geometry, &d.st.start), DOM_OK);
         }
-        row_study_end(study);
+        row_free(&begun);
     }
     print_message("# %d of %d heads certainly keep falling\n", count[1], count[0]);
     assert_true(count[1] > 300 && count[1] > count[0] / 2);

@@ -6,7 +6,6 @@
  */
 #include "chance/model/draw.h"
 #include "numerics/real.h"
-#include "rows/model/boxes.h"
 #include <gsl/gsl_randist.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -35,7 +34,6 @@ static void draw_end(struct draw *draw)
     for (int i = 0; i < 2; i++)
         free(draw->random[i].state);
     free(draw->domino);
-    row_study_end(draw->study);
 }
 
 /* Derives seed number i from `seed`. Successive integers as seeds would give similar random numbers, so the

@@ -2,18 +2,21 @@
 /* Draws random rows: copies of a row with random errors. */
 #pragma once
 
-#include "rows/model/study.h"
+#include "rows/model/boxes.h"
 #include <gsl/gsl_rng.h>
 
 struct draw {
     gsl_rng random[2];
     struct dom_domino *domino; /* the dominoes of the random row */
     struct dom_row row;        /* the random row; its friction, slope, floor and push may have errors too */
-    struct study *study;       /* NULL, or a study that a visit has begun; draw_end ends it */
 };
 
 /* Draws random row number i. */
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *placement, size_t i);
+
+/* Runs a random row. Of the verdict only `end` and `domino` count. */
+enum dom_status draw_verdict(const struct dom_row *row, const struct dom_compute *compute,
+                             struct dom_verdict *verdict);
 
 /* Returns the steepest slope, in rad, on which no domino of a row falls over by itself. */
 double row_steepest(const struct dom_row *row);

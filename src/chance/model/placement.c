@@ -84,16 +84,10 @@ static enum dom_status row_count(struct draw *draw, size_t i, void *context)
 {
     struct shared *s = context;
     struct dom_verdict verdict;
-    enum dom_status status = DOM_OK;
     draw_row(draw, s->row, s->placement, s->placement->first + i);
-    if (s->row->engine)
-        status = dom_row_run(&draw->row, &s->compute, false, NULL, NULL, &verdict);
-    else {
-        if (!draw->study)
-            status = row_study_begin(s->row, &s->compute, &draw->study, NULL);
-        if (status == DOM_OK)
-            status = row_study(draw->study, &draw->row, 0, s->row->count - 1, &verdict);
-    }
+    const enum dom_status status = s->row->engine
+                                       ? dom_row_run(&draw->row, &s->compute, false, NULL, NULL, &verdict)
+                                       : draw_verdict(&draw->row, &s->compute, &verdict);
     if (status != DOM_OK)
         return status;
     const bool falls = verdict.end == DOM_ROW_FALLS,

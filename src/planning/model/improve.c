@@ -29,12 +29,15 @@
 #include "chance/model/draw.h"
 #include "numerics/real.h"
 #include "planning/model/shape.h"
-#include "rows/model/study.h"
+#include "row/row.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The headers of the kernel declare functions that only its own sources define. */
+#pragma GCC diagnostic ignored "-Wunused-function"
 
 /* The levels of the search. On each level, the search makes STEPS steps with `rows` random rows. `width` is
  * the width of the smoothing, in standard deviations of the margin. */
@@ -110,14 +113,14 @@ struct search {
 /* ---- The function that is minimized ---- */
 
 /* Collects the energy margins of a row while the row runs. */
-struct run {
+struct margins {
     double *margin;
     bool tips; /* true if the first domino is tipped over its edge, and therefore has no margin */
 };
 
 static bool margin_seen(const struct dom_fall *fall, void *context)
 {
-    const struct run *run = context;
+    const struct margins *run = context;
     /* the barrier is infinite if friction locks the domino */
     const double z = fall->barrier > 0 ? log(fall->kinetic / fall->barrier) : MARGIN_MOST;
     if (!(run->tips && fall->domino == 1))
@@ -145,9 +148,10 @@ static enum dom_status row_fails(struct draw *draw, size_t i, void *context)
         margin[k] = UNSEEN;
         reach[k] = k > 0 ? 1 - draw->domino[k].gap / draw->domino[k - 1].height : MARGIN_MOST;
     }
-    struct run run = {.margin = margin, .tips = isnan(draw->row.push)};
+    static const struct run_options options = {.carries_on = true};
+    struct margins run = {.margin = margin, .tips = isnan(draw->row.push)};
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
-    const enum dom_status status = row_run_on(&draw->row, &s->rough, margin_seen, &run, &verdict);
+    const enum dom_status status = row_run(&draw->row, &s->rough, &options, margin_seen, &run, &verdict);
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return status;
     if (status != DOM_OK)
