@@ -135,12 +135,6 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     return status;
 }
 
-/* Returns the tilt at which the solution ends, or lo if there is no solution yet. */
-static real flow_end(const struct flow *flow, real lo)
-{
-    return flow->solution.panels > 0 ? flow->solution.panel[flow->solution.panels - 1].hi : lo;
-}
-
 /*
  * Solves the equation of motion up to the tilt at which friction locks the motion (A = 0). The term 2 B / A
  * has a pole there, and near the pole, panels must be short. So each step covers only half of the remaining
@@ -149,18 +143,18 @@ static real flow_end(const struct flow *flow, real lo)
 static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
 {
     struct flow_context c = {.geometry = fine, .status = DOM_OK, .locked = locked};
-    struct flow *flow = fine->flow;
+    struct num_linear *solution = &fine->flow->solution;
     for (;;) {
-        real from = flow_end(flow, lo), to = from + (c.locked - from) / 2;
+        *hi = solution->panels > 0 ? solution->panel[solution->panels - 1].hi : lo;
+        const real from = *hi, to = from + (c.locked - from) / 2;
         if (!(c.locked - from > tol * c.locked && to > from && to < c.locked))
             break;
-        enum num_status solver = num_linear_solve(flow_rate, &c, from, to, tol / 8, &flow->solution);
+        enum num_status solver = num_linear_solve(flow_rate, &c, from, to, tol / 8, solution);
         if (solver == NUM_NOT_CONVERGED && c.status == DOM_OK)
             break; /* panels this close to the pole have no significant digits */
         if (solver != NUM_OK && c.status != DOM_LOCKS)
             return model_status(c.status, solver);
     }
-    *hi = flow_end(flow, lo);
     return DOM_LOCKS;
 }
 
@@ -246,14 +240,14 @@ KERNEL enum dom_status losses_tipped(const struct geometry *geometry, real *omeg
 
 /* ---- Both laws ---- */
 
-KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel)
+KERNEL enum dom_status energy_fuel(const struct geometry *geometry, real *fuel, real *inertia_ratio)
 {
     struct sums at_c = {0};
-    enum dom_status status =
+    const enum dom_status status =
         chain_change_by(geometry, standing, geometry->c, half_of_tilt(geometry->c), PASS_FUEL, &at_c);
-    *fuel = (struct fuel){.exact = -at_c.dH,
-                          .paper = geometry_paper_fuel(geometry),
-                          .inertia_ratio = geometry->inertia * at_c.J / geometry->upright_inertia};
+    *fuel = -at_c.dH;
+    if (inertia_ratio)
+        *inertia_ratio = geometry->inertia * at_c.J / geometry->upright_inertia;
     return status;
 }
 
@@ -282,17 +276,17 @@ KERNEL enum dom_status dynamics_inertia_ratio(const struct geometry *next, const
 KERNEL enum dom_status dynamics_collide(const struct geometry *geometry, enum dom_fuel fuel,
                                         struct launch *launch)
 {
-    struct fuel f;
+    real exact, T;
     if (fuel == DOM_FUEL_PAPER && !(geometry->conservative && energy_paper_holds(geometry)))
         return DOM_NO_METHOD;
     if (!geometry->conservative)
         return flow_collide(geometry, launch);
-    enum dom_status status = energy_fuel(geometry, &f);
+    enum dom_status status = energy_fuel(geometry, &exact, &T);
     if (status != DOM_OK)
         return status;
     /* This is equation (24; c6). With the inertia ratio T = J(0) - 1, its denominator, r^q J(0) - J(0) + 1,
      * is written as r^q + T (r^q - 1). In this form, no digits cancel if r >= 1. */
-    const real T = f.inertia_ratio, P = fuel == DOM_FUEL_PAPER ? f.paper : f.exact,
+    const real P = fuel == DOM_FUEL_PAPER ? geometry_paper_fuel(geometry) : exact,
                J0 = geometry->upright_inertia * (1 + T),
                kinetic = P * T / (geometry->rq + T * geometry->rq_1);
     *launch = (struct launch){.fuel = P,
@@ -301,7 +295,7 @@ KERNEL enum dom_status dynamics_collide(const struct geometry *geometry, enum do
                               .velocity_ratio = collision_velocity_ratio(T),
                               .omegasq = kinetic / J0,
                               .kinetic = kinetic,
-                              .kinetic_at_hit = kinetic + f.exact};
+                              .kinetic_at_hit = kinetic + exact};
     return isfinite(kinetic) ? DOM_OK : DOM_NOT_FINITE;
 }
 
@@ -367,14 +361,4 @@ KERNEL enum dom_status dynamics_near_rest(const struct geometry *geometry, real 
     if (status == DOM_OK)
         *slowness = at.dH < 0 ? at.J / -at.dH : REAL_NAN;
     return status;
-}
-
-KERNEL real dynamics_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
-                          real J_at)
-{
-    real ln_G, u;
-    if (geometry->conservative)
-        return gain * start->J / J_at;
-    flow_at(geometry, theta, &ln_G, &u);
-    return gain * exp(ln_G);
 }

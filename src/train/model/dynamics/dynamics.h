@@ -28,14 +28,9 @@ KERNEL bool energy_paper_holds(const struct geometry *geometry)
     return geometry->g.along == 0 && !geometry->rolls;
 }
 
-/* The results of one pass down the chain, with the head at theta_c. */
-struct fuel {
-    real exact, paper;  /* the fuel (25; c7) from the energy balance, and from the paper's closed form */
-    real inertia_ratio; /* inertia ratio J(0) - 1 = r^-(q+1) J(theta_c) (50; d8, corrected) */
-};
-
-/* Finds the fuel (25; c7). */
-KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel);
+/* Finds the fuel (25; c7) from the energy balance and, unless it is NULL, the inertia ratio J(0) - 1 =
+ * r^-(q+1) J(theta_c) (50; d8, corrected). */
+KERNEL enum dom_status energy_fuel(const struct geometry *geometry, real *fuel, real *inertia_ratio);
 
 /*
  * The collision (22; c4), derived as in (59; e8). The struck domino is upright. It moves on together with the
@@ -99,15 +94,6 @@ KERNEL_SHARED enum dom_status dynamics_speed(const struct geometry *geometry, co
 /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`. If `by` is
  * negative, the motion starts at rest at `end`. *slowness is NaN if there is no energy at `end - by`. */
 KERNEL enum dom_status dynamics_near_rest(const struct geometry *geometry, real end, real by, real *slowness);
-
-/*
- * Returns how strongly the speed at theta depends on the speed at the launch: the derivative of omegasq at
- * theta with respect to omegasq at the launch. `gain` is this derivative at start->from, the tilt at which
- * the motion begins. This is the tilt of the launch or, if a domino has detached since then, the tilt at
- * which it detached. J_at is the inertia at theta.
- */
-KERNEL real dynamics_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
-                          real J_at);
 
 /* ---- The other law of motion ---- */
 

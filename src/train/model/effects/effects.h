@@ -24,10 +24,10 @@ KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct
                                      struct geometry *geometry);
 
 /* Checks a train, prepares its geometry and the law of motion, and sets the separation and the growth.
- * Computes to the tolerance `tol`, or if that is 0 to the tolerance of the caller. Call dynamics_begin before
- * the law is used. */
-KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute, real tol,
-                                  struct geometry *geometry);
+ * The far tail is prepared for about so many passes (far_make). Call dynamics_begin before the law is used.
+ */
+KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
+                                  int passes, struct geometry *geometry);
 
 /* Returns DOM_OK, or the status of the first effect whose value is outside its range. 0 (off) is always
  * allowed. */

@@ -45,19 +45,17 @@ KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct
     return status;
 }
 
-KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute, real tol,
-                                  struct geometry *geometry)
+KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
+                                  int passes, struct geometry *geometry)
 {
     enum dom_status status = train_check(train, compute);
-    struct dom_compute own = compute_or_default(compute);
-    own.tol = tol > 0 ? tol : own.tol;
     *geometry = (struct geometry){.flow = NULL}; /* for dynamics_end */
     if (status == DOM_OK)
-        status = dynamics_read(train, &own, geometry);
+        status = dynamics_read(train, compute, geometry);
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
-    if (status == DOM_OK)
-        far_make(geometry, 40); /* a duration takes about 40 passes */
+    if (status == DOM_OK && passes > 0)
+        far_make(geometry, passes);
     return status;
 }
 

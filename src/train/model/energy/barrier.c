@@ -311,24 +311,3 @@ KERNEL real barrier_most(const struct geometry *geometry)
      */
     return geometry_rise_u(geometry);
 }
-
-KERNEL real balance_tol(real tol, real left, real whole)
-{
-    return left > whole / 4 ? tol : fmin(tol, fmax(tol * left / whole, 4 * REAL_EPSILON));
-}
-
-KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
-                                       struct launch *launch, struct barrier *b)
-{
-    real tol;
-    do {
-        enum dom_status status = dynamics_collide(geometry, fuel, launch);
-        if (status == DOM_OK)
-            status = barrier_search(geometry, end, geometry->tol / 8, b);
-        if (status != DOM_OK || launch->fuel <= 0)
-            return status;
-        tol = geometry->tol;
-        geometry->tol = balance_tol(tol, fabs(launch->kinetic - b->height), launch->kinetic);
-    } while (geometry->tol < tol / 4);
-    return DOM_OK;
-}

@@ -47,16 +47,3 @@ KERNEL real barrier_most(const struct geometry *geometry);
  * relative to H at `from`. */
 KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
                                      const struct barrier *whole, real end, struct barrier *barrier);
-
-/*
- * Finds the launch of an endless train and its barrier over [0, end].
- *
- * If the kinetic energy and the barrier are nearly equal, their difference is inexact. Then both are computed
- * again with a finer tolerance, and geometry->tol is set to this tolerance.
- */
-KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
-                                       struct launch *launch, struct barrier *barrier);
-
-/* Returns the relative tolerance to which two terms must be computed, so that their difference is known to
- * the relative tolerance tol. Both terms are about `whole`, and their difference is about `left`. */
-KERNEL real balance_tol(real tol, real left, real whole);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes the angles, the energies, the fuel and the launch of a train. */
+/* Computes the angles, the energies, the fuel, the launch and the dominoes of a train. */
 #include "effects/effects.h"
 
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
@@ -24,32 +24,32 @@ enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_co
                               struct dom_fuels *fuels)
 {
     struct geometry geometry;
-    struct fuel fuel;
-    enum dom_status status = train_make(train, compute, 0, &geometry);
+    real exact;
+    enum dom_status status = train_make(train, compute, 1, &geometry);
     if (status == DOM_OK)
-        status = energy_fuel(&geometry, &fuel);
-    if (status != DOM_OK)
-        return status;
-    *fuels = (struct dom_fuels){.exact = fuel.exact, .paper = fuel.paper};
-    return DOM_OK;
+        status = energy_fuel(&geometry, &exact, NULL);
+    if (status == DOM_OK)
+        *fuels = (struct dom_fuels){.exact = exact, .paper = geometry_paper_fuel(&geometry)};
+    return status;
 }
 
 enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_energy *energy)
 {
     struct geometry geometry;
+    struct tilt head;
     struct sums at;
-    struct fuel fuel;
-    enum dom_status status = train_make(train, compute, 0, &geometry);
+    real fuel, inertia_ratio;
+    enum dom_status status = train_make(train, compute, 2, &geometry);
     if (status == DOM_OK)
-        status = chain_energy_at(&geometry, (real)theta, &at);
+        status = geometry_tilt(&geometry, (real)theta, &head);
     if (status == DOM_OK)
-        status = energy_fuel(&geometry, &fuel);
-    if (status != DOM_OK)
-        return status;
-    *energy = (struct dom_energy){
-        .dH = at.dH, .J = at.J, .J0 = geometry.upright_inertia * (1 + fuel.inertia_ratio)};
-    return DOM_OK;
+        status = chain_change(&geometry, standing, head, PASS_PLAIN, &at);
+    if (status == DOM_OK)
+        status = energy_fuel(&geometry, &fuel, &inertia_ratio);
+    if (status == DOM_OK)
+        *energy = (struct dom_energy){at.dH, at.J, .J0 = geometry.upright_inertia * (1 + inertia_ratio)};
+    return status;
 }
 
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
@@ -57,7 +57,7 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
 {
     struct geometry geometry;
     struct launch l;
-    enum dom_status status = train_make(train, compute, 0, &geometry);
+    enum dom_status status = train_make(train, compute, 1, &geometry);
     if (status == DOM_OK)
         status = dynamics_begin(&geometry);
     if (status == DOM_OK)
@@ -74,4 +74,64 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
         .kinetic = fuelled ? l.kinetic : REAL_NAN,
     };
     return fuelled ? DOM_OK : DOM_NO_FUEL;
+}
+
+/* ---- The dominoes at one tilt ---- */
+
+static struct dom_link link_public(const struct geometry *geometry, const struct link *k)
+{
+    return (struct dom_link){
+        .i = k->i,
+        .theta = tilt_angle(k->tilt),
+        .slope = k->slope,
+        .arm_a = k->leads ? k->contact.arm / geometry->r : REAL_NAN, /* (table 1) */
+        .arm_b = k->leads ? link_arms(k, geometry->rolls).b_plain / geometry->r : REAL_NAN,
+        .weight = k->weight,
+    };
+}
+
+enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real theta, dom_visit *visit, void *context)
+{
+    struct geometry geometry;
+    struct tilt head;
+    struct sums sums = {0};
+    enum dom_status status = train_make(train, compute, 0, &geometry);
+    if (status == DOM_OK)
+        status = geometry_tilt(&geometry, (real)theta, &head);
+    if (status == DOM_OK)
+        status = chain_sum(&geometry, head, false, &sums);
+    if (status != DOM_OK)
+        return status;
+    struct link k = link_head(&geometry, head, geometry.rolls);
+    for (;;) {
+        if (dom_interrupted(geometry.interrupt)) /* checked at every domino, since the callback may be slow */
+            return DOM_INTERRUPTED;
+        struct dom_link link = link_public(&geometry, &k);
+        if (!visit(&link, context) || !k.leads || k.i + 1 >= sums.n)
+            return DOM_OK;
+        link_on(&k);
+    }
+}
+
+enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
+                                 dom_real theta, struct dom_contact *contact)
+{
+    struct geometry geometry;
+    struct tilt head;
+    enum dom_status status = train_make(train, compute, 0, &geometry);
+    if (status == DOM_OK)
+        status = geometry_tilt(&geometry, (real)theta, &head);
+    if (status != DOM_OK)
+        return status;
+    struct link k = link_head(&geometry, head, geometry.rolls);
+    struct dom_link link = link_public(&geometry, &k);
+    *contact =
+        (struct dom_contact){.theta_1 = tilt_angle(geometry.f), .arm_a = link.arm_a, .arm_b = link.arm_b};
+    if (k.leads) {
+        link_on(&k);
+        contact->theta_1 = tilt_angle(k.tilt);
+        contact->slope = k.slope;
+    }
+    return DOM_OK;
 }

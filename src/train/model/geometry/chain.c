@@ -1,13 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/chain.h"
 
-KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums)
-{
-    struct tilt head;
-    enum dom_status status = geometry_tilt(geometry, theta, &head);
-    return status == DOM_OK ? chain_change(geometry, standing, head, PASS_PLAIN, sums) : status;
-}
-
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
                                    size_t *domino)
 {
@@ -58,74 +51,5 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
     edge[(*edges)++] = end;
     if (moving)
         *moving = !leaves ? CHAIN_ENDLESS : theta_leave > edge[0] ? domino + 1 : domino;
-    return DOM_OK;
-}
-
-/* ---- Public ---- */
-
-/* Makes the geometry of a train and converts the angle theta of its head to a tilt. */
-static enum dom_status train_tilted(const struct dom_train *train, const struct dom_compute *compute,
-                                    dom_real theta, struct geometry *geometry, struct tilt *head)
-{
-    enum dom_status status = train_check(train, compute);
-    *geometry = geometry_read(train, compute);
-    if (status == DOM_OK && train->rho != 0)
-        status = rounded_make(geometry, (real)train->rho);
-    if (status == DOM_OK)
-        status = geometry_set(geometry, geometry->s, geometry->r);
-    return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
-}
-
-static struct dom_link link_public(const struct geometry *geometry, const struct link *k)
-{
-    return (struct dom_link){
-        .i = k->i,
-        .theta = tilt_angle(k->tilt),
-        .slope = k->slope,
-        .arm_a = k->leads ? k->contact.arm / geometry->r : REAL_NAN, /* (table 1) */
-        .arm_b = k->leads ? link_arms(k, geometry->rolls).b / geometry->r : REAL_NAN,
-        .weight = k->weight,
-    };
-}
-
-enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
-                               dom_real theta, dom_visit *visit, void *context)
-{
-    struct geometry geometry;
-    struct tilt head;
-    enum dom_status status = train_tilted(train, compute, theta, &geometry, &head);
-    struct sums sums = {0};
-    if (status == DOM_OK)
-        status = chain_sum(&geometry, head, false, &sums);
-    if (status != DOM_OK)
-        return status;
-    struct link k = link_head(&geometry, head, geometry.rolls);
-    for (;;) {
-        if (dom_interrupted(geometry.interrupt)) /* checked at every domino, since the callback may be slow */
-            return DOM_INTERRUPTED;
-        struct dom_link link = link_public(&geometry, &k);
-        if (!visit(&link, context) || !k.leads || k.i + 1 >= sums.n)
-            return DOM_OK;
-        link_on(&k);
-    }
-}
-
-enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
-                                 dom_real theta, struct dom_contact *contact)
-{
-    struct geometry geometry;
-    struct tilt head;
-    enum dom_status status = train_tilted(train, compute, theta, &geometry, &head);
-    if (status != DOM_OK)
-        return status;
-    struct link k = link_head(&geometry, head, geometry.rolls);
-    struct dom_link link = link_public(&geometry, &k);
-    *contact =
-        (struct dom_contact){.theta_1 = tilt_angle(geometry.f), .arm_a = link.arm_a, .arm_b = link.arm_b};
-    if (k.leads) {
-        link_on(&k);
-        contact->theta_1 = tilt_angle(k.tilt);
-        contact->slope = k.slope;
-    }
     return DOM_OK;
 }

@@ -335,9 +335,6 @@ KERNEL_SHARED enum dom_status chain_change(const struct geometry *geometry, stru
 KERNEL enum dom_status chain_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
                                        real t, enum pass pass, struct sums *sums);
 
-/* Finds J, H1 and H(theta) - H(0) at theta in [0, theta_c]. */
-KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums);
-
 /* The equation of motion at one tilt of the head: (A/2) dw/dtheta + B w = C. Without friction, A is J, B is
  * half of dJ/dtheta, and C is -H1/2. */
 struct equation_of_motion {
@@ -351,12 +348,6 @@ struct equation_of_motion {
 };
 KERNEL enum dom_status chain_equation(const struct geometry *geometry, struct tilt head,
                                       struct equation_of_motion *equation);
-
-/* Finds tau^2 times the angular acceleration of the head: half of dw/dtheta, from the equation of motion,
- * with or without losses. `w` is tau^2 omega^2 at the tilt `head`. Unless n is NULL, sets *n to the number of
- * dominoes that contribute. */
-KERNEL enum dom_status chain_acceleration(const struct geometry *geometry, struct tilt head, real w,
-                                          real *acceleration, size_t *n);
 
 /*
  * Part of a proof that no contact of a chain opens while the head moves. Tests one contact while its leader

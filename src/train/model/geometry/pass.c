@@ -164,17 +164,6 @@ KERNEL enum dom_status chain_equation(const struct geometry *geometry, struct ti
                            : equation_by(geometry, head, false, equation);
 }
 
-KERNEL enum dom_status chain_acceleration(const struct geometry *geometry, struct tilt head, real w,
-                                          real *acceleration, size_t *n)
-{
-    struct equation_of_motion at = {.n = 0};
-    enum dom_status status = chain_equation(geometry, head, &at);
-    if (n)
-        *n = at.n;
-    *acceleration = (at.C - at.B * w) / at.A;
-    return status;
-}
-
 /* ---- The difference between the tilts of a domino in two chains ---- */
 
 /* The difference between the tilts of a domino in two chains, and the tangent of half the difference. */

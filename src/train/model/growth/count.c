@@ -2,27 +2,6 @@
 /* The number of dominoes of a growth r between two heights: the smallest n with first r^n >= height. */
 #include "numerics/real.h"
 
-/* The type of powers: float is too coarse to compare them. */
-#ifdef DOMF
-typedef double power_real;
-#else
-typedef real power_real;
-#endif
-
-/* Returns r^n for an integer n >= 0, with about n rounding errors. n may be too large for any integer
- * type. */
-static power_real power_of(power_real r, real n)
-{
-    power_real power = 1;
-    while (n > 0) {
-        const real half = floor(n / 2);
-        power *= n > 2 * half ? r : 1;
-        r *= r;
-        n = half;
-    }
-    return power;
-}
-
 /* Returns true if `first` * r^n >= `height`. If the two sides differ only by rounding errors, they count as
  * equal. */
 static bool count_reaches(real first, real height, real r, real ln_r, real n)
@@ -32,7 +11,11 @@ static bool count_reaches(real first, real height, real r, real ln_r, real n)
      * `slack` is at most a millionth of ln r, so it is small compared with the relative step from one domino
      * to the next, which is at least ln r. */
     real slack = fmin(ROUNDOFF * (4 + n), (real)1e-6 * ln_r);
-    return (power_real)first * power_of((power_real)r, n) >= (power_real)height * (1 - (power_real)slack);
+#ifdef DOMF /* float is too coarse to compare powers */
+    return (double)first * (pow)((double)r, (double)n) >= (double)height * (1 - (double)slack);
+#else
+    return first * pow(r, n) >= height * (1 - slack);
+#endif
 }
 
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, struct dom_count *count)

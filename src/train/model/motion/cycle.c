@@ -3,47 +3,63 @@
  * table. */
 #include "motion/motion.h"
 
-/* Finds the launch of a train, its barrier over [0, theta_c] and its end, to the tolerance `tol`, or if that
- * is 0 to the tolerance of the caller. Returns DOM_NO_FUEL if the train has no energy for a launch. Always
- * call motion_end afterwards. */
-static enum dom_status motion_begin(const struct dom_train *train, const struct dom_compute *compute,
-                                    real tol, struct motion *m)
+/* Returns the relative tolerance to which two terms must be computed, so that their difference is known to
+ * the relative tolerance tol. Both terms are about `whole`, and their difference is about `left`. */
+static real balance_tol(real tol, real left, real whole)
+{
+    return left > whole / 4 ? tol : fmin(tol, fmax(tol * left / whole, 4 * REAL_EPSILON));
+}
+
+/* Finds the launch and the barrier. If the kinetic energy and the barrier are nearly equal, their difference
+ * is inexact. Then both are computed again with a finer tolerance. */
+static enum dom_status motion_balance(struct motion *m, enum dom_fuel fuel)
+{
+    struct segment *st = &m->segment;
+    real tol;
+    do {
+        enum dom_status status = dynamics_collide(&st->geometry, fuel, &m->launch);
+        if (status == DOM_OK)
+            status = barrier_search(&st->geometry, st->hi, st->geometry.tol / 8, &st->barrier);
+        if (status != DOM_OK || m->launch.fuel <= 0)
+            return status == DOM_OK ? DOM_NO_FUEL : status;
+        tol = st->geometry.tol;
+        st->geometry.tol = balance_tol(tol, fabs(m->launch.kinetic - st->barrier.height), m->launch.kinetic);
+    } while (st->geometry.tol < tol / 4);
+    return DOM_OK;
+}
+
+KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, const struct dom_compute *compute,
+                                             bool timed, struct motion *m)
 {
     struct segment *st = &m->segment;
     const struct launch *launch = &m->launch;
     *m = (struct motion){.launch.fuel = REAL_NAN};
-    enum dom_status status = train_make(train, compute, tol, &st->geometry);
+    enum dom_status status =
+        train_make(train, compute, 40, &st->geometry); /* a duration takes about 40 passes */
     m->tol = st->geometry.tol;
     if (status == DOM_OK)
         status = dynamics_begin(&st->geometry);
     m->end = st->hi = tilt_angle(st->geometry.c);
     if (status == DOM_OK)
-        status = barrier_balance(&st->geometry, train->fuel, st->hi, &m->launch, &st->barrier);
+        status = motion_balance(m, train->fuel);
     if (status != DOM_OK)
         return status;
     st->start = (struct start){
         .from = standing, .J = launch->J0, .omegasq = launch->omegasq, .kinetic = launch->kinetic};
     st->gain = 1;
     st->inertia_ratio = launch->inertia_ratio;
-    if (launch->fuel <= 0)
-        return DOM_NO_FUEL;
     /* (26; c8), corrected: the paper leaves out the factor J(0). The search for r_max compares the same
      * energies (growth/limit.h). */
     m->stops = !(launch->kinetic >= st->barrier.height);
-    return m->stops ? segment_rest(st, &m->end) : DOM_OK;
+    if (m->stops)
+        status = segment_rest(st, &m->end);
+    return status == DOM_OK && timed ? clock_begin(&m->clock, st, m->end, m->stops, m->tol) : status;
 }
 
 KERNEL_SHARED void motion_end(struct motion *m)
 {
     dynamics_end(&m->segment.geometry);
     clock_free(&m->clock);
-}
-
-KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, const struct dom_compute *compute,
-                                             bool timed, struct motion *m)
-{
-    const enum dom_status status = motion_begin(train, compute, 0, m);
-    return status == DOM_OK && timed ? clock_begin(&m->clock, &m->segment, m->end, m->stops, m->tol) : status;
 }
 
 /* Finds tau^2 omega^2 at theta. Returns DOM_STOPS if the train does not reach theta. Where the train comes to
@@ -64,7 +80,7 @@ enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom
 {
     struct motion m;
     const struct barrier *b = &m.segment.barrier;
-    const enum dom_status status = motion_begin(train, compute, 0, &m);
+    const enum dom_status status = motion_prepare(train, compute, false, &m);
     const real kinetic = status == DOM_OK ? m.launch.kinetic : REAL_NAN;
     motion_end(&m);
     if (status != DOM_OK && status != DOM_NO_FUEL)
@@ -80,14 +96,15 @@ enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, dom_real *omegasq)
 {
-    real w = 0, tol = 0, finer = 0;
+    struct dom_compute finer = compute_or_default(compute);
+    real w = 0, tol;
     *omegasq = DOM_NAN;
     /* Near a stop, the remaining energy is the small difference of two large terms. Then both terms are
      * computed again with a finer tolerance. */
     do {
         struct motion m;
         struct tilt head;
-        enum dom_status status = motion_begin(train, compute, finer, &m), tilt_status = DOM_OK;
+        enum dom_status status = motion_prepare(train, &finer, false, &m), tilt_status = DOM_OK;
         if (status == DOM_OK || status == DOM_NO_FUEL)
             tilt_status = geometry_tilt(&m.segment.geometry, theta, &head);
         if (tilt_status != DOM_OK)
@@ -98,8 +115,8 @@ enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct do
         if (status != DOM_OK)
             return status;
         tol = m.segment.geometry.tol;
-        finer = balance_tol(tol, w, m.launch.omegasq);
-    } while (w != 0 && finer < tol / 4);
+        finer.tol = fmax(balance_tol(tol, w, m.launch.omegasq), dom_arithmetic()->tol_floor);
+    } while (w != 0 && finer.tol < tol / 4);
     *omegasq = w;
     return DOM_OK;
 }
@@ -109,7 +126,7 @@ enum dom_status dom_cycle_duration(const struct dom_train *train, const struct d
 {
     struct motion m;
     real time = REAL_NAN;
-    enum dom_status status = motion_begin(train, compute, 0, &m);
+    enum dom_status status = motion_prepare(train, compute, false, &m);
     if (status == DOM_OK)
         status = m.stops ? DOM_STOPS : segment_time(&m.segment, m.tol, &time);
     motion_end(&m);
@@ -171,7 +188,8 @@ static enum dom_status motion_state(struct motion *m, real theta, struct dom_sta
     const bool conservative = geometry->conservative;
     struct tilt head;
     struct sums at;
-    real omegasq = 0, acceleration = 0;
+    struct equation_of_motion equation;
+    real omegasq = 0;
     enum dom_status status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
         status = motion_speed(m, theta, &omegasq);
@@ -179,7 +197,7 @@ static enum dom_status motion_state(struct motion *m, real theta, struct dom_sta
     if (status == DOM_OK)
         status = chain_change(geometry, standing, head, PASS_PLAIN, &at);
     if (status == DOM_OK)
-        status = chain_acceleration(geometry, head, omegasq, &acceleration, NULL);
+        status = chain_equation(geometry, head, &equation);
     if (status != DOM_OK)
         return status;
     /* Just before the hit, the train that hits the head looks like this train at theta_c, scaled by 1 / r. So
@@ -189,7 +207,7 @@ static enum dom_status motion_state(struct motion *m, real theta, struct dom_sta
         .theta = theta,
         .time = clock_time(&m->clock, theta),
         .omegasq = omegasq,
-        .acceleration = acceleration,
+        .acceleration = (equation.C - equation.B * omegasq) / equation.A,
         .kinetic = at.J * omegasq,
         .climbed = at.dH,
         .fallen = at.left,

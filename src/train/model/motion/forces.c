@@ -52,6 +52,7 @@ static void forces_push(const struct geometry *geometry, const struct kinematics
 static enum dom_status forces_motion(const struct segment *st, real theta, struct kinematics *motion)
 {
     const struct geometry *geometry = &st->geometry;
+    struct equation_of_motion at = {.n = 0};
     real omegasq = 0;
     *motion = (struct kinematics){.n = 0};
     enum dom_status status = geometry_tilt(geometry, theta, &motion->head);
@@ -59,8 +60,9 @@ static enum dom_status forces_motion(const struct segment *st, real theta, struc
         status = dynamics_speed(geometry, &st->start, theta, &omegasq);
     motion->omegasq = fmax(omegasq, 0);
     if (status == DOM_OK)
-        status =
-            chain_acceleration(geometry, motion->head, motion->omegasq, &motion->acceleration, &motion->n);
+        status = chain_equation(geometry, motion->head, &at);
+    motion->acceleration = (at.C - at.B * motion->omegasq) / at.A;
+    motion->n = at.n;
     motion->hit = theta == geometry->lean && st->inertia_ratio > 0;
     motion->omega = sqrt(st->start.omegasq);
     /* The collision multiplies all angular velocities by T / (1 + T). So the lost angular velocity is 1 / T

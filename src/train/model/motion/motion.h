@@ -88,8 +88,9 @@ struct motion {
 
 KERNEL_SHARED void motion_end(struct motion *motion);
 
-/* Checks a train, begins its motion, and finds its end and, if `timed` is true, its clock, with the status of
- * clock_begin. Always call motion_end afterwards. */
+/* Checks a train, and finds its launch, its barrier over [0, theta_c], its end and, if `timed` is true, its
+ * clock, with the status of clock_begin. Returns DOM_NO_FUEL if the train has no energy for a launch. Always
+ * call motion_end afterwards. */
 KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, const struct dom_compute *compute,
                                              bool timed, struct motion *motion);
 

@@ -68,22 +68,26 @@ KERNEL enum dom_status segment_begin(struct segment *st)
 KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
 {
     struct tilt head;
-    real omegasq = REAL_NAN;
+    real omegasq, gain, u;
     st->status = geometry_tilt(&st->geometry, st->hi, &head);
     if (st->status == DOM_OK)
         st->status = chain_change(&st->geometry, st->start.from, head, PASS_PUSHES, &st->end);
     if (st->status != DOM_OK)
         return st->status;
     const real J = st->end.J;
-    if (st->geometry.conservative)
+    if (st->geometry.conservative) {
         omegasq = (st->start.kinetic - st->end.dH) / J;
-    else
-        st->status = dynamics_speed(&st->geometry, &st->start, st->hi, &omegasq);
+        gain = st->start.J / J;
+    } else {
+        flow_at(&st->geometry, st->hi, &gain, &u);
+        gain = exp(gain);
+        omegasq = gain * (st->start.omegasq - u);
+    }
     *next = (struct segment){.geometry = st->geometry,
                              .lo = st->hi,
                              .summed = st->geometry.n,
                              .start = {.from = head, .J = J, .omegasq = omegasq, .kinetic = J * omegasq},
-                             .gain = dynamics_gain(&st->geometry, &st->start, st->gain, st->hi, J)};
+                             .gain = st->gain * gain};
     return st->status;
 }
 
