@@ -417,6 +417,7 @@ static const struct command_group groups[] = {
     {"One cycle of the train", "cycles", cycle_commands},
     {"The cycle, step by step", "cycles", walk_commands},
     {"How far it can grow", "limits", limit_commands},
+    {"What accuracy costs", "limits", cost_commands},
     {NULL, NULL, NULL},
 };
 

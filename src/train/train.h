@@ -5,7 +5,7 @@
 
 #include "interpreter/command.h"
 
-extern const struct command cycle_commands[], walk_commands[];
+extern const struct command cycle_commands[], walk_commands[], cost_commands[];
 
 /* The members that most commands about a train share. */
 #define TRAIN_COMMAND .precision = PRECISION_AS_SET, .train = true

@@ -12,7 +12,7 @@ load common
     same "'quit'" "$("$DOMINO" -e 'complete q')"$'\n'1 "$("$DOMINO" -e 'complete fuel; q' -e 'print 1' | grep .)"
 }
 
-# bats test_tags=rows,chance,pictures,sweeps,explain,fit,engine,landmarks,cost
+# bats test_tags=rows,chance,pictures,sweeps,explain,fit,engine,landmarks
 @test "complete: commands, parameters, topics, words, names of expressions, files" {
     # 'step back', 'step to' and 'step where' and other phrases stand for commands that completion does not offer.
     all=$(json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|effect' | paste -sd ' ' -)

@@ -93,7 +93,7 @@ END
     done
 }
 
-# bats test_tags=rows,cost
+# bats test_tags=rows
 @test "help answers for the words that people use with the topics that are about them" {
     while read -r word topic; do
         "$DOMINO" -e "help $word" | grep -qE "^$topic( |\$)" || same "help $word" "$topic" "$("$DOMINO" -e "help $word")"

@@ -132,7 +132,7 @@ END
         "$("$DOMINO" -e 'effect row 4; sweep row 3, 5 > /dev/null : verdict' 2>/dev/null; "$DOMINO" -e 'effect row 4; sweep row 3, 5 : verdict > /dev/null; effects')"
 }
 
-# bats test_tags=rows,chance,pictures,explain,cost
+# bats test_tags=rows,chance,pictures,explain
 @test "an error in a line gives one message and no row" {
     wrong_line 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
     wrong_line 'sweep s 0.1 0.9 9' "':' and an answer are missing; enter, for example,"

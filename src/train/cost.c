@@ -237,7 +237,7 @@ static bool run_cost(const struct query *query, struct answer *a, struct problem
     return true;
 }
 
-static const struct command cost_commands[] = {
+const struct command cost_commands[] = {
     {.name = "cost",
      .synonyms = "accuracy precision benchmark speed fast",
      .argument = {{.name = "COMMAND",
@@ -257,10 +257,3 @@ static const struct command cost_commands[] = {
      ANSWER(cost)},
     {.name = NULL},
 };
-
-static const struct command_group groups[] = {
-    {"What accuracy costs", "limits", cost_commands},
-    {NULL, NULL, NULL},
-};
-
-const struct feature cost_feature = {.name = "cost", .groups = groups};

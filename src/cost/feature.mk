@@ -1,1 +1,0 @@
-NEEDS_cost :=
