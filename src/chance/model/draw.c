@@ -75,69 +75,6 @@ static double radius_of(const struct dom_row *row, const struct dom_domino *d)
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
 }
 
-/* Applies a random error to a size or to the mass of a domino. The thickness and the radius are limited, so
- * that walls and rounded edges still fit. */
-static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
-                      const struct dom_random_error *error, struct dom_domino *d)
-{
-    const double factor = fmax(1 + error_next(draw, error), LEAST_SHARE);
-    const struct dom_domino before = *d;
-    switch (kind) {
-    case DOM_ERROR_height:
-        d->width = width_of(d);
-        d->height = height_of_kind(row, d->height, d->height * factor);
-        d->mass *= wood_factor(row, &before, d, factor);
-        break;
-    case DOM_ERROR_thickness: {
-        const double least = 2 * fmax(walls_of(row, d->height), radius_of(row, d)) / INSIDE;
-        d->thickness = fmax(d->thickness * factor, fmin(least, d->thickness));
-        d->mass *= wood_factor(row, &before, d, d->thickness / before.thickness);
-        break;
-    }
-    case DOM_ERROR_mass:
-        d->mass *= factor;
-        break;
-    default: /* DOM_ERROR_radius */
-        if (row->rho != 0)
-            d->radius = fmin(radius_of(row, d) * factor, fmin(d->thickness, d->height) / 2 * INSIDE);
-        break;
-    }
-}
-
-/* Moves each domino after the first by a random error of its own. If a domino would overlap the previous
- * domino, it is placed so that it touches the previous domino. */
-static void places_draw(const struct draw *draw, const struct dom_random_error *error, size_t count)
-{
-    double before = 0; /* distance by which the previous domino has moved */
-    for (size_t k = 1; k < count; k++) {
-        const double by = error_next(draw, error), gap = draw->domino[k].gap + by - before;
-        draw->domino[k].gap = fmax(gap, 0);
-        before = gap < 0 ? by - gap : by;
-    }
-}
-
-static void gaps_draw(const struct draw *draw, const struct dom_random_error *error, size_t count)
-{
-    for (size_t k = 0; k < count; k++) {
-        const double by = error_next(draw, error);
-        if (k > 0)
-            draw->domino[k].gap = fmax(draw->domino[k].gap + by, 0);
-    }
-}
-
-/* Applies a random error to the lean of each domino. If the domino would then fall over by itself, its lean
- * is limited so that it still stands. */
-static void leans_draw(const struct draw *draw, const struct dom_random_error *error)
-{
-    for (size_t k = 0; k < draw->row.count; k++) {
-        struct dom_domino *d = &draw->domino[k];
-        double limit[2];
-        dom_lean_limits(d, draw->row.alpha, draw->row.rho, limit);
-        const double middle = (limit[0] + limit[1]) / 2, most = (limit[1] - limit[0]) / 2 * INSIDE;
-        d->lean = fmin(fmax(d->lean + error_next(draw, error), middle - most), middle + most);
-    }
-}
-
 double row_steepest(const struct dom_row *row)
 {
     double steepest = M_PI_2;
@@ -149,20 +86,70 @@ double row_steepest(const struct dom_row *row)
     return steepest;
 }
 
-/* Applies a random error to a value of the whole row, such as the slope. */
-static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)
+/*
+ * Applies a random error to domino k, or to the whole row. A domino that would fall over by itself gets the
+ * largest lean at which it stands. The thickness and the radius are limited, so that walls and rounded edges
+ * still fit.
+ */
+static void error_apply(struct draw *draw, enum dom_error_of kind, size_t k, double by)
 {
-    struct dom_row *row = &draw->row;
-    const double by = error_next(draw, error);
-    if (kind == DOM_ERROR_friction)
+    struct dom_row *const row = &draw->row;
+    struct dom_domino *const d = &draw->domino[k];
+    const struct dom_domino before = *d;
+    const double factor = fmax(1 + by, LEAST_SHARE);
+    double limit[2], middle, bound;
+    switch (kind) {
+    case DOM_ERROR_gap:
+        d->gap = k > 0 ? fmax(d->gap + by, 0) : d->gap;
+        break;
+    case DOM_ERROR_height:
+        d->width = width_of(d);
+        d->height = height_of_kind(row, d->height, d->height * factor);
+        d->mass *= wood_factor(row, &before, d, factor);
+        break;
+    case DOM_ERROR_thickness:
+        bound = 2 * fmax(walls_of(row, d->height), radius_of(row, d)) / INSIDE;
+        d->thickness = fmax(d->thickness * factor, fmin(bound, d->thickness));
+        d->mass *= wood_factor(row, &before, d, d->thickness / before.thickness);
+        break;
+    case DOM_ERROR_mass:
+        d->mass *= factor;
+        break;
+    case DOM_ERROR_radius:
+        if (row->rho != 0)
+            d->radius = fmin(radius_of(row, d) * factor, fmin(d->thickness, d->height) / 2 * INSIDE);
+        break;
+    case DOM_ERROR_lean:
+        dom_lean_limits(d, row->alpha, row->rho, limit);
+        middle = (limit[0] + limit[1]) / 2;
+        bound = (limit[1] - limit[0]) / 2 * INSIDE;
+        d->lean = fmin(fmax(d->lean + by, middle - bound), middle + bound);
+        break;
+    case DOM_ERROR_friction:
         row->mu = fmin(fmax(row->mu + by, 0), DOM_MU_HIGHEST);
-    else if (kind == DOM_ERROR_slope) {
-        const double most = fmax(row_steepest(row) * INSIDE, fabs(row->alpha));
-        row->alpha = fmin(fmax(row->alpha + by, -most), most);
-    } else if (kind == DOM_ERROR_floor)
+        break;
+    case DOM_ERROR_slope:
+        bound = fmax(row_steepest(row) * INSIDE, fabs(row->alpha));
+        row->alpha = fmin(fmax(row->alpha + by, -bound), bound);
+        break;
+    case DOM_ERROR_floor:
         row->feet += by;
-    else if (!isnan(row->push))
-        row->push = fmax(row->push + by, 0);
+        break;
+    default: /* DOM_ERROR_push */
+        row->push = isnan(row->push) ? row->push : fmax(row->push + by, 0);
+    }
+}
+
+/* Moves each domino after the first by a random error of its own. If a domino would overlap the previous
+ * domino, it is placed so that it touches the previous domino. */
+static void places_draw(const struct draw *draw, const struct dom_random_error *error)
+{
+    double before = 0; /* distance by which the previous domino has moved */
+    for (size_t k = 1; k < draw->row.count; k++) {
+        const double by = error_next(draw, error), gap = draw->domino[k].gap + by - before;
+        draw->domino[k].gap = fmax(gap, 0);
+        before = gap < 0 ? by - gap : by;
+    }
 }
 
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *p, size_t i)
@@ -182,17 +169,11 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
         if (!(error->size > 0))
             continue;
         kind_begin(draw, p, i, (int)order[k]);
-        if (order[k] == DOM_ERROR_gap)
-            gaps_draw(draw, error, row->count);
-        else if (order[k] == DOM_ERROR_place)
-            places_draw(draw, error, row->count);
-        else if (order[k] == DOM_ERROR_lean)
-            leans_draw(draw, error);
-        else if (order[k] >= DOM_ERROR_friction)
-            common_draw(draw, order[k], error);
+        if (order[k] == DOM_ERROR_place)
+            places_draw(draw, error);
         else
-            for (size_t j = 0; j < row->count; j++)
-                size_draw(draw, &draw->row, order[k], error, &draw->domino[j]);
+            for (size_t j = 0; j < (order[k] < DOM_ERROR_friction ? row->count : 1); j++)
+                error_apply(draw, order[k], j, error_next(draw, error));
     }
     /* A first domino that would be inside the second one is released where it touches it. */
     struct dom_row *const drawn = &draw->row;
