@@ -6,7 +6,7 @@
 
 #include "chance/model/verdict.c" // NOLINT(bugprone-suspicious-include)
 #include "request.h"
-#include "rows/model/study.c" // NOLINT(bugprone-suspicious-include)
+#include "rows/model/windows.c" // NOLINT(bugprone-suspicious-include)
 #include "support.h"
 
 static double uniform(uint64_t *seed, double lo, double hi)

@@ -3,12 +3,178 @@
  * large. The window of a gap is the range of gaps at which all dominoes fall, if nothing else in the row
  * changes. The position, the height, the thickness and the lean of a domino have windows too, and so does the
  * friction. If a row does not fall, its windows say which change of one value mends it. */
+#include "dynamics/dynamics.h"
+#include "row/row.h"
 #include "rows/model/boxes.h"
-#include "rows/model/study.h"
 #include "search/search.h"
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The headers of the kernel declare functions that only its own sources define. */
+#pragma GCC diagnostic ignored "-Wunused-function"
+
+/*
+ * ---- Runs of a changed row ----
+ *
+ * A study runs a planned row many times, with changes. If a few neighbouring dominoes of a planned row are
+ * changed, the run begins at the stored state of the first head that the change can affect. It ends as soon
+ * as omegasq equals that of the planned row again, because from then on both rows move alike.
+ *
+ * The effects of a change decrease from head to head. The omegasq of a later head differs by the fraction
+ * `off`, which a head multiplies by lambda. The changed dominoes still lean on the head, and change its
+ * motion by an amount of the same order, which decays as these dominoes come down. So the run ends when `off`
+ * is small at two heads in a row: small compared with `clear`, the change of omegasq that could change the
+ * verdict on the planned row.
+ *
+ * If the planned row stops, the heads after the stop have no marks until a changed row falls to the end. That
+ * run then makes their marks, and takes the place of the planned row for them.
+ */
+
+/* The planned row at the moment when a head is hit: its state, and how clear the verdict is from there on. */
+struct mark {
+    real omegasq, inertia_ratio; /* values of the members of struct run */
+    size_t moving;
+    /* the derivative of ln omegasq of the next head with respect to ln omegasq of this head */
+    real lambda;
+    /* A change of omegasq by less than this fraction can change neither the sign of the margin nor that of a
+     * contact force, here and at later heads. */
+    real clear;
+};
+
+struct study {
+    struct row row;    /* between two runs, the geometry that is filled in is that of the planned row */
+    struct mark *mark; /* of the planned row, whose first `known` heads have marks */
+    size_t known;
+    struct dom_verdict verdict;
+    /* ---- The current run ---- */
+    size_t last; /* index of the last domino that differs from the planned row */
+    real off;    /* by which fraction omegasq of the last head differs from the planned one */
+};
+
+/* omegasq counts as equal if it differs by less than this fraction of `clear`. */
+#define STUDY_EQUAL ((real)1 / 16)
+
+/* With friction, `clear` is at most this, because it does not tell how close the row is to locking. */
+#define STUDY_LOCKING ((real)1e-3)
+
+/* Goes back from mark[to - 1] to mark[from], so that `clear` accounts for all later heads, too. */
+static void marks_join(struct mark *mark, size_t from, size_t to)
+{
+    for (size_t k = to; k-- > from;)
+        if (k + 1 < to)
+            mark[k].clear = fmin(mark[k].clear, mark[k + 1].clear / fmax(mark[k].lambda, 1));
+}
+
+/* Called after each head. Returns true if a changed row moves as planned again. After a head without a mark,
+ * makes its mark, with the part of `clear` that concerns this head alone. */
+static bool study_ends(struct run *run, size_t k, const struct run *before, const struct descent *d,
+                       const struct dom_fall *fall)
+{
+    struct study *s = run->options->context;
+    struct mark *self = &s->mark[k];
+    const real last = s->off;
+    if (run->verdict.end == DOM_ROW_STOPS)
+        run->verdict.spare = fall->margin / fall->barrier;
+    if (k >= s->known) {
+        *self = (struct mark){.omegasq = before->omegasq,
+                              .inertia_ratio = before->inertia_ratio,
+                              .moving = before->moving,
+                              .clear = 1};
+        if (k == 0 && before->omegasq == 0) /* the first domino starts at rest, and has no margin */
+            return false;
+        self->lambda = d->st.gain * before->omegasq / d->st.start.omegasq;
+        self->clear = fmin(fabs((real)fall->margin / (real)fall->kinetic), fabs(d->least_force));
+        if (!before->row->geometry[0].conservative)
+            self->clear = d->locks ? 0 : fmin(self->clear, STUDY_LOCKING);
+        return false;
+    }
+    if (run->verdict.end != DOM_ROW_FALLS || k + 1 >= s->known)
+        return false;
+    s->off = fabs(run->omegasq / self[1].omegasq - 1);
+    const bool settles = k > s->last && fmax(last, s->off) <= STUDY_EQUAL * self[1].clear;
+    if (settles && k + 1 < s->verdict.domino)
+        run->verdict.end = s->verdict.end;
+    return settles;
+}
+
+/* Runs the row from head k on. */
+static enum dom_status study_falls(struct study *s, size_t k, struct dom_verdict *verdict)
+{
+    const struct run_options options = {.forces = s->known <
+                                                  s->row.given.count, /* a mark needs the smallest force */
+                                        .every = true,
+                                        .ends = study_ends,
+                                        .context = s};
+    struct run run = row_launch(&s->row, &options);
+    s->off = (real)INFINITY;
+    if (k > 0) {
+        run.omegasq = s->mark[k].omegasq;
+        run.inertia_ratio = s->mark[k].inertia_ratio;
+        run.moving = s->mark[k].moving;
+    }
+    const enum dom_status status = row_falls(&run, k, NULL, NULL);
+    *verdict = run.verdict;
+    return status;
+}
+
+/* Runs the row as planned. Call row_study_end even after an error. */
+static enum dom_status row_study_begin(const struct dom_row *row, const struct dom_compute *compute,
+                                       struct study **study, struct dom_verdict *verdict)
+{
+    struct study *s = *study = calloc(1, sizeof *s);
+    enum dom_status status = s ? row_begin(row, compute, &s->row, &verdict->domino) : DOM_NO_MEMORY;
+    if (status == DOM_OK && !(s->mark = malloc(row->count * sizeof *s->mark)))
+        status = DOM_NO_MEMORY;
+    if (status == DOM_OK)
+        status = study_falls(s, 0, verdict);
+    if (status == DOM_OK) {
+        s->known = verdict->domino;
+        s->verdict = *verdict;
+        marks_join(s->mark, 0, s->known);
+    }
+    return status;
+}
+
+/* Runs a copy of the planned row in which the dominoes `first` to `last` have changed. */
+static enum dom_status row_study(struct study *s, const struct dom_row *row, size_t first, size_t last,
+                                 struct dom_verdict *verdict)
+{
+    const size_t from = first > 0 ? first - 1 : 0, count = row->count;
+    enum dom_status status = DOM_OK;
+    s->row.given = *row;
+    *verdict = s->verdict;
+    for (size_t k = first; k <= last && status == DOM_OK; k++)
+        status = row_domino_check(&s->row.given, k);
+    /* the fall ends before it reaches a head that the change can affect */
+    if (status != DOM_OK || (s->verdict.end != DOM_ROW_FALLS && from >= s->verdict.domino))
+        return status;
+    s->last = last + 1;
+    s->row.made = s->row.made < from ? s->row.made : from;
+    if (from == 0) { /* the launch needs the first domino */
+        status = row_geometry(&s->row, 0);
+        s->row.made = 1;
+    }
+    if (status == DOM_OK)
+        status = study_falls(s, from, verdict);
+    s->row.made = s->row.made < from ? s->row.made : from;
+    if (status == DOM_OK && verdict->end == DOM_ROW_FALLS && verdict->domino == count && s->known < count) {
+        marks_join(s->mark, s->known, count);
+        s->known = count;
+    }
+    return status;
+}
+
+static void row_study_end(struct study *s)
+{
+    if (s) {
+        row_free(&s->row);
+        free(s->mark);
+    }
+    free(s);
+}
+
+/* ---- Trials ---- */
 
 /* A series of trials, each of which changes one value of a row and runs the row. If an error occurs, `status`
  * is set to a value other than DOM_OK. From then on, no more rows are run, and all trials return false. */

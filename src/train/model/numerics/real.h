@@ -13,7 +13,7 @@
 
 /* Marks functions of the kernels. Each precision has its own static copy. */
 #define KERNEL static __attribute__((unused))
-/* Marks functions of the kernel that studies of rows call, too (src/rows/model/study.c), which exist in
+/* Marks functions of the kernel that studies of rows call, too (src/rows/model/windows.c), which exist in
  * double only. */
 #if defined DOMF || defined DOMQ
 #define KERNEL_SHARED KERNEL
