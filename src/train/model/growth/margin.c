@@ -314,10 +314,12 @@ KERNEL bool root_guessed(struct growth *g, real from, struct limit *limit)
 
 KERNEL bool root_near(struct growth *g, struct limit *limit)
 {
-    const real near = g->near, width = ROOT_NEAR * near;
-    const struct margin aside =
-        margin_signed(g, MARGIN_FOLLOW, near * (1 - ROOT_ASIDE), ROOT_ASIDE * ROOT_NEAR);
+    const real near = g->near, width = ROOT_NEAR * near, tol = g->geometry.tol;
+    g->geometry.tol = fmin(tol, ROOT_ASIDE * ROOT_NEAR); /* a coarser margin tells nothing so close */
+    const struct margin aside = margin_signed(g, MARGIN_FOLLOW, near * (1 - ROOT_ASIDE), 0);
     const struct margin at = g->status == DOM_OK ? margin_signed(g, MARGIN_FOLLOW, near, 0) : aside;
-    return root_sure(g, g->status == DOM_OK && root_secant(g, &aside, &at, near - width, near + width, limit),
-                     limit);
+    const bool found = g->status == DOM_OK && root_secant(g, &aside, &at, near - width, near + width, limit);
+    const bool sure = root_sure(g, found, limit);
+    g->geometry.tol = tol;
+    return sure;
 }
