@@ -194,6 +194,7 @@ bool start_run(const struct query *query, const struct domq_train *train, domq_r
 struct search {
     struct scene scene;
     struct plain_run run; /* its row is a part of a train */
+    bool lacks_memory;    /* for one of the growths, which is then not known to be too large */
 };
 
 /* Returns margin / barrier of the row with growth r: at least 0 if all dominoes fall, below 0 if the row
@@ -210,6 +211,7 @@ static double growth_spare(double r, void *context)
         s->scene.train.r = (domq_real)r;
         train_row_fill(&s->scene, run->made.domino, most);
         plain_run(run);
+        s->lacks_memory = s->lacks_memory || run->status == DOM_NO_MEMORY;
         is_decided = run->status != DOM_OK || run->is_settled || *count < most || most == START_SEARCHED ||
                      (v->end != DOM_ROW_FALLS && v->domino < most);
     }
@@ -263,7 +265,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
         growths->uncertainty = (domq_real)good.x - growths->r_max + 2 * compute->tol * (domq_real)good.x;
     }
     free(made->domino);
-    return query_status(query, problem, s.run.status);
+    return query_status(query, problem, s.lacks_memory ? DOM_NO_MEMORY : s.run.status);
 }
 
 struct words start_words(const struct query *query)

@@ -190,31 +190,28 @@ static void row_write(struct answer *a, const struct cell *cells, const char *re
 /* Makes the rest a copy of the answer that shows all columns and writes into rest->out. */
 static void rest_copy(const struct answer *a, struct rest *rest)
 {
-    *rest->answer = *a;
-    rest->answer->columns = a->columns == a->copy ? rest->answer->copy : a->columns;
-    rest->answer->out = rest->out;
-    rest->answer->kept = NULL;
-    rest->answer->details.brief = NULL;
-    rest->answer->details.rest = NULL;
-    rest->answer->errors.see = NULL; /* it has seen the cells already */
-    rest->answer->progress.is_open = true;
-    rest->answer->layout.letters = false; /* 'details > FILE' is plain text */
-    rest->answer->progress.has_rows = false;
+    struct answer *copy = &rest->answer;
+    *copy = *a;
+    copy->columns = a->columns == a->copy ? copy->copy : a->columns;
+    copy->out = rest->out;
+    copy->kept = NULL;
+    copy->details.brief = NULL;
+    copy->details.rest = NULL;
+    copy->errors.see = NULL; /* it has seen the cells already */
+    copy->progress.is_open = true;
+    copy->layout.letters = false; /* 'details > FILE' is plain text */
+    copy->progress.has_rows = false;
 }
 
 /* Returns the answer that writes into the rest. Returns NULL if no rest is kept, or if memory runs out. */
 static struct answer *rest_answer(struct answer *a)
 {
-    struct rest *rest = a->details.rest;
-    if (!rest || !answer_for_people(a) || rest->answer)
-        return rest && answer_for_people(a) ? rest->answer : NULL;
-    rest->out = open_memstream(&rest->text, &rest->size);
-    rest->answer = rest->out ? malloc(sizeof *rest->answer) : NULL;
-    if (!rest->answer)
-        return NULL;
-    terminal_look(a);
-    rest_copy(a, rest);
-    return rest->answer;
+    struct rest *rest = answer_for_people(a) ? a->details.rest : NULL;
+    if (rest && !rest->out && (rest->out = open_memstream(&rest->text, &rest->size)) != NULL) {
+        terminal_look(a);
+        rest_copy(a, rest);
+    }
+    return rest && rest->out ? &rest->answer : NULL;
 }
 
 FILE *answer_rest(struct answer *a)
@@ -224,16 +221,14 @@ FILE *answer_rest(struct answer *a)
 
 char *rest_end(struct rest *rest)
 {
-    char *text = NULL;
-    if (rest->answer && *rest->answer->late_reason)
-        answer_say(rest->answer, "%s", rest->answer->late_reason);
-    free(rest->answer);
-    if (rest->out && fclose(rest->out) == 0 && rest->size > 0)
-        text = rest->text;
-    if (!text)
-        free(rest->text);
-    *rest = (struct rest){.out = NULL};
-    return text;
+    if (!rest->out)
+        return NULL;
+    if (*rest->answer.late_reason)
+        answer_say(&rest->answer, "%s", rest->answer.late_reason);
+    if (fclose(rest->out) == 0 && rest->size > 0)
+        return rest->text;
+    free(rest->text);
+    return NULL;
 }
 
 bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
@@ -259,7 +254,7 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
         columns_leave_out(a, a->details.brief, false);
     }
     if (is_brief && rest_answer(a))
-        answer_row(a->details.rest->answer, row, NULL);
+        answer_row(&a->details.rest->answer, row, NULL);
     for (int i = 0, n = 0; a->left_out && i < count; i++)
         if (!(a->left_out >> i & 1))
             row[n++] = row[i];

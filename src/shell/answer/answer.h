@@ -238,7 +238,7 @@ struct rest {
     FILE *out; /* writes into `text`; NULL if the answer has no rest so far */
     char *text;
     size_t size;
-    struct answer *answer; /* the answer that writes into `out` */
+    struct answer answer; /* the answer that writes into `out`; not set before */
 };
 
 /* Writes a sentence into the rest of the answer. */

@@ -67,11 +67,12 @@ static bool run_command(struct session *session, const struct command *c, const 
                         struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
-    struct rest rest = {.out = NULL};
+    struct rest rest;
     /* `kept` is needed only if the command has a value for 'ans'. Clearing it for every command would slow
      * down scripts. */
     if (c->principal)
         memset(kept, 0, sizeof kept);
+    rest.out = NULL;
     struct output *output = session->output;
     const bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
     /* in another precision than that of the session */
