@@ -44,7 +44,7 @@ every_allocation() { # SESSION
 }
 
 @test "failing allocations: answers" { every_allocation 'fuel; set output json; rmax 0.3; show s; print ans; help rmax'; }
-@test "failing allocations: every step of a search" { FAULTS_OF_MEMORY=1000 every_allocation 'rmax 0.3'; }
+@test "failing allocations: every step of a search" { FAULTS_OF_MEMORY=1000 every_allocation 'print 1; rmax 0.3'; }
 @test "failing allocations: files" { every_allocation 'fuel > a; fuel >> a; save b.dom; source b.dom; source in.dom > c; fuel'; }
 @test "failing allocations: a row" { every_allocation 'effect row row.csv; fall; place 3 5 mm; mend; verdict'; }
 @test "failing allocations: studies" { every_allocation 'set output csv; set threads 2; sweep s 0.2 0.6 3 : rmax'; }
