@@ -59,6 +59,8 @@ static void watch_visit(struct watch *w, dom_real time)
         .time = time, .head = w->head + 1, .moving = w->moving, .tilt = w->tilt, .omega = w->omega};
     w->next++;
     w->ended = !w->visit(&moment, w->context);
+    if (w->ended)
+        w->times = w->next;
 }
 
 /* Sets the state at the tilt theta of the last motion. */
@@ -90,8 +92,6 @@ static void watch_head(struct run *run, size_t k)
 static enum dom_status watch_motion(struct run *run, const struct descent *d)
 {
     struct watch *w = run->options->context;
-    if (w->ended)
-        return DOM_OK;
     if (isnan(d->begins + d->time) && w->next < w->times)
         return DOM_NO_MARGIN;
     w->last = *d;
@@ -105,7 +105,7 @@ static enum dom_status watch_motion(struct run *run, const struct descent *d)
         status = clock_begin(&w->clock, &w->last.st, d->to, d->stops, d->st.geometry.tol);
     if (isnan(d->lasts) && status == DOM_OK)
         w->last.lasts = clock_time(&w->clock, d->to);
-    while (status == DOM_OK && !w->ended && w->next < w->times && w->time[w->next] < end_of(d)) {
+    while (status == DOM_OK && w->next < w->times && w->time[w->next] < end_of(d)) {
         const real time = (w->time[w->next] - d->begins) / d->tau - d->time;
         real theta = d->st.lo;
         if (time > 0)
@@ -132,11 +132,11 @@ static enum dom_status watch_rest(struct run *run)
 {
     struct watch *w = run->options->context;
     enum dom_status status = DOM_OK;
-    if (w->ended || w->next >= w->times)
+    if (w->next >= w->times)
         return DOM_OK;
     if (w->last.run) /* a domino has moved */
         status = watch_state(w, w->last.to);
-    while (status == DOM_OK && !w->ended && w->next < w->times)
+    while (status == DOM_OK && w->next < w->times)
         watch_visit(w, end_of(&w->last));
     return status;
 }

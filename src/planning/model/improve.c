@@ -311,20 +311,19 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
     s.rough.work = NULL;
     s.tried.engine = NULL;
     s.random.first += placement->rows;
-    const size_t v = s.variables = shape_variables(&s.shape);
     s.domino = malloc(2 * n * sizeof *s.domino);
-    s.x = calloc(3 * v + 2 * n * (1 + ROWS_MOST) + 2 * ROWS_MOST, sizeof *s.x);
+    s.x = calloc(2 * n * (4 + ROWS_MOST) + 2 * ROWS_MOST, sizeof *s.x);
     if (s.domino && s.x) {
         s.candidate = s.domino + n;
-        s.step = s.x + v;
-        s.slope = s.step + v;
-        s.width = s.slope + v;
+        s.step = s.x + 2 * n;
+        s.slope = s.step + 2 * n;
+        s.width = s.slope + 2 * n;
         s.margin = s.width + 2 * n;
         s.probability = s.margin + 2 * n * ROWS_MOST;
         s.given_allowed = shape_keeps(&s.shape, domino, s.candidate);
         study[1] = s.given_allowed ? study[0] : study[1];
-        shape_begin(&s.shape, s.x);
-        for (size_t i = 0; i < v; i++)
+        s.variables = shape_begin(&s.shape, s.x);
+        for (size_t i = 0; i < s.variables; i++)
             s.step[i] = FIRST_STEP;
         const bool is_needed = n > 1 && !(s.given_allowed && study[0].fall == study[0].rows);
         if (is_needed && !shape_dominoes(&s.shape, s.x, false, s.domino))

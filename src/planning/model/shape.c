@@ -37,18 +37,13 @@ static size_t sizes_of(const struct shape *s)
     return s->limits->sizes && s->row->count > 2 ? s->row->count - 2 : 0;
 }
 
-size_t shape_variables(const struct shape *s)
-{
-    return s->row->count - 1 + sizes_of(s);
-}
-
-void shape_begin(const struct shape *s, double *x)
+size_t shape_begin(const struct shape *s, double *x)
 {
     const struct dom_domino *d = s->row->domino;
-    for (size_t k = 1; k < s->row->count; k++)
-        *x++ = log(fmax(d[k].gap / d[k - 1].height, LEAST));
-    for (size_t k = 0; k < sizes_of(s); k++)
-        *x++ = 0;
+    const size_t gaps = s->row->count - 1, sizes = sizes_of(s);
+    for (size_t k = 0; k < gaps + sizes; k++)
+        x[k] = k < gaps ? log(fmax(d[k + 1].gap / d[k].height, LEAST)) : 0;
+    return gaps + sizes;
 }
 
 /* Sets the height and the thickness of a domino. Its mass, its width and the radius of its edges change

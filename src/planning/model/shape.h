@@ -10,14 +10,12 @@ struct shape {
 };
 
 /*
- * Returns the number of variables. Each gap has one variable: ln(gap / height of the domino before the gap).
- * If sizes may change, each domino between the first and the last has one, too: the logarithm of the factor
- * by which this domino and those after it, except the last, become larger.
+ * Sets the variables x to the values that describe shape->row, and returns their number, at most 2 * count.
+ * Each gap has one variable: ln(gap / height of the domino before the gap). If sizes may change, each domino
+ * between the first and the last has one, too: the logarithm of the factor by which this domino and those
+ * after it, except the last, become larger.
  */
-size_t shape_variables(const struct shape *shape);
-
-/* Sets the variables x to the values that describe shape->row. */
-void shape_begin(const struct shape *shape, double *x);
+size_t shape_begin(const struct shape *shape, double *x);
 
 /* Writes the dominoes that the variables x describe. If a domino cannot reach across the gap after it, this
  * gap is narrowed. If the row is too long for the hall, all gaps are narrowed. If `final` is true, lengths

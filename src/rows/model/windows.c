@@ -209,24 +209,6 @@ struct range {
     double lowest, highest;
 };
 
-/*
- * Returns the range of heights that are tried.
- * - If a tilted domino is too tall, it falls over by itself. It stands if height < foot / tan(tilt), where
- *   foot = thickness - 2 radii.
- * - A domino with rounded edges must be taller than 2 radii.
- * - A solid domino must stay solid, and a box must stay a box.
- */
-static struct range heights_of(const struct dom_row *row, const struct dom_domino *d, double tilt)
-{
-    double self = row->rho != 0 ? 2 * d->radius : 0, share = self > 0 ? 0 : 2 * row->rho;
-    double stands = (d->thickness - self) / (tan(tilt) + share) * (1 - STANDS_SHORT);
-    double lowest = fmax(HEIGHT_PART * d->height, self * (1 + STANDS_SHORT));
-    double highest = fmin(HEIGHT_MULTIPLE * d->height, stands);
-    lowest = height_of_kind(row, d->height, lowest);
-    highest = height_of_kind(row, d->height, highest);
-    return (struct range){fmin(lowest, d->height), fmax(highest, d->height)};
-}
-
 /* Returns the range of values that are tried. */
 static struct range range_of(const struct trial *t)
 {
@@ -240,8 +222,16 @@ static struct range range_of(const struct trial *t)
         const double reach = d[-1].height - d->gap, room = t->k + 1 == row->count ? reach : d[1].gap;
         return (struct range){t->place - d->gap, t->place + fmin(reach, room)};
     }
-    if (t->of == DOM_WINDOW_HEIGHT)
-        return heights_of(row, d, tilt);
+    if (t->of == DOM_WINDOW_HEIGHT) {
+        /* A tilted domino stands if height < foot / tan(tilt), where foot = thickness - 2 radii. With rounded
+         * edges it must be taller than 2 radii. A solid domino must stay solid, and a box must stay a box. */
+        const double self = row->rho != 0 ? 2 * d->radius : 0, share = self > 0 ? 0 : 2 * row->rho,
+                     stands = (d->thickness - self) / (tan(tilt) + share) * (1 - STANDS_SHORT),
+                     lowest = fmax(HEIGHT_PART * d->height, self * (1 + STANDS_SHORT)),
+                     highest = fmin(HEIGHT_MULTIPLE * d->height, stands);
+        return (struct range){fmin(height_of_kind(row, d->height, lowest), d->height),
+                              fmax(height_of_kind(row, d->height, highest), d->height)};
+    }
     if (t->of == DOM_WINDOW_FRICTION)
         return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * row->mu), DOM_MU_HIGHEST)};
     if (t->of == DOM_WINDOW_LEAN) {
@@ -264,11 +254,6 @@ static double *value_at(struct trial *t, struct dom_domino *d)
                           [DOM_WINDOW_HEIGHT] = &d->height, [DOM_WINDOW_FRICTION] = &t->row.mu,
                           [DOM_WINDOW_LEAN] = &d->lean,     [DOM_WINDOW_THICKNESS] = &d->thickness};
     return at[t->of];
-}
-
-static double value_now(struct trial *t)
-{
-    return *value_at(t, &t->domino[t->k]);
 }
 
 /* Changes the value. If it is the height or the thickness of a domino, the density of the wood, the thickness
@@ -454,8 +439,10 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
     for (t.k = first; t.k < end && t.status == DOM_OK; t.k++) {
         if (t.k > 0)
             t.place += t.domino[t.k - 1].thickness + t.domino[t.k].gap;
-        struct dom_window w = {
-            .domino = one ? 0 : t.k + 1, .now = value_now(&t), .low = DOM_NAN, .high = DOM_NAN};
+        struct dom_window w = {.domino = one ? 0 : t.k + 1,
+                               .now = *value_at(&t, &t.domino[t.k]),
+                               .low = DOM_NAN,
+                               .high = DOM_NAN};
         if (falls)
             window_around(&t, t.k > first && is_repeated(row, t.k) ? &windows[t.k - first - 1] : NULL, &w);
         else if (matters(of, t.k, &planned))
