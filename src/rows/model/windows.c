@@ -355,13 +355,8 @@ static double edge_towards(struct trial *t, double from, double end, bool falls)
  * of domino k nearly equals the window of domino k - 1. */
 static bool is_repeated(const struct dom_row *row, size_t k)
 {
-    bool equal = k > 2 && k + 1 < row->count;
-    for (size_t i = k - 1; equal && i <= k + 1; i++) {
-        const struct dom_domino *a = &row->domino[i - 1], *b = a + 1;
-        equal = a->height == b->height && a->thickness == b->thickness && a->gap == b->gap &&
-                a->mass == b->mass && a->radius == b->radius && a->lean == b->lean && a->width == b->width;
-    }
-    return equal;
+    return k > 2 && k + 1 < row->count && row_repeats(row, k - 1) && row_repeats(row, k) &&
+           row_repeats(row, k + 1);
 }
 
 /* Returns an end of the window around the value `now`, at which all dominoes fall. The search begins near

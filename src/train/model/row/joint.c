@@ -155,7 +155,7 @@ KERNEL_SHARED enum dom_status row_domino_check(const struct dom_row *row, size_t
                                                                   : DOM_OK;
 }
 
-KERNEL bool row_repeats(const struct dom_row *row, size_t k)
+KERNEL_SHARED bool row_repeats(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *a = &row->domino[k], *b = a - 1;
     return a->height == b->height && a->thickness == b->thickness && a->gap == b->gap && a->mass == b->mass &&

@@ -46,7 +46,7 @@ KERNEL_SHARED enum dom_status row_domino_check(const struct dom_row *row, size_t
 KERNEL_SHARED enum dom_status row_geometry(struct row *row, size_t k);
 
 /* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */
-KERNEL bool row_repeats(const struct dom_row *row, size_t k);
+KERNEL_SHARED bool row_repeats(const struct dom_row *row, size_t k);
 
 /* Returns true if the first domino starts at a tilt that takes the place of its lean. */
 KERNEL bool row_releases(const struct dom_row *row);
