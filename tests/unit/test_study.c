@@ -143,6 +143,7 @@ TEST(heads_that_keep_falling)
         struct row begun;
         size_t wrong;
         dominoes_make(&row, &seed, 0);
+        row.row.alpha = i % 3 ? 0 : uniform(&seed, -0.05, 0.05);
         assert_status(row_begin(&row.row, NULL, &begun, &wrong), DOM_OK);
         struct quick precise = {.rough = false};
         const struct run_options options = {.context = &precise};

@@ -312,7 +312,7 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
     s.tried.engine = NULL;
     s.random.first += placement->rows;
     s.domino = malloc(2 * n * sizeof *s.domino);
-    s.x = calloc(2 * n * (4 + ROWS_MOST) + 2 * ROWS_MOST, sizeof *s.x);
+    s.x = calloc(2 * (n * (4 + ROWS_MOST) + ROWS_MOST), sizeof *s.x);
     if (s.domino && s.x) {
         s.candidate = s.domino + n;
         s.step = s.x + 2 * n;
