@@ -3,6 +3,7 @@
 #include "train/train.h"
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- Words and numbers ---- */
 
@@ -24,9 +25,14 @@ domq_real round_digits(domq_real value, int digits, bool up)
 struct words energy_words(domq_real share)
 {
     struct words words = {"has more than 100 times the energy that it needs"};
-    if (share < 100)
-        snprintf(words.text, sizeof words.text, "%s %s of the energy that it %s", share < 1 ? "has" : "needs",
-                 measured_share(share < 1 ? share : 1 / share, 2).text, share < 1 ? "needs" : "has");
+    if (!(share < 100))
+        return words;
+    const domq_real part = share < 1 ? share : 1 / share;
+    struct measured percent = measured(part, "share", 2);
+    for (int digits = 3; part != 1 && strcmp(percent.text, "100 %") == 0 && digits <= 15; digits++)
+        percent = measured(part, "share", digits); /* such as 99.97 % */
+    snprintf(words.text, sizeof words.text, "%s %s of the energy that it %s", share < 1 ? "has" : "needs",
+             percent.text, share < 1 ? "needs" : "has");
     return words;
 }
 

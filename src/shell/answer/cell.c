@@ -240,11 +240,3 @@ struct measured measured(domq_real value, const char *unit, int digits)
              measure.unit);
     return result;
 }
-
-struct measured measured_share(domq_real value, int digits)
-{
-    struct measured result = measured(value, "share", digits);
-    while (value != 1 && strcmp(result.text, "100 %") == 0 && digits < 15)
-        result = measured(value, "share", ++digits);
-    return result;
-}

@@ -110,6 +110,3 @@ struct measured {
     char text[CELL_TEXT];
 };
 struct measured measured(domq_real value, const char *unit, int digits);
-
-/* Returns a fraction in percent, with enough digits to differ from 100 %, as in "99.97 %". */
-struct measured measured_share(domq_real value, int digits);
