@@ -37,8 +37,21 @@ KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct
     static enum dom_status (*const apply[])(struct geometry *, real) = {DOM_DYNAMICS(APPLY)};
 #undef APPLY
     const dom_real value[] = {DOM_DYNAMICS(VALUE)};
+    const struct dom_compute how = compute_or_default(compute);
     enum dom_status status = DOM_OK;
-    *geometry = geometry_read(train, compute);
+    *geometry = (struct geometry){.s = (real)train->s,
+                                  .r = (real)train->r,
+                                  .d = (real)train->d,
+                                  .q = (real)train->q,
+                                  .width = (real)train->width,
+                                  .tol = (real)how.tol,
+                                  .conservative = true,
+                                  .inertia_factor = 1,
+                                  .n = CHAIN_ENDLESS,
+                                  .interrupt = how.interrupt,
+                                  .work = how.work};
+    geometry->steepest = hypot(1, geometry->d);
+    geometry_gravity(geometry, 0, 1);
     for (int k = 0; k < DOM_DYNAMICS_COUNT && status == DOM_OK; k++)
         if (value[k] != 0)
             status = apply[k](geometry, (real)value[k]);

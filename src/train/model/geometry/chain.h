@@ -85,19 +85,6 @@ KERNEL_LOOP bool link_leads(const struct link *k)
     return !k->geometry->detaches || k->tilt.v < k->geometry->leave.v || k->tilt.x == 0;
 }
 
-/*
- * Compares two chains that are walked down side by side. A domino has the tilt theta_a in the chain of a, and
- * theta_b in the chain of b. Let t = tan((theta_a - theta_b) / 2). Returns the follower's t divided by this
- * domino's t. The ratio is (1 - G) / (1 + t^2 G), with the quantity G defined at chain_difference. If G
- * is close to 1, the subtraction 1 - G would lose digits. So 1 - G is computed from the lever arms of the two
- * contacts.
- */
-KERNEL_LOOP real pair_shrink(const struct link *a, const struct link *b, real t)
-{
-    real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
-    return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
-}
-
 /* Returns the slope d theta_1 / d theta when the leader is hit. A leaning leader must have sharp edges. */
 KERNEL real geometry_hit_slope(const struct geometry *geometry)
 {

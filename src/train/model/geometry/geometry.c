@@ -1,27 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads a train, and sets what its passes need for one separation and growth. Then the motion of one domino.
+/* Sets what the passes of a train need for one separation and growth. Then the motion of one domino.
  * With sharp edges, the upper edge of a follower touches the flat back of its leader, and a domino turns
  * about the front edge of its foot. */
 #include "geometry/geometry.h"
-
-KERNEL struct geometry geometry_read(const struct dom_train *t, const struct dom_compute *given)
-{
-    const struct dom_compute compute = compute_or_default(given);
-    struct geometry geometry = {.s = (real)t->s,
-                                .r = (real)t->r,
-                                .d = (real)t->d,
-                                .q = (real)t->q,
-                                .width = (real)t->width,
-                                .tol = (real)compute.tol,
-                                .conservative = true,
-                                .inertia_factor = 1,
-                                .n = CHAIN_ENDLESS,
-                                .interrupt = compute.interrupt,
-                                .work = compute.work};
-    geometry.steepest = hypot(1, geometry.d);
-    geometry_gravity(&geometry, 0, 1);
-    return geometry;
-}
 
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down)
 {
@@ -132,14 +113,6 @@ KERNEL real geometry_rise_u(const struct geometry *geometry)
         return geometry->h.x * half;
     struct tilt u = tilt_half(half);
     return half * (geometry->h.x * (1 + u.y) - geometry->h.y * u.x) + geometry->rounded.roll * 2 * atan(half);
-}
-
-KERNEL struct tilt geometry_hit(const struct geometry *geometry, real gap)
-{
-    if (geometry->rolls)
-        return rounded_hit(&geometry->rounded, gap, 1 - gap);
-    real sine = fmin(gap, 1);
-    return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
 }
 
 KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower)

@@ -166,13 +166,8 @@ KERNEL real geometry_finest(const struct geometry *geometry)
 /* Checks the parameters of a train and of the computation (entry.c). */
 KERNEL enum dom_status train_check(const struct dom_train *train, const struct dom_compute *compute);
 
-/*
- * These two functions set up the geometry of a train, except for the law of motion (effects/effects.h).
- * geometry_read computes everything that does not depend on the separation and the growth. geometry_set then
- * checks the separation and the growth, and sets what depends on them, such as theta_c and theta_inf. It may
- * be called again with other values. Returns DOM_OUT_OF_REACH if r s is too large.
- */
-KERNEL struct geometry geometry_read(const struct dom_train *train, const struct dom_compute *compute);
+/* Checks the separation and the growth of a train, and sets what depends on them, such as theta_c and
+ * theta_inf. May be called again with other values. Returns DOM_OUT_OF_REACH if r s is too large. */
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
 /* Sets gravity and gives the dominoes sharp edges. geometry->d must be set. */
@@ -182,17 +177,15 @@ KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
  * gravity, geometry->d and geometry->inertia_factor must be set. If rho > d/2, returns DOM_NO_ROUND. */
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
-/* The parts of the functions below, and of joint_make (row/joint.c), for rounded edges. `sharp` is how much
- * farther the head could reach with sharp edges. */
+/* The parts of the functions below, and of joint_make (row/joint.c), for rounded edges. rounded_hit
+ * returns the tilt at which a head hits the next domino, with `gap` in units of the height of the head, and
+ * `sharp` is how much farther it could reach with sharp edges. */
 KERNEL enum dom_status rounded_set(struct geometry *geometry);
 KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *follower);
 KERNEL struct tilt rounded_hit(const struct rounded *of, real gap, real sharp);
 KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower);
 /* Returns h(0) - h(theta) for one domino with rounded edges. */
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
-
-/* Returns the tilt at which a head hits the next domino. `gap` is in units of the head's height. */
-KERNEL struct tilt geometry_hit(const struct geometry *geometry, real gap);
 
 /* Returns the leader's tilt for a given tilt (>= theta_c) of its follower. */
 KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower);

@@ -269,8 +269,11 @@ KERNEL_LOOP struct apart followers_apart(const struct link *a, const struct link
     }
     if (rolls)
         return apart_next(a, b, apart);
-    const real t = apart.t * pair_shrink(a, b, apart.t);
-    return (struct apart){2 * t, t};
+    /* 1 - G of chain_difference, from the lever arms, since a subtraction would lose digits where G is almost
+     * 1 */
+    const real t = apart.t, arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y,
+               next = t * arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
+    return t == 0 ? apart : (struct apart){2 * next, next};
 }
 
 /* Moves on to the follower in chain b, of which only the tilts are needed. */

@@ -48,8 +48,8 @@ static void forces_push(const struct geometry *geometry, const struct kinematics
     }
 }
 
-/* Finds the motion of a chain at a tilt of its head. */
-static enum dom_status forces_motion(const struct segment *st, real theta, struct kinematics *motion)
+KERNEL_SHARED enum dom_status forces_at(const struct segment *st, real theta, size_t least,
+                                        struct kinematics *motion, struct loaded **list, size_t *count)
 {
     const struct geometry *geometry = &st->geometry;
     struct equation_of_motion at = {.n = 0};
@@ -58,9 +58,9 @@ static enum dom_status forces_motion(const struct segment *st, real theta, struc
     enum dom_status status = geometry_tilt(geometry, theta, &motion->head);
     if (status == DOM_OK)
         status = dynamics_speed(geometry, &st->start, theta, &omegasq);
-    motion->omegasq = fmax(omegasq, 0);
     if (status == DOM_OK)
         status = chain_equation(geometry, motion->head, &at);
+    motion->omegasq = fmax(omegasq, 0);
     motion->acceleration = (at.C - at.B * motion->omegasq) / at.A;
     motion->n = at.n;
     motion->hit = theta == geometry->lean && st->inertia_ratio > 0;
@@ -68,14 +68,6 @@ static enum dom_status forces_motion(const struct segment *st, real theta, struc
     /* The collision multiplies all angular velocities by T / (1 + T). So the lost angular velocity is 1 / T
      * times the angular velocity that remains. */
     motion->omega_lost = motion->hit ? motion->omega / st->inertia_ratio : 0;
-    return status;
-}
-
-KERNEL_SHARED enum dom_status forces_at(const struct segment *st, real theta, size_t least,
-                                        struct kinematics *motion, struct loaded **list, size_t *count)
-{
-    const struct geometry *geometry = &st->geometry;
-    const enum dom_status status = forces_motion(st, theta, motion);
     const size_t wanted = motion->n > least ? motion->n : least,
                  more = wanted < FORCES_MORE ? wanted + 64 : FORCES_MORE,
                  room = geometry->n < wanted || geometry->n - wanted < more ? geometry->n : wanted + more;

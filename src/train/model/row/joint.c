@@ -102,8 +102,10 @@ static struct tilt row_end(const struct dom_row *row, size_t k, const struct geo
     struct tilt tilt;
     if (k + 1 == row->count)
         return lies;
+    const real gap = next->gap / self->height;
     if (next->lean == 0 && geometry->lean == 0)
-        return geometry_hit(geometry, next->gap / self->height);
+        return geometry->rolls ? rounded_hit(&geometry->rounded, gap, 1 - gap)
+                               : tilt_make(fmin(gap, 1), sqrt(fmax((1 - gap) * (1 + gap), 0)));
     if (next->gap > self->height * (1 + REACH_ROUNDED))
         return lies;
     return lean_touch(row, k, &contact, &tilt) ? tilt : contact.arm > 0 ? geometry_rest(geometry) : lies;
@@ -162,15 +164,21 @@ KERNEL_SHARED bool row_repeats(const struct dom_row *row, size_t k)
            a->radius == b->radius && a->lean == b->lean && a->width == b->width;
 }
 
-KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
+KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struct dom_compute *compute,
+                                        struct row *row, size_t *wrong)
 {
 #define OF_ROW(effect, member, status) .member = given->member,
-    const struct dom_row *given = &row->given;
     const struct dom_train effects_given = {DOM_DYNAMICS(OF_ROW).q = 4};
-    const dom_real push = given->push, tol = row->compute.tol;
+    const dom_real push = given->push, tol = compute_or_default(compute).tol;
 #undef OF_ROW
     size_t count = given->count;
-    enum dom_status status = !positive(given->g)                                           ? DOM_BAD_G
+    *row = (struct row){.given = *given, .compute = compute_or_default(compute)};
+    row->counted = row->compute.work;
+    row->compute.work = &row->work;
+    enum dom_status status = dom_arithmetic()->bits == 0                                   ? DOM_NO_PRECISION
+                             : IS_NEWER(given) || IS_NEWER(&row->compute)                  ? DOM_NEWER
+                             : count == 0                                                  ? DOM_BAD_COUNT
+                             : !positive(given->g)                                         ? DOM_BAD_G
                              : !(tol >= dom_arithmetic()->tol_floor && (double)tol <= 0.1) ? DOM_BAD_TOL
                              : !isnan(push) && !(push >= 0 && isfinite(push))              ? DOM_BAD_PUSH
                              : !(given->release >= 0)                                      ? DOM_BAD_RELEASE
@@ -182,9 +190,13 @@ KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
         if (status != DOM_OK)
             *wrong = k + 1;
     }
-    while (status == DOM_OK && count > 1 && row_repeats(given, count - 1))
+    row->geometry = status == DOM_OK ? malloc(count * sizeof *row->geometry) : NULL;
+    if (!row->geometry)
+        return status == DOM_OK ? DOM_NO_MEMORY : status;
+    row->geometry[0] = (struct geometry){.flow = NULL};
+    while (count > 1 && row_repeats(given, count - 1))
         count--;
-    for (row->made = 0; row->made < count && status == DOM_OK; row->made++) {
+    for (; row->made < count && status == DOM_OK; row->made++) {
         if (row->made % CHECK_EVERY == 0 && dom_interrupted(row->compute.interrupt))
             return DOM_INTERRUPTED;
         status = row_geometry(row, row->made);
@@ -192,25 +204,6 @@ KERNEL_SHARED enum dom_status row_read(struct row *row, size_t *wrong)
             status = dynamics_begin(row->geometry);
     }
     return status;
-}
-
-KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struct dom_compute *compute,
-                                        struct row *row, size_t *wrong)
-{
-    *row = (struct row){.given = *given, .compute = compute_or_default(compute)};
-    row->counted = row->compute.work;
-    row->compute.work = &row->work;
-    if (dom_arithmetic()->bits == 0)
-        return DOM_NO_PRECISION;
-    if (IS_NEWER(given) || IS_NEWER(&row->compute))
-        return DOM_NEWER;
-    if (given->count == 0)
-        return DOM_BAD_COUNT;
-    row->geometry = malloc(given->count * sizeof *row->geometry);
-    if (!row->geometry)
-        return DOM_NO_MEMORY;
-    row->geometry[0] = (struct geometry){.flow = NULL};
-    return row_read(row, wrong);
 }
 
 KERNEL_SHARED void row_free(struct row *row)
