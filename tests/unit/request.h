@@ -14,7 +14,7 @@ static inline enum dom_status geometry_of(const struct setup *a, struct geometry
 #define OF_EFFECT(effect, member, status) .member = (double)a->member,
     const struct dom_train train = {DOM_TRAIN_PARAMETERS(OF_TRAIN) DOM_DYNAMICS(OF_EFFECT).fuel = a->fuel};
     const struct dom_compute compute = {.tol = (double)a->tol, .work = a->work, .interrupt = a->interrupt};
-    return train_make(&train, &compute, 0, geometry);
+    return train_make(&train, &compute, true, geometry);
 }
 
 #endif

@@ -23,11 +23,10 @@ KERNEL_SHARED struct dom_train dynamics_of_domino(const struct dom_row *row, siz
 KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct dom_compute *compute,
                                      struct geometry *geometry);
 
-/* Checks a train, prepares its geometry and the law of motion, and sets the separation and the growth.
- * The far tail is prepared for about so many passes (far_make). Call dynamics_begin before the law is used.
- */
+/* Checks a train, prepares its geometry and the law of motion, and sets the separation and the growth. If
+ * `energies` is true, also prepares the far tail. Call dynamics_begin before the law is used. */
 KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
-                                  int passes, struct geometry *geometry);
+                                  bool energies, struct geometry *geometry);
 
 /* Returns DOM_OK, or the status of the first effect whose value is outside its range. 0 (off) is always
  * allowed. */

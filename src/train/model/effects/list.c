@@ -59,7 +59,7 @@ KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct
 }
 
 KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
-                                  int passes, struct geometry *geometry)
+                                  bool energies, struct geometry *geometry)
 {
     enum dom_status status = train_check(train, compute);
     *geometry = (struct geometry){.flow = NULL}; /* for dynamics_end */
@@ -67,8 +67,8 @@ KERNEL enum dom_status train_make(const struct dom_train *train, const struct do
         status = dynamics_read(train, compute, geometry);
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
-    if (status == DOM_OK && passes > 0)
-        far_make(geometry, passes);
+    if (status == DOM_OK && energies)
+        far_make(geometry, 40); /* a duration takes about 40 passes */
     return status;
 }
 

@@ -6,7 +6,7 @@ enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_
                                 struct dom_angles *angles)
 {
     struct geometry geometry;
-    enum dom_status status = train_make(train, compute, 0, &geometry);
+    enum dom_status status = train_make(train, compute, false, &geometry);
     if (status != DOM_OK)
         return status;
     *angles = (struct dom_angles){
@@ -25,7 +25,7 @@ enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_co
 {
     struct geometry geometry;
     real exact;
-    enum dom_status status = train_make(train, compute, 1, &geometry);
+    enum dom_status status = train_make(train, compute, true, &geometry);
     if (status == DOM_OK)
         status = energy_fuel(&geometry, &exact, NULL);
     if (status == DOM_OK)
@@ -40,7 +40,7 @@ enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_
     struct tilt head;
     struct sums at;
     real fuel, inertia_ratio;
-    enum dom_status status = train_make(train, compute, 2, &geometry);
+    enum dom_status status = train_make(train, compute, true, &geometry);
     if (status == DOM_OK)
         status = geometry_tilt(&geometry, (real)theta, &head);
     if (status == DOM_OK)
@@ -57,7 +57,7 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
 {
     struct geometry geometry;
     struct launch l;
-    enum dom_status status = train_make(train, compute, 1, &geometry);
+    enum dom_status status = train_make(train, compute, true, &geometry);
     if (status == DOM_OK)
         status = dynamics_begin(&geometry);
     if (status == DOM_OK)
@@ -96,7 +96,7 @@ enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_c
     struct geometry geometry;
     struct tilt head;
     struct sums sums = {0};
-    enum dom_status status = train_make(train, compute, 0, &geometry);
+    enum dom_status status = train_make(train, compute, false, &geometry);
     if (status == DOM_OK)
         status = geometry_tilt(&geometry, (real)theta, &head);
     if (status == DOM_OK)
@@ -119,7 +119,7 @@ enum dom_status dom_contact_find(const struct dom_train *train, const struct dom
 {
     struct geometry geometry;
     struct tilt head;
-    enum dom_status status = train_make(train, compute, 0, &geometry);
+    enum dom_status status = train_make(train, compute, false, &geometry);
     if (status == DOM_OK)
         status = geometry_tilt(&geometry, (real)theta, &head);
     if (status != DOM_OK)

@@ -34,8 +34,7 @@ KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, cons
     struct segment *st = &m->segment;
     const struct launch *launch = &m->launch;
     *m = (struct motion){.launch.fuel = REAL_NAN};
-    enum dom_status status =
-        train_make(train, compute, 40, &st->geometry); /* a duration takes about 40 passes */
+    enum dom_status status = train_make(train, compute, true, &st->geometry);
     m->tol = st->geometry.tol;
     if (status == DOM_OK)
         status = dynamics_begin(&st->geometry);
