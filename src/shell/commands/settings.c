@@ -162,9 +162,12 @@ static const struct column step_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool step_make(struct session *session, bool back, struct answer *a, struct problem *problem)
+static bool run_undo_or_redo(struct session *session, const struct arguments *given, struct answer *a,
+                             struct problem *problem)
 {
+    const bool back = strcmp(session->command, "undo") == 0;
     const char *text = undo_step(session->undo, &session->state, back);
+    (void)given;
     if (!text)
         return problem_error(problem, back ? "there is no change to undo"
                                            : "there is nothing to redo; 'redo' works after 'undo'");
@@ -172,20 +175,6 @@ static bool step_make(struct session *session, bool back, struct answer *a, stru
         return answer_cells(a, cell_word(text));
     answer_say(a, "%s: %s", back ? "undone" : "done again", text);
     return true;
-}
-
-static bool run_undo(struct session *session, const struct arguments *given, struct answer *a,
-                     struct problem *problem)
-{
-    (void)given;
-    return step_make(session, true, a, problem);
-}
-
-static bool run_redo(struct session *session, const struct arguments *given, struct answer *a,
-                     struct problem *problem)
-{
-    (void)given;
-    return step_make(session, false, a, problem);
 }
 
 static bool run_reset(const struct query *query, struct answer *a, struct problem *problem)
@@ -278,7 +267,7 @@ const struct command session_commands[] = {
      .see = "redo show reset",
      .sweep.refusal = "it computes nothing",
      .columns = step_columns,
-     .act = run_undo},
+     .act = run_undo_or_redo},
     {.name = "redo",
      .synonyms = "again forward repeat",
      .summary = "redo the change that 'undo' has taken back",
@@ -286,7 +275,7 @@ const struct command session_commands[] = {
      .see = "undo",
      .sweep.refusal = "it computes nothing",
      .columns = step_columns,
-     .act = run_redo},
+     .act = run_undo_or_redo},
     {.name = "exit",
      .synonyms = "leave end close bye stop",
      .summary = "the same as quit",
