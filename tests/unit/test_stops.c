@@ -6,6 +6,7 @@
  * is, a long command must end soon after this call.
  */
 #define _GNU_SOURCE /* fopencookie */
+#include "io/io.h"
 #include "support.h"
 
 #include "domino_quad.h"
@@ -64,7 +65,7 @@ static void session_begin(void)
     session_init(&session, fopencookie(&session, "w", (cookie_io_functions_t){.write = line_count}));
     setvbuf(session.output->out, NULL, _IOLBF, BUFSIZ);
     assert_non_null(session.output->out);
-    session.state.scene.compute.interrupt = &flag;
+    session.state.scene.compute.interrupt = io_interrupt = &flag;
 }
 
 /* Runs a line and raises the flag at check number `at`, or before the line if `at` is 0. Returns the number
