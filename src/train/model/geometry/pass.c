@@ -216,15 +216,6 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
     return t * F / (1 + t * t * G);
 }
 
-/* Returns the energy that a follower gains until it has detached and stays at theta_f. It is now at the tilt
- * `now`, and leans on *leader. */
-KERNEL_LOOP real energy_left(const struct geometry *geometry, struct tilt now, const struct link *leader,
-                             const bool rolls)
-{
-    const real t = rolls ? tan_half_between(now, geometry->f) : leaving_half_turn(geometry, leader);
-    return energy_change(geometry, geometry->f, now, apart_by(t), rolls);
-}
-
 /*
  * Returns the difference between the tilts of the followers of a and b. `apart` is the difference between the
  * tilts of a and b themselves. The turn is the angle from a domino to its follower. Let D be the turn of a
@@ -346,7 +337,10 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
         if (!link->leads) {
             const struct link leader = b;
             other_next(&b, &a, shifted, rolls);
-            sum.left = link->weight * geometry->weight * energy_left(geometry, b.tilt, &leader, rolls);
+            const real to_f =
+                rolls ? tan_half_between(b.tilt, geometry->f) : leaving_half_turn(geometry, &leader);
+            sum.left = link->weight * geometry->weight *
+                       energy_change(geometry, geometry->f, b.tilt, apart_by(to_f), rolls);
             series_add(&sum.dH, sum.left);
             break;
         }
