@@ -326,18 +326,20 @@ static double value_rounded(const struct trial *t, double value, double one, dou
 
 /*
  * Walks from a value towards `end` until the verdict changes. `falls` tells whether all dominoes fall at
- * `from`. The first step is a single digit, and the others are close together near `from`, and farther apart
- * towards `end`. Returns the value at the change, with which all dominoes fall. If there is no change,
- * returns `end` if all dominoes fall there, and NaN otherwise.
+ * `from`. The steps are close together near `from`, and farther apart towards `end`. If `from` is not the
+ * current value, it is probably near an edge, so the walk begins with steps of 1, 8, 64, 512 and 4096 digits.
+ * Returns the value at the change, with which all dominoes fall. If there is no change, returns `end` if all
+ * dominoes fall there, and NaN otherwise.
  */
 static double edge_towards(struct trial *t, double from, double end, bool falls)
 {
     const int steps = t->row.engine ? STEPS_OF_ENGINE : STEPS;
     const double range = end - from, digit = value_digit(t, from != 0 ? from : end);
-    double last = from, spare;
-    for (int i = 0; i <= steps && last != end && t->status == DOM_OK; i++) {
-        const double part = fmax(digit / fabs(range), pow((double)i / steps, 3)),
-                     near = part < 1 ? from + range * part : end,
+    double last = from, part = 0, spare;
+    for (int i = from == *value_at(t, &t->domino[t->k]) ? 1 : -4;
+         i <= steps && last != end && t->status == DOM_OK; i++) {
+        part = fmax(part, i > 0 ? pow((double)i / steps, 3) : digit / fabs(range) * pow(8, i + 4));
+        const double near = part < 1 ? from + range * part : end,
                      x = t->row.engine && part < 1 ? value_rounded(t, near, from, end) : near;
         if (x != last && falls_with(x, &spare, t) != falls) {
             double bad = falls ? x : last;
