@@ -327,7 +327,8 @@ static double value_rounded(const struct trial *t, double value, double one, dou
 /*
  * Walks from a value towards `end` until the verdict changes. `falls` tells whether all dominoes fall at
  * `from`. The steps are close together near `from`, and farther apart towards `end`. If `from` is not the
- * current value, it is probably near an edge, so the walk begins with steps of 1, 8, 64, 512 and 4096 digits.
+ * current value, it is probably near an edge, so a walk in the model begins with steps of 1, 8, 64, 512 and
+ * 4096 digits.
  * Returns the value at the change, with which all dominoes fall. If there is no change, returns `end` if all
  * dominoes fall there, and NaN otherwise.
  */
@@ -336,7 +337,7 @@ static double edge_towards(struct trial *t, double from, double end, bool falls)
     const int steps = t->row.engine ? STEPS_OF_ENGINE : STEPS;
     const double range = end - from, digit = value_digit(t, from != 0 ? from : end);
     double last = from, part = 0, spare;
-    for (int i = from == *value_at(t, &t->domino[t->k]) ? 1 : -4;
+    for (int i = t->row.engine || from == *value_at(t, &t->domino[t->k]) ? 1 : -4;
          i <= steps && last != end && t->status == DOM_OK; i++) {
         part = fmax(part, i > 0 ? pow((double)i / steps, 3) : digit / fabs(range) * pow(8, i + 4));
         const double near = part < 1 ? from + range * part : end,
