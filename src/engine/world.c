@@ -178,8 +178,9 @@ void world_add_box(struct world *w)
     const size_t k = w->count++;
     const struct dom_domino *box = &w->row->domino[k];
     struct body *b = &w->body[k];
-    const double h = box->height, d = box->thickness, rounded = w->row->rho > 0 && box->radius > 0,
-                 r = rounded ? box->radius : w->row->rho * h, x = d / 2 - r, y = h / 2 - r;
+    const double h = box->height, d = box->thickness,
+                 r = w->row->rho > 0 && box->radius > 0 ? box->radius : w->row->rho * h, x = d / 2 - r,
+                 y = h / 2 - r;
     const cpVect edge[] = {{x, -y}, {x, y}, {-x, y - w->bevel * h}, {-x, -y}};
     cpBody *ground = w->space->staticBody;
     *b = (struct body){.corner = k == 0 ? cpvzero : cpvadd(b[-1].corner, cpv(box->gap + d, 0)),

@@ -146,7 +146,7 @@ static bool sums_resolve(struct reader *r, struct tree *t)
         if (strcmp(names[k], t->name) == 0 && (k == AGGREGATE_SUM || is_call) &&
             (k != AGGREGATE_COUNT || column_in(t->child))) {
             if (r->names)
-                aggregate_resolve(r, t, k);
+                aggregate_resolve(r, t, (enum aggregate)k);
             return true;
         }
     const struct command *c = command_find(t->name);

@@ -16,7 +16,7 @@
  */
 #include "effects/effects.h"
 
-static enum dom_status air_apply(struct geometry *geometry, real value)
+KERNEL enum dom_status air_apply(struct geometry *geometry, real value)
 {
     if (geometry->n == CHAIN_ENDLESS && geometry->q != 4)
         return DOM_NO_AIR;
@@ -37,7 +37,7 @@ static enum dom_status air_apply(struct geometry *geometry, real value)
     return DOM_OK;
 }
 
-static enum dom_status drag_apply(struct geometry *geometry, real value)
+KERNEL enum dom_status drag_apply(struct geometry *geometry, real value)
 {
     geometry->drag *= value / AIR_COEFFICIENT;
     return DOM_OK;

@@ -12,7 +12,7 @@
 #include "geometry/chain.h"
 
 /* Switches the effect on, with rho = value. */
-static enum dom_status edges_apply(struct geometry *geometry, real value)
+KERNEL enum dom_status edges_apply(struct geometry *geometry, real value)
 {
     enum dom_status status = rounded_make(geometry, value);
     const struct rounded *of = &geometry->rounded;

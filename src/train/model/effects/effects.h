@@ -11,7 +11,7 @@
 /* friction_apply and so on switch an effect on, with this value, for a train or for one domino of a row. The
  * geometry has its d, and the effects before this one. */
 #define APPLY_DECLARE(effect, member, status)                                                                \
-    static enum dom_status effect##_apply(struct geometry *geometry, real value);
+    KERNEL enum dom_status effect##_apply(struct geometry *geometry, real value);
 DOM_DYNAMICS(APPLY_DECLARE)
 #undef APPLY_DECLARE
 

@@ -8,7 +8,7 @@
  */
 #include "effects/effects.h"
 
-static enum dom_status friction_apply(struct geometry *geometry, real value)
+KERNEL enum dom_status friction_apply(struct geometry *geometry, real value)
 {
     geometry->mu = value;
     geometry->conservative = false;

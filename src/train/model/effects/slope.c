@@ -14,7 +14,7 @@
 #include "geometry/chain.h"
 
 /* Switches the effect on, with alpha = value in radians. */
-static enum dom_status slope_apply(struct geometry *geometry, real value)
+KERNEL enum dom_status slope_apply(struct geometry *geometry, real value)
 {
     geometry_gravity(geometry, sin(value), cos(value));
     /* An upright domino must not tip over by itself, forwards or backwards, so tan |alpha| must be less than

@@ -10,7 +10,7 @@
 #include "effects/effects.h"
 
 /* Switches the effect on; value is the thickness of the walls, relative to the height. */
-static enum dom_status walls_apply(struct geometry *geometry, real value)
+KERNEL enum dom_status walls_apply(struct geometry *geometry, real value)
 {
     if (!walls_fit(geometry->d, value))
         return DOM_NO_ROOM;
