@@ -11,9 +11,10 @@
  * The collision at the start of the cycle does dissipate energy. It multiplies the angular velocity by
  * T / (1 + T), where T = J(0) - 1 is the inertia ratio (22; c4). During the cycle, the train releases the
  * fuel P (25; c7). If each cycle repeats the one before (23; c5), a cycle begins with the kinetic energy
- * (24; c6)
  *
- *     K = P T / (r^q + T (r^q - 1)).
+ *     K = P T / (r^q + T (r^q - 1)),
+ *
+ * which is J(0) times omega(0)^2 of (24; c6).
  *
  * Source: J. M. J. van Leeuwen, Domino Magnification.
  *

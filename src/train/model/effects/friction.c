@@ -2,7 +2,7 @@
 /*
  * Friction between dominoes. The tip of a follower slides down the face of its leader. The Coulomb force mu N
  * along the face brakes both dominoes. The lever arms of the contact are a = Y/r - L x - mu d and b = (Y + mu
- * X)/r (table 1). They change the factors S_i of the equation of motion (dynamics/dynamics.h).
+ * X)/r. They change the factors S_i of the equation of motion (dynamics/dynamics.h).
  *
  * Source: van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010).
  */

@@ -46,15 +46,15 @@ const struct dom_effect dom_effect_walls = {
             "blocks and boxes, and 'q' has no effect.\n\n"
             "The moments of inertia of boxes, and "
             "masses computed from a density, take the walls into account. Walls half as thick "
-            "as the domino make a solid block. 'set width', or the file of a row, gives the width of "
+            "as the domino make a solid block. 'set width', or the file of a row, gives the width w of "
             "a domino; by default it is half of the height. The moment of inertia is taken about the lower "
             "edge; v is "
             "the volume of the "
             "hollow.",
     .source = "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
-    .equations =
-        (const char *const[]){"I = I_solid (1 + v (1 - u)/(4 (1 - v)))", "v = (1 - 2 t)(1 - 2 t/d)(1 - 4 t)",
-                              "u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2)", NULL},
+    .equations = (const char *const[]){"I = I_solid (1 + v (1 - u)/(4 (1 - v)))",
+                                       "v = (1 - 2 t)(1 - 2 t/d)(1 - 2 t/w)",
+                                       "u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2)", NULL},
     .argument = {{.name = "THICKNESS",
                   .unit = "h",
                   .meaning = "thickness of the walls divided by the height of the domino, or a length",

@@ -69,9 +69,9 @@ struct link {
     bool leads;             /* true if a follower leans on this domino */
     real second_derivative; /* theta_i'' */
     real curve;             /* d2 theta_1 / d theta2 of the contact */
-    /* Only with rounded edges: the tilt of the domino as an angle, the lever arm of the contact force on the
-     * follower, and the turn from the domino to its follower, theta_1 - theta, as an angle and as a tilt. */
-    real theta, b;
+    /* Only with rounded edges: the tilt of the domino as an angle, and the turn from the domino to its
+     * follower, theta_1 - theta, as an angle and as a tilt. */
+    real theta;
     struct turn {
         real angle;
         struct tilt tilt;
@@ -322,8 +322,8 @@ KERNEL_SHARED enum dom_status chain_change(const struct geometry *geometry, stru
 KERNEL enum dom_status chain_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
                                        real t, enum pass pass, struct sums *sums);
 
-/* The equation of motion at one tilt of the head: (A/2) dw/dtheta + B w = C. Without friction, A is J, B is
- * half of dJ/dtheta, and C is -H1/2. */
+/* The equation of motion at one tilt of the head: (A/2) dw/dtheta + B w = C. Without friction, A is J
+ * and C is -H1/2; without drag, too, B is half of dJ/dtheta. */
 struct equation_of_motion {
     real A, B, C;
     /* Sums of the absolute values of all terms, from which rounding errors are estimated. If digits cancel

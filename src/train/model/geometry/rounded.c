@@ -144,11 +144,11 @@ KERNEL_SHARED void rounded_levers(struct link *k)
     const struct rounded *of = &geometry->rounded;
     const struct tilt leader = k->tilt;
     const real x = k->turn.tilt.x, y = k->turn.tilt.y, turn = k->turn.angle, more = of->rho - of->rho_1;
-    /* With x = sin theta, the derivative of the contact equation is b turn' = x (rho_1 turn - M). */
+    /* The derivative of the contact equation is b turn' = sin theta (rho_1 turn - M), theta being the
+     * leader's tilt. */
     const real c = of->rho_1 * leader.y, M = geometry->L - more * (1 - k->theta), b = of->tall_1 * y + c,
                arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
     k->contact = (struct contact){.X = x, .Y = y, .arm = geometry->r * arm, .slope = slope};
-    k->b = b;
     k->curve = (of->tall_1 * x * part * part + 2 * of->rho_1 * leader.x * part + c * turn - leader.y * M -
                 leader.x * more) /
                b;

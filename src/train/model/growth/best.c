@@ -96,7 +96,7 @@ static void best_sample(struct best *b)
 /* Where r_max(s) drops by more than this fraction, it jumps. */
 #define BEST_JUMP ((real)1e-6)
 
-/* Near a jump, the margin at a dip is below BEST_DIP, in the unit of struct change. */
+/* Near a jump, the scaled margin (first.c) at a dip is below BEST_DIP. */
 #define BEST_DIP ((real)1e-2)
 
 /* Returns the step h of the nine-point rule for d margin / ds at a fixed growth. */

@@ -44,9 +44,6 @@ enum { HALVES = 17, LOOK_EVERY = 4 };
 /* The largest relative tolerance of samples. Larger errors would look like curvature of the margin. */
 #define SAMPLE_TOL ((real)1e-3)
 
-#define ASIDE     ((real)0.04)
-#define STEP_LONG ((real)1.4)
-
 /* A place where the scaled margin, minus `value`, is 0: the known root (power 1), or a minimum (power 2). If
  * none is known, `power` is 0. */
 struct zero {

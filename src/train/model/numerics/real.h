@@ -13,8 +13,8 @@
 
 /* Marks functions of the kernels. Each precision has its own static copy. */
 #define KERNEL static __attribute__((unused))
-/* Marks functions of the kernel that studies of rows call, too (src/rows/model/windows.c), which exist in
- * double only. */
+/* Marks functions of the kernel that models of features call, too (src/rows/model/windows.c and others),
+ * which exist in double only. */
 #if defined DOMF || defined DOMQ
 #define KERNEL_SHARED KERNEL
 #else
