@@ -80,17 +80,17 @@ static void reference_compare(const struct answer *a, struct cell *cells, size_t
         exact = NULL;
     for (size_t i = 0; i < columns; i++) {
         struct cell *cell = &cells[i];
-        const bool is_open = !exact || exact[i].kind != CELL_REAL;
-        const domq_real difference = is_open ? DOMQ_NAN : quad(fabs)(cell->number - exact[i].number);
-        const bool has_none = !cell->computed && (isnan(cell->error) || !(difference > 0));
-        if (cell->kind != CELL_REAL || has_none)
+        const bool is_unknown = !exact || exact[i].kind != CELL_REAL;
+        const domq_real difference = is_unknown ? DOMQ_NAN : quad(fabs)(cell->number - exact[i].number);
+        const bool shows_none = !cell->computed && (isnan(cell->error) || !(difference > 0));
+        if (cell->kind != CELL_REAL || shows_none)
             continue;
         const domq_real uncertainty = isnan(cell->error) ? 0 : cell->error;
         cell->error = difference + rounding * quad(fabs)(cell->number) + uncertainty;
     }
 }
 
-/* A sink (answer.h) that writes nothing. */
+/* Takes a row (answer.h, sink) and writes nothing. */
 static void row_drop(struct answer *answer, const struct cell *cells, const char *reason)
 {
     (void)answer, (void)cells, (void)reason;
@@ -169,8 +169,9 @@ static const struct parameter errors = {
     .setting = true,
     .help =
         "Each answer is computed a second time, with 30 digits. A number in a table is then followed by +/- "
-        "and its error ('details' has the numbers of an answer in words): the difference between the two "
-        "computations, plus the rounding error of the number and the digits that are not printed. This is no"
+        "and its error, and an answer in words has its table, too. The error is the difference between the "
+        "two computations, plus the rounding error of the number and the digits that are not printed. This "
+        "is no"
         " proof: a mistake that both computations make does not show. No error is shown if the two come to "
         "different conclusions, and where only double precision is available, as in studies of many rows. "
         "While errors are on, 'digits' affects only numbers without an error. In csv and json the error has "

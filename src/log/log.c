@@ -105,10 +105,11 @@ static bool run_log(struct session *session, const struct arguments *given, stru
 {
     const char *wrong = NULL, *path = given->word[0];
     if (session->output->path)
-        return problem_error(problem,
-                             "'%s' does not work while answers go to '%s'; first enter '%s', then enter the "
-                             "command again with '>'",
-                             a->command, names_shown(session->output->path), a->command);
+        return problem_error(
+            problem,
+            "'%s' does not work while answers go to '%s'; enter 'log FILE' on a line of its own, "
+            "without '>'",
+            a->command, names_shown(session->output->path));
     if (strcmp(path, "off") == 0) {
         record_end();
         session->log = NULL;

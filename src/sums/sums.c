@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers made of the columns of a table, row by row, as in sum(chain(0).weight). */
+/* sum, min, max and count of a column of a table, or of an expression in columns, as in sum(chain(0).weight).
+ */
 #include "interpreter/question.h"
 #include <string.h>
 
-#define IS_TABLE                                                                                             \
+#define MESSAGE_IS_TABLE                                                                                     \
     "'%s' has no value: its answer is a table; 'sum', 'min', 'max' and 'count' make a number of a column, "  \
     "as in 'sum(chain(0).weight)'"
 
@@ -31,7 +32,7 @@ static bool column_value(struct evaluation *e, const struct tree *t, struct quan
     struct quantity argument[EXPRESSION_ARGUMENTS];
     const struct rows *rows = e->rows;
     if (!rows)
-        return expression_wrong(e->problem, t->at, IS_TABLE, t->name);
+        return expression_wrong(e->problem, t->at, MESSAGE_IS_TABLE, t->name);
     const struct column *c = rows->columns;
     const char *key = ((const struct command *)t->refers)->columns[t->index].key;
     bool is_same = t->refers == rows->column->refers;
@@ -64,7 +65,7 @@ static bool column_value(struct evaluation *e, const struct tree *t, struct quan
                                key, rows->count);
 }
 
-/* A sink (answer.h) that evaluates the child of an aggregate in each row. */
+/* Takes a row (answer.h, sink) and evaluates the child of an aggregate in it. */
 static void row_take(struct answer *answer, const struct cell *cells, const char *reason)
 {
     struct rows *rows = answer->sink.context;
@@ -92,7 +93,7 @@ static void row_take(struct answer *answer, const struct cell *cells, const char
 
 static bool aggregate_value(struct evaluation *e, const struct tree *t, struct quantity *result);
 
-/* Returns the first column of a table in a tree that no aggregate takes, or NULL. */
+/* Returns the first column of a table in a tree that is not inside another aggregate, or NULL. */
 static const struct tree *column_in(const struct tree *t)
 {
     const struct tree *found = t->compute == column_value ? t : NULL;
@@ -155,7 +156,7 @@ static bool sums_resolve(struct reader *r, struct tree *t)
     if (t->key)
         (void)command_resolve(r, t, c, column_value);
     else
-        (void)expression_wrong(r->problem, t->at, IS_TABLE, c->name);
+        (void)expression_wrong(r->problem, t->at, MESSAGE_IS_TABLE, c->name);
     return true;
 }
 

@@ -25,7 +25,7 @@ load ../shell/common
     run -1 --separate-stderr "$DOMINO" --safe -e 'log t'
     [[ $stderr == *'a safe session cannot read or write files'* ]]
     printf 'log x\n' >inner
-    wrong 'source inner > y' "'log' does not work while answers go to 'y'; first enter 'log', then enter the command again with '>'"
+    wrong 'source inner > y' "'log' does not work while answers go to 'y'; enter 'log FILE' on a line of its own, without '>'"
 }
 
 # bats test_tags=save

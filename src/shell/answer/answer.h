@@ -97,8 +97,8 @@ struct answer {
      * this is the reason of the last row. */
     char late_reason[ANSWER_REASON];
 
-    /* If the answer belongs to one point of a sweep, `take` receives its rows, and nothing is written
-     * directly. Otherwise `take` is NULL. */
+    /* If the answer is a part of another one, such as a point of a sweep, `take` receives its rows, and
+     * nothing is written directly. Otherwise `take` is NULL. */
     struct sink {
         void (*take)(struct answer *answer, const struct cell *cells, const char *reason);
         void *context;

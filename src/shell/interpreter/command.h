@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Each command is one entry of a table. The entry says everything about the command: its syntax, its help,
- * what completion offers, and which value the command has in an expression. */
+/* Commands and features. Each command is one entry of a table. The entry says everything about the command:
+ * its syntax, its help, what completion offers, and which value the command has in an expression. */
 #pragma once
 
 #include "language/names.h"
@@ -31,7 +31,7 @@ enum argument_kind {
     /* Arguments that are parsed by a function of their own (argument.parse): */
     ARGUMENT_GRID,    /* parameter names, each followed by values */
     ARGUMENT_COMMAND, /* a command that computes something, after an optional ':' */
-    ARGUMENT_WORDS,   /* all remaining words and values of the command */
+    ARGUMENT_WORDS,   /* words and values, as far as argument.parse reads */
     ARGUMENT_UNIT,    /* the word "to" followed by a unit */
 };
 
@@ -108,8 +108,8 @@ struct command {
         /* The key of the last column if it takes long to compute, or NULL. Sweeps leave it out, and
          * expressions can use it only as a column of 'ans'. */
         const char *slow_column;
-        /* Why 'sweep' refuses this command although it has columns, worded for the message "'plot' cannot be
-         * varied: it draws", or NULL. */
+        /* Why sweeps and searches refuse this command although it has columns, worded for the message "'plot'
+         * cannot be swept: it draws", or NULL. */
         const char *refusal;
         /* The numbers suppose that the verdict is yes, so a search for the best number leaves out places
          * where it is no (run_context.seeks_yes). */
@@ -163,7 +163,8 @@ struct command_group {
 /* ---- Features ---- */
 
 /* A feature is a part of the program that a build can leave out: a folder of src/ with a feature.mk, which
- * names the features that it needs, and one record. The shell knows features only by this record. */
+ * names the features that it needs, and one record. The shell knows features only by this record.
+ * The shell itself and the train, which no build leaves out, have records, too. */
 struct engine_driver;
 struct method;
 struct plot;
@@ -190,7 +191,8 @@ struct feature {
 /* The features of this build, each after those that it needs. The last one is NULL (features.c). */
 extern const struct feature *const every_feature[];
 
-/* Registers a list of features and all their commands. Must be called before the first command runs. */
+/* Registers a list of features with all that their records name. Must be called before the first command
+ * runs. */
 void features_register(const struct feature *const *list);
 
 /* Returns the feature that gives a value to the name at the beginning of the text, or NULL. Stores the name,

@@ -88,7 +88,8 @@ static bool run_command(struct session *session, const struct command *c, const 
         .csv.last_header = output->header,
         .columns = c->columns,
         .rows = c->rows,
-        .details.brief = c->brief,
+        .details.brief =
+            c->brief && query->state->settings.style.errors ? "*" : c->brief, /* errors need numbers */
         .details.rest = c->brief ? &rest : NULL,
         .progress.interrupt = query->scene->compute.interrupt,
         .progress.blank_above = output->answered && session->source.name,

@@ -86,7 +86,7 @@ struct evaluation {
     struct problem *problem;
     const struct query *query;
     const struct quantity *argument; /* the arguments of the 'let' function that is being evaluated */
-    struct rows *rows;               /* of the feature `aggregates` */
+    struct rows *rows;               /* of the feature `sums` */
     void *context;                   /* for evaluators of features */
     /* the number of radians in the session's angle unit, which applies to angles typed without a unit */
     domq_real angle;
@@ -123,7 +123,7 @@ bool command_run(struct evaluation *evaluation, const struct tree *name, const s
 
 /* A feature that computes numbers of the columns of a table. */
 struct aggregates {
-    const char *name; /* a function that no other name hides */
+    const char *name; /* completed and suggested like a name of a value */
     /* Resolves a name, like name_resolve, if it is one of the feature or a table, and otherwise returns
      * false. After an error, tree->compute is NULL. If reader.names is NULL, it only finds out what the name
      * is. */
