@@ -186,7 +186,8 @@ static struct tree *parse_name(struct reader *r)
     if (!name_copy(at, length, first, sizeof first))
         return parse_fail(r, "this name is too long");
     /* a name that contains blanks, as in "big ben", unless its first word is a variable */
-    const bool has_blanks = r->query && feature_value(at, &name, &end, &value) && end > at + length &&
+    const bool has_blanks = r->query && isalnum((unsigned char)*skip_blanks(at + length)) &&
+                            feature_value(at, &name, &end, &value) && end > at + length &&
                             !variable_find(&r->query->state->variables, first);
     length = has_blanks ? (size_t)(end - at) : length;
     struct tree *t = make_node(r, NULL, at);
@@ -251,6 +252,8 @@ static const struct op {
 static const struct op *op_at(const struct reader *r, const char *at)
 {
     const struct op *op = NULL;
+    if (command_ends(at))
+        return NULL;
     for (size_t k = 0; k < sizeof operators / sizeof *operators && !op; k++) {
         const char *text = operators[k].text;
         if (*at == *text && (name_start(*text) ? is_word(at, text) : strncmp(at, text, strlen(text)) == 0))
