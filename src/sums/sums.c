@@ -160,5 +160,11 @@ static bool sums_resolve(struct reader *r, struct tree *t)
     return true;
 }
 
-static const struct aggregates sums = {.name = "sum", .resolve = sums_resolve};
+static const struct aggregates sums = {
+    .name = "sum",
+    .help =
+        "'sum', 'min', 'max' and 'count' make a number of a table: sum(chain(0).weight^2) squares the column "
+        "in each row and adds the squares.",
+    .resolve = sums_resolve,
+};
 const struct feature sums_feature = {.name = "sums", .aggregates = &sums};

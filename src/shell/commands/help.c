@@ -254,6 +254,8 @@ static void help_command(FILE *out, const struct topic *t)
         putc('\n', out);
         wrapped(out, t->text, 0);
     }
+    if (c->is_print && aggregates)
+        wrapped(out, aggregates->help, 0);
     if (c->columns && c->columns->key) {
         fprintf(out, "\n%s:\n", c->rows ? "Each row of the answer has" : "The answer has");
         columns_write(out, c->columns);

@@ -124,6 +124,7 @@ bool command_run(struct evaluation *evaluation, const struct tree *name, const s
 /* A feature that computes numbers of the columns of a table. */
 struct aggregates {
     const char *name; /* completed and suggested like a name of a value */
+    const char *help; /* a paragraph of the help of 'print' */
     /* Resolves a name, like name_resolve, if it is one of the feature or a table, and otherwise returns
      * false. After an error, tree->compute is NULL. If reader.names is NULL, it only finds out what the name
      * is. */
