@@ -40,6 +40,17 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
         .optional = true,                                                                                    \
         .words = distributions}
 
+static const char placement_help[] =
+    "The row is set up many times. Each gap has a normally distributed error with the standard deviation "
+    "SIGMA, which is a length, and each height has a relative error with the standard deviation HEIGHTS. "
+    "If LIMITS is 'uniform', SIGMA and HEIGHTS are limits, and all errors within them are equally likely. "
+    "Dominoes that would overlap are moved until they touch. 'placement' counts how often all dominoes "
+    "fall, gives the exact 95 % interval of Clopper and Pearson, and reports where rows stop. 'budget' "
+    "finds the SIGMA at which a given share of the rows falls. With the same 'seed', row number i is "
+    "always the same, with any number of 'threads'. Other errors have separate effects: error_place, "
+    "error_thickness, error_mass, error_lean and error_radius for each domino, and error_friction, "
+    "error_slope, error_floor and error_push for the whole row.";
+
 /* The last one stands for "all": its value is a factor, without a unit. */
 static const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
     /* 'placement' has the errors of gaps and of heights */
@@ -57,21 +68,7 @@ static const struct error_kind error_kinds[DOM_ERROR_COUNT + 1] = {
                  .synonyms =
                      "probability chance errors precision accuracy error_gap error_height gaps heights",
                  .adds = "random errors in the gaps, and in the heights if HEIGHTS is given",
-                 .help = "The row is set up many times. Each gap has a normally distributed error with the "
-                         "standard deviation SIGMA, which is a length, and each height has a relative error "
-                         "with "
-                         "the standard deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are "
-                         "limits, "
-                         "and all errors within them are equally likely. Dominoes that would overlap are "
-                         "moved "
-                         "until they touch. 'placement' counts how often all dominoes fall, gives the exact "
-                         "95 "
-                         "% interval of Clopper and Pearson, and reports where rows stop. 'budget' finds the "
-                         "SIGMA at which a given share of the rows falls. With the same 'seed', row number i "
-                         "is always the same, with any number of 'threads'. Other errors have separate "
-                         "effects: error_place, error_thickness, error_mass, error_lean and error_radius for "
-                         "each domino, and error_friction, error_slope, error_floor and error_push for the "
-                         "whole row.",
+                 .help = placement_help,
                  .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
                            "pseudo-random numbers from GSL",
                  .argument = {{.name = "SIGMA",

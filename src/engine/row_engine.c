@@ -330,6 +330,13 @@ static const struct domq_effect bounce = {
     .dissipates = "bounces",
 };
 
+static const char method_help[] =
+    "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check: it uses "
+    "none of the program's equations, and includes contacts that the model lacks. The time step is halved "
+    "until the verdict no longer changes. One run takes about a hundred times as long, and a row can "
+    "have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or 'set bounce'. "
+    "Endless trains always use the model.";
+
 static const struct parameter
     method_parameter =
         {.name = "method",
@@ -340,14 +347,7 @@ static const struct parameter
          .synonyms = "engine chipmunk simulation second opinion compare check",
          .words = (const struct word[]){{"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}, {NULL, 0}},
          .words_only = true,
-         .help =
-             "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check: it "
-             "uses "
-             "none of the program's equations, and includes contacts that the model lacks. The time step is "
-             "halved until the verdict no longer changes. One run takes about a hundred times as long, and a "
-             "row "
-             "can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or 'set "
-             "bounce'. Endless trains always use the model."},
+         .help = method_help},
     feet_parameter = {.effect = &feet,
                       .number = &feet_number,
                       .by_engine = true,
