@@ -75,7 +75,7 @@ TEST(one_top_if_concave)
         struct barrier b;
         if (i % 4 == 0)
             geometry.n = 2;
-        assert_status(barrier_search(&geometry, tilt_angle(geometry.c), TOP_TOL(&geometry), &b), DOM_OK);
+        assert_status(barrier_search(&geometry, false, TOP_TOL(&geometry), &b), DOM_OK);
         assert_true(b.height <= barrier_most(&geometry) * (1 + 1e-14));
         if (!barrier_single(&geometry))
             continue;

@@ -12,7 +12,7 @@
 /* The headers of the kernel declare functions that only its own sources define. */
 #pragma GCC diagnostic ignored "-Wunused-function"
 
-/* True if a motion with friction is computed roughly. If the errors may change the verdict, the run sets
+/* True if a motion with losses is computed roughly. If the errors may change the verdict, the run sets
  * `doubt`, and the row is run again, precisely. */
 struct quick {
     bool rough, doubt;
@@ -30,11 +30,11 @@ struct quick {
 
 /* ---- Heads that certainly keep falling ---- */
 
-/* The largest number of tilts at which a motion without friction is examined. */
+/* The largest number of tilts at which a motion without losses is examined. */
 enum { CLEAR_TILTS = 6 };
 
 /*
- * Returns true if it is certain that a head without friction clears its barrier. All of its followers must
+ * Returns true if it is certain that a head without losses clears its barrier. All of its followers must
  * only lose height. What they have lost at one tilt, they never regain, so it surely takes the head as far as
  * it would get alone with this energy and its own. There the followers have lost more, and so on, until the
  * energy takes the head to theta_u, or to the next domino.
@@ -59,7 +59,7 @@ static bool head_clears(const struct geometry *head, real kinetic)
     return false;
 }
 
-/* A motion with friction is solved roughly, from a few tilts. The errors of a rough solution are estimated
+/* A motion with losses is solved roughly, from a few tilts. The errors of a rough solution are estimated
  * from the last terms of its series. omegasq at the end of the motion may have this relative error, and the
  * head must clear the barrier by several times the error. */
 #define ROUGH_ERROR ((real)1 / 256)
@@ -99,8 +99,7 @@ static bool head_passes(struct run *run, size_t k, struct start *at)
 {
     const struct quick *quick = run->options->context;
     struct geometry *head = &run->row->geometry[k];
-    const bool saves = head->conservative || (run->moving == 1 && losses_end_alone(head)),
-               proves = losses_end_alone(head);
+    const bool saves = head->conservative || (run->moving == 1 && head->drag == 0), proves = head->drag == 0;
     const real w = run->omegasq, kinetic = (1 + run->inertia_ratio) * w;
     struct sums sums;
     /* only a first domino that is released can lean here */

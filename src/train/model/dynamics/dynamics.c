@@ -182,36 +182,6 @@ KERNEL_SHARED bool flow_rough(const struct geometry *geometry, real hi)
            num_linear_solve(flow_rate, &c, 0, hi, (real)INFINITY, &geometry->flow->solution) == NUM_OK;
 }
 
-/*
- * Finds the launch of a train whose cycles repeat, in place of (24; c6). Let w = tau^2 omega^2. A cycle
- * begins with the value w(0), and by the solution in dynamics.h it ends with w(theta_c) = G (w(0) - u). The
- * next cycle begins after the collision, and its w is in the units of a new head, which is r times as tall.
- * The collision and the change of units together multiply w(theta_c) by kappa = r (T / (1 + T))^2, where T is
- * the inertia ratio of the collision. The cycles repeat if the product kappa w(theta_c) equals w(0).
- */
-static enum dom_status flow_collide(const struct geometry *geometry, struct launch *launch)
-{
-    real ln_G, u;
-    enum dom_status status = flow_solve(geometry);
-    if (status != DOM_OK)
-        return status;
-    const struct flow *flow = geometry->flow;
-    flow_at(geometry, tilt_angle(geometry->c), &ln_G, &u);
-    real G = exp(ln_G), velocity_ratio = collision_velocity_ratio(flow->inertia_ratio),
-         kappa = geometry->r * velocity_ratio * velocity_ratio;
-    real omegasq = -kappa * G * u / (1 - kappa * G);
-    *launch = (struct launch){
-        .fuel = -flow->J_c * G * u,
-        .J0 = flow->J0,
-        .inertia_ratio = flow->inertia_ratio,
-        .velocity_ratio = velocity_ratio,
-        .omegasq = omegasq,
-        .kinetic = flow->J0 * omegasq,
-        .kinetic_at_hit = flow->J_c * omegasq / (geometry->r * velocity_ratio * velocity_ratio),
-    };
-    return isfinite(omegasq) ? DOM_OK : DOM_NOT_FINITE;
-}
-
 /* The error consists of the error of the solution, and of the error from leaving out the tail of the
  * chain. */
 KERNEL real flow_required_error(const struct geometry *geometry)
@@ -273,30 +243,49 @@ KERNEL enum dom_status dynamics_inertia_ratio(const struct geometry *next, const
     return status != DOM_OK || *inertia_ratio > 0 ? status : DOM_LOCKS;
 }
 
+/*
+ * With losses, let w = tau^2 omega^2. A cycle begins with the value w(0), and by the solution in dynamics.h
+ * it ends with w(theta_c) = G (w(0) - u). The next cycle begins after the collision, and its w is in the
+ * units of a new head, which is r times as tall. The collision and the change of units together multiply
+ * w(theta_c) by kappa = r (T / (1 + T))^2, where T is the inertia ratio of the collision. The cycles repeat
+ * if the product kappa w(theta_c) equals w(0).
+ */
 KERNEL enum dom_status dynamics_collide(const struct geometry *geometry, enum dom_fuel fuel,
                                         struct launch *launch)
 {
-    real exact, T;
-    if (fuel == DOM_FUEL_PAPER && !(geometry->conservative && energy_paper_holds(geometry)))
+    const struct flow *flow = geometry->flow;
+    real exact = 0, T = 0, ln_G, u;
+    if (fuel == DOM_FUEL_PAPER && !energy_paper_holds(geometry))
         return DOM_NO_METHOD;
-    if (!geometry->conservative)
-        return flow_collide(geometry, launch);
-    enum dom_status status = energy_fuel(geometry, &exact, &T);
+    enum dom_status status =
+        geometry->conservative ? energy_fuel(geometry, &exact, &T) : flow_solve(geometry);
     if (status != DOM_OK)
         return status;
-    /* This is J(0) times equation (24; c6). With the inertia ratio T = J(0) - 1, its denominator, r^q J(0) -
-     * J(0) + 1, is written as r^q + T (r^q - 1). In this form, no digits cancel if r >= 1. */
-    const real P = fuel == DOM_FUEL_PAPER ? geometry_paper_fuel(geometry) : exact,
-               J0 = geometry->upright_inertia * (1 + T),
-               kinetic = P * T / (geometry->rq + T * geometry->rq_1);
-    *launch = (struct launch){.fuel = P,
-                              .J0 = J0,
-                              .inertia_ratio = T,
-                              .velocity_ratio = collision_velocity_ratio(T),
-                              .omegasq = kinetic / J0,
-                              .kinetic = kinetic,
-                              .kinetic_at_hit = kinetic + exact};
-    return isfinite(kinetic) ? DOM_OK : DOM_NOT_FINITE;
+    if (geometry->conservative) {
+        /* This is J(0) times equation (24; c6). With the inertia ratio T = J(0) - 1, its denominator, r^q
+         * J(0)
+         * - J(0) + 1, is written as r^q + T (r^q - 1). In this form, no digits cancel if r >= 1. */
+        const real P = fuel == DOM_FUEL_PAPER ? geometry_paper_fuel(geometry) : exact,
+                   kinetic = P * T / (geometry->rq + T * geometry->rq_1),
+                   J0 = geometry->upright_inertia * (1 + T);
+        *launch = (struct launch){.fuel = P,
+                                  .J0 = J0,
+                                  .inertia_ratio = T,
+                                  .omegasq = kinetic / J0,
+                                  .kinetic = kinetic,
+                                  .kinetic_at_hit = kinetic + exact};
+    } else {
+        flow_at(geometry, tilt_angle(geometry->c), &ln_G, &u);
+        const real G = exp(ln_G), remains = collision_velocity_ratio(flow->inertia_ratio),
+                   kappa = geometry->r * remains * remains, omegasq = -kappa * G * u / (1 - kappa * G);
+        *launch = (struct launch){.fuel = -flow->J_c * G * u,
+                                  .J0 = flow->J0,
+                                  .inertia_ratio = flow->inertia_ratio,
+                                  .omegasq = omegasq,
+                                  .kinetic = flow->J0 * omegasq,
+                                  .kinetic_at_hit = flow->J_c * omegasq / kappa};
+    }
+    return isfinite(launch->kinetic) ? DOM_OK : DOM_NOT_FINITE;
 }
 
 KERNEL enum dom_status dynamics_slope(const struct geometry *geometry, struct tilt head, bool rough,

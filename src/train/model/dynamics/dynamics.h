@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The two laws of motion of a train; geometry->conservative says which of them applies. README.md in this
- * folder explains how to add an effect.
+ * The two laws of motion of a train; geometry->conservative says which of them applies. README.md in effects/
+ * explains how to add an effect.
  *
- * The paper's law of motion: contacts without friction dissipate no energy. So the sum of kinetic and
- * potential energy is constant in a cycle; see (21; c3) and (51; d9). With w = tau^2 omega^2,
+ * The paper's law of motion: nothing dissipates energy during a cycle. So the sum of kinetic and potential
+ * energy is constant; see (21; c3) and (51; d9). With w = tau^2 omega^2,
  *
  *     J(theta) w(theta) = J(0) w(0) - [H(theta) - H(0)].
  *
@@ -23,10 +23,11 @@
 
 #include "geometry/chain.h"
 
-/* Returns true if the paper's closed form of the fuel is valid: on a level floor, with sharp edges. */
+/* Returns true if the paper's closed form of the fuel is valid: without losses, on a level floor, with sharp
+ * edges. */
 KERNEL bool energy_paper_holds(const struct geometry *geometry)
 {
-    return geometry->g.along == 0 && !geometry->rolls;
+    return geometry->conservative && geometry->g.along == 0 && !geometry->rolls;
 }
 
 /* Finds the fuel (25; c7) from the energy balance and, unless it is NULL, the inertia ratio J(0) - 1 =
@@ -41,11 +42,9 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, real *fuel, 
  *
  * Here omega_1(theta_c) is the angular velocity of the hitting domino before the collision, and omega(0) is
  * the angular velocity of the struck domino afterwards. With sharp edges, the inertia ratio T is
- * r^-(q+1) J(theta_c), where J is the inertia of the hitting chain. With friction, the product S_1 A takes
- * the place of J.
+ * r^-(q+1) J(theta_c), where J is the inertia of the hitting chain. With losses, the product S_1 A (below)
+ * takes the place of J. This function returns omega(0) / omega_1(theta_c).
  */
-/* Returns omega(0) / omega_1(theta_c), the fraction of the angular velocity that remains after a
- * collision. */
 KERNEL real collision_velocity_ratio(real inertia_ratio)
 {
     return inertia_ratio / (1 + inertia_ratio);
@@ -64,7 +63,6 @@ struct launch {
     real fuel;           /* P, the energy released in a cycle, by the chosen fuel formula */
     real J0;             /* J(0) */
     real inertia_ratio;  /* the inertia ratio T of the collision */
-    real velocity_ratio; /* omega(0) / omega_1(theta_c) */
     real omegasq;        /* tau^2 omega(0)^2 */
     real kinetic;        /* J(0) tau^2 omega(0)^2 */
     real kinetic_at_hit; /* kinetic energy at theta_c, if the train gets that far */
@@ -116,7 +114,7 @@ KERNEL enum dom_status dynamics_near_rest(const struct geometry *geometry, real 
  *     w = G (w(0) - u),
  *
  * where G and u depend on the tilt theta, but not on the launch. u(theta) is the smallest w(0) that takes the
- * head to the tilt theta. So the barrier, as an energy, is the maximum of J(0) u. Without friction, u =
+ * head to the tilt theta. So the barrier, as an energy, is the maximum of J(0) u. Without losses, u =
  * [H(theta) - H(0)] / J(0).
  *
  * Source: van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010).
@@ -127,12 +125,6 @@ struct flow {
     real inertia_ratio; /* inertia ratio of the collision: A(0) - 1 = r^-(q+1) S_1(0) A(theta_c) */
     real J0, J_c;       /* J(0), and J(theta_c) of the hitting chain */
 };
-
-/* Returns true if a domino loses no energy while it touches no other domino. */
-KERNEL bool losses_end_alone(const struct geometry *geometry)
-{
-    return geometry->drag == 0;
-}
 
 /* Finds tau^2 omega^2 of a domino with drag that tips over at theta_u and falls alone to the tilt theta_c.
  * The flow of the geometry is then the solution of this motion. */

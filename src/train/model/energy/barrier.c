@@ -65,10 +65,7 @@ struct top {
     real lo, hi;
     /* `rises` is true if H is known to increase at lo. `falls` is true if H is known to decrease at hi. */
     bool rises, falls;
-    real p; /* the next p to try */
-    /* tan of half the initial backward lean of the head. Changes of p are relative to |p| plus this value,
-     * because p may be 0. */
-    real backwards;
+    real p;      /* the next p to try */
     real height; /* estimated height of the top; its error is proportional to the cube of the last step */
 };
 
@@ -81,6 +78,8 @@ struct top {
  */
 static enum dom_status barrier_climb(const struct slope_context *c, struct top *top, real tol)
 {
+    /* Changes of p are relative to |p| plus tan of half the initial backward lean, because p may be 0. */
+    const real backwards = fmax(-half_of_tilt(c->from), 0);
     real before = 1;
     tol = fmax(tol, 4 * REAL_EPSILON);
     for (int i = 0; i < TOP_STEPS; i++) {
@@ -104,11 +103,10 @@ static enum dom_status barrier_climb(const struct slope_context *c, struct top *
                    closed = top->rises && top->falls;
         if (!newton)
             next = !top->falls ? top->hi : !top->rises ? top->lo : (top->lo + top->hi) / 2;
-        const real moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / (fabs(next) + top->backwards);
+        const real moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / (fabs(next) + backwards);
         top->height = newton ? at.dH + at.H1 * step / 2 : at.dH;
         top->p = next;
-        if (moved <= tol ||
-            (closed && top->hi - top->lo <= 4 * REAL_EPSILON * (fabs(top->hi) + top->backwards)))
+        if (moved <= tol || (closed && top->hi - top->lo <= 4 * REAL_EPSILON * (fabs(top->hi) + backwards)))
             return DOM_OK;
         if (closed && i > 2 && moved > before / 2) /* Newton's method oscillates at a kink of H' */
             top->p = (top->lo + top->hi) / 2;
@@ -141,8 +139,7 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
                           .hi = p,
                           .rises = true,
                           .falls = true,
-                          .p = last->p + last->slope / (last->slope - next.slope) * (p - last->p),
-                          .backwards = fmax(-half_of_tilt(c->from), 0)};
+                          .p = last->p + last->slope / (last->slope - next.slope) * (p - last->p)};
         c->status = barrier_climb(c, &top, tol);
         if (c->status == DOM_OK)
             barrier_keep(b, top.p, top.height);
@@ -224,13 +221,12 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
 
 /*
  * Searches the smooth pieces between the edges of *b for the barrier. Heights are relative to H at `from`,
- * the first edge. If *b already holds a maximum of H, `known` is tan(theta / 2) at this maximum. Otherwise
- * `known` is -1.
+ * the first edge. If b->height is positive, *b already holds a maximum of H.
  */
-static enum dom_status barrier_pieces(const struct geometry *geometry, struct tilt from, real known, real tol,
+static enum dom_status barrier_pieces(const struct geometry *geometry, struct tilt from, real tol,
                                       struct barrier *b)
 {
-    struct slope_context c = {.geometry = geometry, .from = from, .known = known};
+    struct slope_context c = {.geometry = geometry, .from = from, .known = b->height > 0 ? b->half : -1};
     enum dom_status status = DOM_OK;
     bool upright = from.x == 0, begins = upright || (geometry->lean != 0 && b->edge[0] == geometry->lean);
     real end = b->edge[b->edges - 1], lo = upright ? b->edge[0] : half_of_tilt(from);
@@ -251,42 +247,32 @@ static enum dom_status barrier_pieces(const struct geometry *geometry, struct ti
     return status;
 }
 
-KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
-                                     const struct barrier *whole, real end, struct barrier *b)
+KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from, real end,
+                                     struct barrier *b)
 {
-    *b = (struct barrier){.theta_m = from.x == 0 ? 0 : whole->edge[0], .half = half_of_tilt(from)};
-    while (b->edges + 1 < whole->edges && whole->edge[b->edges] < end) {
-        b->edge[b->edges] = whole->edge[b->edges];
-        b->edges++;
-    }
-    b->edge[b->edges++] = end;
-    return barrier_pieces(geometry, from, -1, geometry->tol / 8, b);
+    int last = 0;
+    b->height = 0;
+    b->half = half_of_tilt(from);
+    b->theta_m = from.x == 0 ? 0 : b->edge[0];
+    while (last + 1 < b->edges && b->edge[last] < end)
+        last++;
+    b->edge[last] = end;
+    b->edges = last + 1;
+    return barrier_pieces(geometry, from, geometry->tol / 8, b);
 }
 
-KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol, struct barrier *b)
+KERNEL enum dom_status barrier_search(const struct geometry *geometry, bool known, real tol,
+                                      struct barrier *b)
 {
-    *b = (struct barrier){.theta_m = 0, .height = 0};
+    known = known && b->height > 0; /* otherwise the top is no higher than the upright position */
+    if (!known)
+        *b = (struct barrier){.height = 0};
+    else if (barrier_single(geometry))
+        return DOM_OK;
     enum dom_status status = geometry->conservative ? DOM_OK : flow_solve(geometry);
     if (status == DOM_OK)
-        status = chain_edges(geometry, end, b->edge, &b->edges, NULL);
-    return status == DOM_OK ? barrier_pieces(geometry, standing, -1, tol, b) : status;
-}
-
-KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b)
-{
-    struct barrier tops = *b;
-    if (tops.height <= 0) /* the top in *b is no higher than the upright position */
-        tops.height = tops.half = tops.theta_m = 0;
-    if (barrier_single(geometry)) {
-        *b = tops;
-        return DOM_OK;
-    }
-    enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), tops.edge, &tops.edges, NULL);
-    if (status == DOM_OK)
-        status = barrier_pieces(geometry, standing, tops.half > 0 ? tops.half : -1, TOP_TOL(geometry), &tops);
-    if (status == DOM_OK)
-        *b = tops;
-    return status;
+        status = chain_edges(geometry, tilt_angle(geometry->c), b->edge, &b->edges, NULL);
+    return status == DOM_OK ? barrier_pieces(geometry, standing, tol, b) : status;
 }
 
 KERNEL bool barrier_follow(const struct geometry *geometry, real tol, struct barrier *b)

@@ -24,18 +24,15 @@ struct barrier {
 #define TOP_TOL(geometry)       (cbrt((geometry)->tol) / 4)
 #define TOP_TOL_ROUGH(geometry) (4 * cbrt((geometry)->tol))
 
-/* Finds the barrier over [0, end]. tol is the relative tolerance of theta_m. If only the height is needed,
- * TOP_TOL is enough. */
-KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol,
-                                      struct barrier *barrier);
+/* Finds the barrier over [0, theta_c]. If `known` is true, *b already holds a top of H, and only higher ones
+ * are searched. tol is the relative tolerance of theta_m. If only the height is needed, TOP_TOL is enough. */
+KERNEL enum dom_status barrier_search(const struct geometry *geometry, bool known, real tol,
+                                      struct barrier *b);
 
 /* Finds one top by Newton's method, starting at the top in *b, and stores it in *b. Does not look for other
- * tops, so a higher top may exist (see barrier_tops). `tol` is the relative tolerance of the tilt. Returns
- * false if it finds no top. */
+ * tops, so a higher top may exist. `tol` is the relative tolerance of the tilt. Returns false if it finds no
+ * top. */
 KERNEL bool barrier_follow(const struct geometry *geometry, real tol, struct barrier *b);
-
-/* Searches [0, theta_c] for tops of H that are higher than *b and stores the highest in *b. */
-KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b);
 
 /* Returns true only if it is proved that H has a single top. */
 KERNEL bool barrier_single(const struct geometry *geometry);
@@ -43,7 +40,7 @@ KERNEL bool barrier_single(const struct geometry *geometry);
 /* Returns an upper bound on the barrier. The bound holds for trains of any length, if r >= 1. */
 KERNEL real barrier_most(const struct geometry *geometry);
 
-/* Finds the barrier from whole->edge[0] to the tilt `end`. The edges of `whole` must be known. Heights are
- * relative to H at `from`. */
-KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
-                                     const struct barrier *whole, real end, struct barrier *barrier);
+/* Finds the barrier from b->edge[0] to the tilt `end`. *b has the edges of the whole motion, and those beyond
+ * `end` are dropped. Heights are relative to H at `from`. */
+KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from, real end,
+                                     struct barrier *b);

@@ -69,7 +69,7 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
     *launch = (struct dom_launch){
         .fuel = l.fuel,
         .J0 = l.J0,
-        .velocity_ratio = l.velocity_ratio,
+        .velocity_ratio = collision_velocity_ratio(l.inertia_ratio),
         .omegasq = fuelled ? l.omegasq : REAL_NAN,
         .kinetic = fuelled ? l.kinetic : REAL_NAN,
     };

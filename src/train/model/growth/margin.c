@@ -24,12 +24,12 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct gr
         if (how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
         if (top)
-            status = barrier_tops(geometry, b);
+            status = barrier_search(geometry, true, TOP_TOL(geometry), b);
     }
     if (status != DOM_OK)
-        /* With friction, Newton's method is not available. The error of the tilt then affects the barrier to
+        /* With losses, Newton's method is not available. The error of the tilt then affects the barrier to
          * second order instead of third order, so the tilt needs a finer tolerance. */
-        status = barrier_search(geometry, tilt_angle(geometry->c),
+        status = barrier_search(geometry, false,
                                 geometry->conservative ? TOP_TOL(geometry) : geometry->tol / 8, b);
     m->barrier_error = status == DOM_OK ? flow_required_error(geometry) : 0;
     m->barrier = b->height;
@@ -57,7 +57,7 @@ static enum dom_status pair_kinetic(const struct geometry *geometry, real *kinet
     real J = geometry_inertia(geometry, geometry->c);
     real k = geometry->inertia * J, inertia_ratio = 0, tipped = 0;
     enum dom_status status = dynamics_inertia_ratio(geometry, &one, geometry->c, J, &inertia_ratio);
-    if (status == DOM_OK && tips && losses_end_alone(geometry)) {
+    if (status == DOM_OK && tips && geometry->drag == 0) {
         tipped = geometry_tipped_omegasq(geometry);
     } else if (status == DOM_OK && tips) {
         status = losses_tipped(geometry, &tipped);
@@ -168,7 +168,7 @@ static bool margin_highest(const struct growth *g, real r)
         return true;
     if (geometry_set(&geometry, g->s, r) != DOM_OK)
         return false;
-    return barrier_tops(&geometry, &b) == DOM_OK &&
+    return barrier_search(&geometry, true, TOP_TOL(&geometry), &b) == DOM_OK &&
            b.height <= g->barrier.height * (1 + fmax(geometry.tol, 4 * REAL_EPSILON));
 }
 

@@ -19,7 +19,7 @@ static enum dom_status motion_balance(struct motion *m, enum dom_fuel fuel)
     do {
         enum dom_status status = dynamics_collide(&st->geometry, fuel, &m->launch);
         if (status == DOM_OK)
-            status = barrier_search(&st->geometry, st->hi, st->geometry.tol / 8, &st->barrier);
+            status = barrier_search(&st->geometry, false, st->geometry.tol / 8, &st->barrier);
         if (status != DOM_OK || m->launch.fuel <= 0)
             return status == DOM_OK ? DOM_NO_FUEL : status;
         tol = st->geometry.tol;

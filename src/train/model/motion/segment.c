@@ -53,16 +53,16 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     start->J = at.J;
     st->summed = st->geometry.n;
     start->kinetic = start->J * start->omegasq;
-    if (st->geometry.n == 1 && losses_end_alone(&st->geometry))
+    if (st->geometry.n == 1 && st->geometry.drag == 0)
         st->geometry.conservative = true;
     if (status == DOM_OK && !st->geometry.conservative && st->lo < st->hi)
         status = flow_solve_piece(&st->geometry, start->J, st->lo, &st->hi);
     st->locks = status == DOM_LOCKS;
     status = st->locks ? DOM_OK : status;
-    if (status == DOM_OK && st->lo < st->hi)
-        status = barrier_up_to(&st->geometry, start->from,
-                               &(struct barrier){.edge = {st->lo, st->hi}, .edges = 2}, st->hi, &st->barrier);
-    return status;
+    if (status != DOM_OK || !(st->lo < st->hi))
+        return status;
+    st->barrier = (struct barrier){.edge = {st->lo, st->hi}, .edges = 2};
+    return barrier_up_to(&st->geometry, start->from, st->hi, &st->barrier);
 }
 
 KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
@@ -95,8 +95,8 @@ KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
 static real segment_short(real theta, void *context)
 {
     struct segment *st = context;
-    struct barrier b;
-    st->status = barrier_up_to(&st->geometry, st->start.from, &st->barrier, theta, &b);
+    struct barrier b = st->barrier;
+    st->status = barrier_up_to(&st->geometry, st->start.from, theta, &b);
     /* A motion that starts at rest may lose height first. The tilts that it then passes need no energy, so
      * they are not roots. */
     const real kinetic = st->start.omegasq == 0 ? REAL_EPSILON * st->barrier.height : st->start.kinetic;

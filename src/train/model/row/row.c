@@ -153,7 +153,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     const struct tilt top = tilt_half(geometry_half_u(geometry));
     const real unit = row_unit(run->row, 0), theta_u = geometry_theta_u(geometry),
                hit = tilt_angle(geometry->c), J = geometry_inertia(geometry, geometry->c);
-    const bool tips = geometry_lift(geometry, geometry->c) < 0, alone = losses_end_alone(geometry);
+    const bool tips = geometry_lift(geometry, geometry->c) < 0, alone = geometry->drag == 0;
     real omegasq = tips ? geometry_tipped_omegasq(geometry) : 0;
     const real released = J * omegasq * unit,
                barrier = geometry->lean == 0
