@@ -32,44 +32,6 @@ KERNEL enum dom_status train_make(const struct dom_train *train, const struct do
  * allowed. */
 KERNEL enum dom_status dynamics_check(const struct dom_train *train);
 
-/* ---- Moments of inertia ---- */
-
-/*
- * What effects add to the moment of inertia of a domino.
- *
- * A hollow box whose six walls have the same thickness. Let d be the thickness of the domino, w its width and
- * t the thickness of a wall, all relative to the height. The hollow is smaller than the box by these
- * fractions of the height, the thickness and the width:
- *
- *     a = 2 t,   b = 2 t / d,   c = 2 t / w.
- *
- * The hollow fills the fraction v = (1 - a) (1 - b) (1 - c) of the box. By the parallel axis theorem, the
- * moment of inertia about the lower edge, relative to a solid block of the same mass, is
- *
- *     1 + v (1 - u) / (4 (1 - v)),   u = [(1 - a)^2 + d^2 (1 - b)^2] / (1 + d^2).
- */
-struct box {
-    real filled;  /* fraction of the volume that the walls fill */
-    real inertia; /* moment of inertia relative to that of a solid block of the same mass */
-};
-
-/* Returns the properties of a box. All arguments are relative to the height. If walls meet, there is no
- * hollow. The formulas avoid cancellation. */
-KERNEL inline struct box walls_box(real d, real width, real walls)
-{
-    real a = fmin(2 * walls, 1), b = fmin(2 * walls / d, 1), c = fmin(2 * walls / width, 1);
-    real filled = a + (1 - a) * (b + (1 - b) * c), v = (1 - a) * (1 - b) * (1 - c);
-    /* the term 1 - u of the formula above struct box */
-    real smaller = (a * (2 - a) + d * d * b * (2 - b)) / (1 + d * d);
-    return (struct box){filled, 1 + v * smaller / (4 * filled)};
-}
-
-/* Returns true if two walls together are at most as thick as the domino, apart from rounding errors. */
-KERNEL inline bool walls_fit(real d, real walls)
-{
-    return walls > 0 && 2 * walls <= d * (1 + 8 * REAL_EPSILON);
-}
-
 /* The usual drag coefficient of a domino. */
 #define AIR_COEFFICIENT ((real)12 / 10)
 

@@ -108,10 +108,11 @@ bool dom_dissipates(const struct dom_train *train)
 
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
 {
-    const real d = (real)train->d, width = (real)train->width, walls = (real)train->walls,
-               inertia = (walls != 0 ? walls_box(d, width, walls).inertia : 1) +
-                         air_entrained(d, width, (real)train->air);
-    return sqrt((real)scale->h * (1 + d * d) / (3 * (real)scale->g) * inertia);
+    const real d = train->d;
+    struct dom_box box = {1, 1}; /* a solid block, if there are no walls */
+    dom_box_find(1, d, train->width, train->walls, &box);
+    const real inertia = box.inertia + air_entrained(d, train->width, train->air);
+    return sqrt(scale->h * (1 + d * d) / (3 * scale->g) * inertia);
 }
 
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)

@@ -143,15 +143,16 @@ KERNEL_SHARED enum dom_status row_domino_check(const struct dom_row *row, size_t
     const struct dom_domino *d = &row->domino[k];
     const struct dom_train own = dynamics_of_domino(row, k);
     const bool leans = row_lean(row, k) != 0, rounds = row->rho != 0;
+    struct dom_box box;
     return !positive(d->height)                          ? DOM_BAD_HEIGHT
            : !positive(d->thickness) || !positive(own.d) ? DOM_BAD_THICKNESS
            : !positive(d->mass) || !positive((real)d->mass * (real)row->g * (real)d->height / 2)
                ? DOM_BAD_MASS
-           : !(d->gap >= 0) || !isfinite(d->gap)                         ? DOM_BAD_GAP
-           : !(d->radius >= 0 && (!rounds || d->radius < d->height / 2)) ? DOM_BAD_RADIUS
-           : 2 * own.rho > own.d                                         ? DOM_NO_ROUND
-           : own.walls != 0 && !walls_fit((real)own.d, (real)own.walls)  ? DOM_NO_ROOM
-           : leans && own.rho != 0                                       ? DOM_NO_LEAN
+           : !(d->gap >= 0) || !isfinite(d->gap)                                            ? DOM_BAD_GAP
+           : !(d->radius >= 0 && (!rounds || d->radius < d->height / 2))                    ? DOM_BAD_RADIUS
+           : 2 * own.rho > own.d                                                            ? DOM_NO_ROUND
+           : own.walls != 0 && dom_box_find(1, own.d, own.width, own.walls, &box) != DOM_OK ? DOM_NO_ROOM
+           : leans && own.rho != 0                                                          ? DOM_NO_LEAN
            /* a leaning domino with sharp edges must not tip over the front or back edge of its foot */
            : leans && !(fabs(d->lean + row->alpha) < atan(own.d)) ? DOM_BAD_LEAN
                                                                   : DOM_OK;
