@@ -71,7 +71,7 @@ struct stretch {
 };
 
 /* Returns true if the margin has its initial sign. A value within its error of 0 does not count as a change:
- * it may be the bottom of a dip, whose minimum decides. With friction, the estimate of the error can be as
+ * it may be the bottom of a dip, whose minimum decides. With losses, the estimate of the error can be as
  * large as a small barrier, and the value counts as it is. */
 static bool sign_kept(const struct first *s, const struct margin *m)
 {

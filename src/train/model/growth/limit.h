@@ -15,7 +15,7 @@ struct margin {
     real r;
     real kinetic, barrier;
     bool is_bound;      /* true if `barrier` is only an upper bound */
-    real barrier_error; /* an estimate; 0 without friction */
+    real barrier_error; /* an estimate; 0 without losses */
     real tol;           /* the tolerance to which the energies were computed */
 };
 

@@ -128,7 +128,7 @@ KERNEL_SHARED enum dom_status clock_begin(struct clock *c, struct segment *st, r
     st->geometry.tol /= 8;
     st->status = DOM_OK;
     enum num_status solver;
-    /* With friction, the speed may have fewer digits than the tolerance asks for. */
+    /* With losses, the speed may have fewer digits than the tolerance asks for. */
     while ((solver = clock_make(c)) == NUM_NOT_CONVERGED && c->tol < sqrt(REAL_EPSILON))
         c->tol *= 64;
     st->geometry.tol = tol_sums;

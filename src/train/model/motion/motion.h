@@ -41,7 +41,7 @@ KERNEL enum dom_status segment_begin(struct segment *segment);
  * motion does not reach hi, and the value shows how much energy is missing. */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* For a motion that stops, finds the tilt at which its energy is used up. With friction, the function may
+/* For a motion that stops, finds the tilt at which its energy is used up. With losses, the function may
  * replace the solution of the motion by another solution, which ends near this tilt. */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 

@@ -94,7 +94,7 @@ struct run {
     size_t moving; /* number of moving dominoes, including the head */
     real omegasq;  /* tau^2 omega^2 of the head when it is hit */
     /* Inertia ratio T of the collision that set the head in motion (dynamics.h), or 0 if there was none. With
-     * sharp edges, T is J(0) - 1 without friction, and A(0) - 1 with friction. */
+     * sharp edges, T is J(0) - 1 without losses, and A(0) - 1 with losses. */
     real inertia_ratio;
     real time;    /* time since the start in s, or NaN if the time is unknown */
     real carried; /* kinetic energy before the next collision, in J */
