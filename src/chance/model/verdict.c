@@ -37,13 +37,15 @@ enum { CLEAR_TILTS = 6 };
  * Returns true if it is certain that a head without losses clears its barrier. All of its followers must
  * only lose height. What they have lost at one tilt, they never regain, so it surely takes the head as far as
  * it would get alone with this energy and its own. There the followers have lost more, and so on, until the
- * energy takes the head to theta_u, or to the next domino.
+ * energy takes the head to theta_u, or to the next domino, or near the top of H: if H' = a and H'' = -b, it
+ * rises by a^2 / (2 b), and twice that leaves room for a changing b. Each time, more followers are counted.
  */
 static bool head_clears(const struct geometry *head, real kinetic)
 {
     const real stands = geometry_height(head, standing), half_u = head->h.x / (head->h.y + head->steepest);
+    struct geometry few = *head; /* the head with few followers */
     real energy = kinetic;
-    for (int i = 0; i < CLEAR_TILTS; i++) {
+    for (size_t i = 0, n = 2; i < CLEAR_TILTS; i++, n *= 2) {
         struct sums sums;
         const real cosine = (stands + energy) / head->steepest; /* of the angle from there to theta_u */
         if (cosine >= 1)
@@ -52,8 +54,12 @@ static bool head_clears(const struct geometry *head, real kinetic)
         const struct tilt t = tilt_half(half);
         if (half >= half_of_tilt(head->c))
             return true;
-        if (chain_change(head, standing, t, PASS_PLAIN, &sums) != DOM_OK)
+        few.n = n < head->n ? n : head->n;
+        if (chain_change(&few, standing, t, PASS_SECOND_DERIVATIVE, &sums) != DOM_OK)
             return false;
+        const real rise = fmax(sums.H1, 0);
+        if (sums.H2 < 0 && rise * rise <= -sums.H2 * (kinetic - sums.dH))
+            return true;
         energy = kinetic + geometry_height(head, t) - stands - sums.dH;
     }
     return false;
