@@ -11,4 +11,4 @@ FEATURES(FEATURE_DECLARE)
 const struct feature *const every_feature[] = {FEATURES(FEATURE_LIST) NULL};
 
 #define ABSENT_LIST(name, feature) {#name, #feature},
-const struct absent_parameter absent_parameters[] = {ABSENT(ABSENT_LIST){NULL, NULL}};
+const struct absent_name absent_names[] = {ABSENT(ABSENT_LIST){NULL, NULL}};

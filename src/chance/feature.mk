@@ -1,2 +1,3 @@
 NEEDS_chance := rows
-PARAMETERS_chance := seed placement error_place error_thickness error_mass error_lean error_radius error_friction error_slope error_floor error_push
+# error_place and others, whose names a macro makes.
+NAMES_chance = $(shell sed -n 's/.*{SIZED.\([a-z]*\),.*/error_\1/p' src/chance/errors.c)

@@ -1,2 +1,3 @@
 NEEDS_engine := rows
-PARAMETERS_engine := method feet bounce error_floor
+# A parameter of chance, which needs the feet of the engine.
+NAMES_engine := error_floor

@@ -337,17 +337,16 @@ static const char method_help[] =
     "have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or 'set bounce'. "
     "Endless trains always use the model.";
 
+static const struct parameter method_parameter = {
+    .name = "method",
+    .offset = offsetof(struct state, scene.method),
+    .meaning = "how rows are computed: by the model, or by a rigid-body engine",
+    .value = (const struct domq_effect_argument[]){{.name = "method", .unit = "", .usual = METHOD_MODEL}},
+    .synonyms = "engine chipmunk simulation second opinion compare check",
+    .words = (const struct word[]){{"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}, {NULL, 0}},
+    .words_only = true,
+    .help = method_help};
 static const struct parameter
-    method_parameter =
-        {.name = "method",
-         .offset = offsetof(struct state, scene.method),
-         .meaning = "how rows are computed: by the model, or by a rigid-body engine",
-         .value =
-             (const struct domq_effect_argument[]){{.name = "method", .unit = "", .usual = METHOD_MODEL}},
-         .synonyms = "engine chipmunk simulation second opinion compare check",
-         .words = (const struct word[]){{"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}, {NULL, 0}},
-         .words_only = true,
-         .help = method_help},
     feet_parameter = {.effect = &feet,
                       .number = &feet_number,
                       .by_engine = true,

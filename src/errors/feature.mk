@@ -1,2 +1,1 @@
 NEEDS_errors :=
-PARAMETERS_errors := errors

@@ -1,2 +1,1 @@
 NEEDS_parallel :=
-PARAMETERS_parallel := threads

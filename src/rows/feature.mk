@@ -1,2 +1,1 @@
 NEEDS_rows := tables parallel
-PARAMETERS_rows := row floor

@@ -364,7 +364,7 @@ static bool run_help(struct session *session, const struct arguments *given, str
         help_name(session, a, feature->name);
     else if (is_value_name(&session->state, word) || names_exact(expression_units, NULL, word) >= 0)
         help_name(session, a, "print"); /* such as sin or cm */
-    else if (k == NAMES_SEVERAL || !topics_write(a, word, ABOUT)) {
+    else if (k == NAMES_SEVERAL || k == NAMES_ABSENT || !topics_write(a, word, ABOUT)) {
         problem->place = given->column[0];
         return problem_error(problem, k == NAMES_UNKNOWN ? "%s; 'apropos WORD' finds topics" : "%s", message);
     }

@@ -121,7 +121,7 @@ static void command_unknown(struct reader *r, const char *name, int k, char mess
     if (variable_find(&r->query->state->variables, name))
         problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
-    else if (parameter_by_value(name, message))
+    else if (k == NAMES_ABSENT || parameter_by_value(name, message))
         problem_error(r->problem, "%s", message);
     else if (named)
         problem_error(r->problem, "'%s' is %s; enter 'set %s'", name,

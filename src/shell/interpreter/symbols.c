@@ -233,7 +233,7 @@ bool name_resolve(struct reader *r, struct tree *t)
     if (is_bare && feature_value(t->name, &name, &end, &value) && !*end)
         return stands_for_number(t, value);
     char message[NAMES_MESSAGE];
-    if (parameter_by_value(t->name, message))
+    if (name_absent(t->name, message) || parameter_by_value(t->name, message))
         return fail(r, t, "%s", message);
     const char *close = names_closest(value_names, r->query->state, t->name);
     const struct parameter *suggested = parameter_by_synonym(t->name, !close);

@@ -79,12 +79,25 @@ const char *names_closest(names_list *list, const void *context, const char *tex
     return best;
 }
 
+bool name_absent(const char *name, char message[NAMES_MESSAGE])
+{
+    const struct absent_name *a = absent_names;
+    while (a->name && strcmp(a->name, name) != 0)
+        a++;
+    if (a->name)
+        snprintf(message, NAMES_MESSAGE, "'%s' belongs to the feature '%s', which this build leaves out",
+                 name, a->feature);
+    return a->name;
+}
+
 int names_find(names_list *list, const void *context, const char *what, const char *text,
                char message[NAMES_MESSAGE])
 {
     int found = names_exact(list, context, text), matches = 0;
     if (found >= 0)
         return found;
+    if (name_absent(text, message))
+        return NAMES_ABSENT;
     char all[NAMES_MESSAGE / 2] = "";
     const char *name;
     for (int k = 0; *text && (name = list(context, k)) != NULL; k++) {

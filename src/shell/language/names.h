@@ -30,7 +30,16 @@ enum {
     NAMES_UNKNOWN = -1, /* no name is similar */
     NAMES_CLOSE = -2,   /* the message suggests a name that is spelled similarly */
     NAMES_SEVERAL = -3, /* the text is a prefix of several names, which the message lists */
+    NAMES_ABSENT = -4,  /* a feature that this build lacks has the name, as the message says */
 };
+
+/* The names of features that this build lacks, and these features. The last name is NULL (features.c). */
+extern const struct absent_name {
+    const char *name, *feature;
+} absent_names[];
+
+/* Returns true if a feature that this build lacks has the name. Writes a message that says so. */
+bool name_absent(const char *name, char message[NAMES_MESSAGE]);
 
 /*
  * Finds the name that a user means. Returns the index of the name that equals the text. If there is none, but

@@ -71,12 +71,8 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
 {
     word = strcmp(word, "w") == 0 ? "width" : word;
     int k = names_find(list, NULL, what, word, message);
-    for (const struct absent_parameter *p = absent_parameters; p->name && k < 0; p++)
-        if (strcmp(p->name, word) == 0) {
-            snprintf(message, NAMES_MESSAGE, "'%s' belongs to the feature '%s', which this build leaves out",
-                     word, p->feature);
-            return NAMES_UNKNOWN;
-        }
+    if (k == NAMES_ABSENT)
+        return k;
     if (k < 0 && parameter_by_value(word, message))
         return NAMES_CLOSE;
     const struct parameter *p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;

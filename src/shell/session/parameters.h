@@ -79,12 +79,6 @@ void parameters_begin(void);
  */
 void parameters_add(const struct parameter *parameter);
 
-/* The parameters of features that this build lacks, and these features. The last name is NULL (features.c).
- */
-extern const struct absent_parameter {
-    const char *name, *feature;
-} absent_parameters[];
-
 /* ---- Descriptions ---- */
 
 /* A names_list (see names.h) of all parameters. */
