@@ -172,7 +172,7 @@ KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struc
     const struct dom_train effects_given = {DOM_DYNAMICS(OF_ROW).q = 4};
     const dom_real push = given->push, tol = compute_or_default(compute).tol;
 #undef OF_ROW
-    size_t count = given->count;
+    const size_t count = given->count;
     *row = (struct row){.given = *given, .compute = compute_or_default(compute)};
     row->counted = row->compute.work;
     row->compute.work = &row->work;
@@ -195,8 +195,6 @@ KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struc
     if (!row->geometry)
         return status == DOM_OK ? DOM_NO_MEMORY : status;
     row->geometry[0] = (struct geometry){.flow = NULL};
-    while (count > 1 && row_repeats(given, count - 1))
-        count--;
     for (; row->made < count && status == DOM_OK; row->made++) {
         if (row->made % CHECK_EVERY == 0 && dom_interrupted(row->compute.interrupt))
             return DOM_INTERRUPTED;
