@@ -106,10 +106,10 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     if (flow->solution.panels > 0 && flow->tol <= geometry->tol)
         return DOM_OK;
     struct geometry fine = flow_begin(geometry);
-    real edge[CHAIN_EDGES];
+    real edge[CHAIN_EDGES], leave;
     int edges;
-    size_t moving = CHAIN_ENDLESS;
-    enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
+    size_t domino;
+    enum dom_status status = chain_edges(geometry, edge, &edges, &leave, &domino);
     /* In the collision that begins a cycle, the chain of all other dominoes hits the upright new head. */
     struct sums sums = {0};
     struct geometry hitting = fine;
@@ -125,7 +125,8 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
      * the tilt, rounding could make it wrong near an end of the piece. So the loop below sets the number once
      * for each piece.
      */
-    const bool counted = moving != CHAIN_ENDLESS;
+    const bool counted = !isnan(leave);
+    size_t moving = leave > edge[0] ? domino + 1 : domino;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
     for (int i = 1; i < edges && status == DOM_OK; i++) {

@@ -271,7 +271,7 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, bool know
         return DOM_OK;
     enum dom_status status = geometry->conservative ? DOM_OK : flow_solve(geometry);
     if (status == DOM_OK)
-        status = chain_edges(geometry, tilt_angle(geometry->c), b->edge, &b->edges, NULL);
+        status = chain_edges(geometry, b->edge, &b->edges, &b->leave, &b->domino);
     return status == DOM_OK ? barrier_pieces(geometry, standing, tol, b) : status;
 }
 

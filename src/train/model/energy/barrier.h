@@ -6,14 +6,16 @@
 
 /*
  * The barrier over [0, end], and its tilt theta_m. The tilts edge[0] = 0, ..., edge[edges - 1] = end divide
- * this interval into pieces in which H is smooth. If a domino detaches, it does so when the head has the tilt
- * edge[1].
+ * this interval into pieces in which H is smooth. In a cycle, domino number `domino` detaches when the head
+ * has the tilt `leave`, which is NaN if none detaches.
  */
 struct barrier {
     real theta_m, height;
     real half; /* tan(theta_m / 2) */
     real edge[CHAIN_EDGES];
     int edges;
+    real leave;
+    size_t domino;
 };
 
 /*

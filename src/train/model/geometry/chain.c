@@ -1,10 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/chain.h"
 
-KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
-                                   size_t *domino)
+KERNEL enum dom_status chain_edges(const struct geometry *geometry, real edge[CHAIN_EDGES], int *edges,
+                                   real *leave, size_t *domino)
 {
-    *leaves = false;
+    /* With sharp edges and r s = 1, the follower detaches as soon as the head moves, so H' jumps at the tilt
+     * 0. Start just after the jump. */
+    edge[0] = geometry->short_of == 0 ? REAL_MIN : 0;
+    edge[1] = tilt_angle(geometry->c);
+    *edges = 2;
+    *leave = REAL_NAN;
+    *domino = 0;
     if (!geometry->detaches)
         return DOM_OK;
     struct link b = link_head(geometry, standing, geometry->rolls);
@@ -23,33 +29,15 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
     }
     /* When the head is upright, the follower of domino b.i is already detached. The next domino to detach is
      * b.i itself. This happens when the leader of b.i reaches theta_leave. */
-    *head = geometry->leave;
+    struct tilt head = geometry->leave;
     for (size_t i = b.i; i > 1; i--)
-        *head = geometry_leader(geometry, *head);
-    if (domino)
-        *domino = b.i;
-    *leaves = true;
-    return DOM_OK;
-}
-
-KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
-                                   int *edges, size_t *moving)
-{
-    bool leaves;
-    struct tilt leave;
-    size_t domino = 0;
-    enum dom_status status = chain_leave(geometry, &leaves, &leave, &domino);
-    if (status != DOM_OK)
-        return status;
-    /* With sharp edges and r s = 1, the follower detaches as soon as the head moves, so H' jumps at the tilt
-     * 0. Start just after the jump. */
-    edge[0] = geometry->short_of == 0 ? fmin(REAL_MIN, end) : 0;
-    *edges = 1;
-    real theta_leave = leaves ? tilt_angle(leave) : 0;
-    if (theta_leave > edge[0] && theta_leave < end)
-        edge[(*edges)++] = theta_leave;
-    edge[(*edges)++] = end;
-    if (moving)
-        *moving = !leaves ? CHAIN_ENDLESS : theta_leave > edge[0] ? domino + 1 : domino;
+        head = geometry_leader(geometry, head);
+    *domino = b.i;
+    *leave = tilt_angle(head);
+    if (*leave > edge[0] && *leave < edge[1]) {
+        edge[2] = edge[1];
+        edge[1] = *leave;
+        *edges = 3;
+    }
     return DOM_OK;
 }

@@ -347,28 +347,18 @@ enum { PUSHES_HALVINGS = 4 };
 KERNEL_SHARED bool contact_pushes(const struct link *a, const struct link *b, int halvings);
 
 /*
- * Finds the tilt of the head at which a domino detaches. At most one domino detaches while the head moves
- * from 0 to theta_c, since the train at theta_c is the train at 0 shifted by one domino. If no domino
- * detaches, or only one that contributes less than the rounding errors, *leaves is false. Unless `domino` is
- * NULL, *domino receives the number of the domino that detaches.
- */
-KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
-                                   size_t *domino);
-
-/*
- * Divides the motion up to the tilt `end` into pieces in which the sums are smooth functions of the tilt. The
- * array `edge` receives the tilts of the head at which the pieces begin and end:
- * - edge[0] is 0. If the head only just reaches the next domino, edge[0] is slightly above 0.
- * - If a domino detaches before `end`, the tilt at that moment is the next edge. From this edge on, the
- *   detached domino no longer moves.
- * - The last edge is `end`.
+ * Divides a cycle into pieces in which the sums are smooth functions of the tilt. The array `edge` receives
+ * the tilts of the head at which the pieces begin and end, and *edges their number. edge[0] is 0, or slightly
+ * above 0 if the head only just reaches the next domino. The last edge is theta_c.
  *
- * *edges receives the number of edges. Unless `moving` is NULL, *moving receives the number of dominoes that
- * move in the first piece. If no domino detaches, this number is CHAIN_ENDLESS.
+ * At most one domino detaches in a cycle, since the train at theta_c is the train at 0 shifted by one domino.
+ * *leave receives the tilt of the head at that moment, and *domino the number of the domino. If the tilt is
+ * between the other two, it is an edge. *leave is NaN if no domino detaches, or only one that contributes
+ * less than the rounding errors.
  */
 enum { CHAIN_EDGES = 3 };
-KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
-                                   int *edges, size_t *moving);
+KERNEL enum dom_status chain_edges(const struct geometry *geometry, real edge[CHAIN_EDGES], int *edges,
+                                   real *leave, size_t *domino);
 
 /* Combines the status of a solver with the status of the function that it evaluated. An error of the function
  * takes precedence, because it tells why the solver failed. */

@@ -103,11 +103,9 @@ enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct do
     do {
         struct motion m;
         struct tilt head;
-        enum dom_status status = motion_prepare(train, &finer, false, &m), tilt_status = DOM_OK;
-        if (status == DOM_OK || status == DOM_NO_FUEL)
-            tilt_status = geometry_tilt(&m.segment.geometry, theta, &head);
-        if (tilt_status != DOM_OK)
-            status = tilt_status;
+        enum dom_status status = motion_prepare(train, &finer, false, &m);
+        if (status == DOM_OK)
+            status = geometry_tilt(&m.segment.geometry, theta, &head);
         if (status == DOM_OK)
             status = motion_speed(&m, theta, &w);
         motion_end(&m);
@@ -140,19 +138,14 @@ enum dom_status dom_cycle_duration(const struct dom_train *train, const struct d
  * does to the tilt. */
 #define DETACHED (64 * REAL_EPSILON)
 
-/* Lists the events of the motion in the order in which they happen. There are at most DOM_EVENTS_MAX. */
-static enum dom_status motion_events(const struct motion *m, struct dom_event *events, int *count)
+/* Lists the events of the motion in the order in which they happen, and returns their number, which is at
+ * most DOM_EVENTS_MAX. */
+static int motion_events(const struct motion *m, struct dom_event *events)
 {
-    bool leaves;
-    struct tilt leave;
-    size_t domino = 0;
-    enum dom_status status = chain_leave(&m->segment.geometry, &leaves, &leave, &domino);
-    if (status != DOM_OK)
-        return status;
-    const real top = m->segment.barrier.theta_m > 0 ? m->segment.barrier.theta_m : m->end,
-               fall = leaves ? tilt_angle(leave) * (1 + DETACHED) : m->end;
+    const struct barrier *b = &m->segment.barrier;
+    const real top = b->theta_m > 0 ? b->theta_m : m->end, fall = b->leave * (1 + DETACHED);
     const struct dom_event passed[] = {{.kind = DOM_EVENT_TOP, .theta = top},
-                                       {.kind = DOM_EVENT_DETACH, .theta = fall, .domino = domino}};
+                                       {.kind = DOM_EVENT_DETACH, .theta = fall, .domino = b->domino}};
     int n = 0;
     events[n++] = (struct dom_event){.kind = DOM_EVENT_LAUNCH};
     for (int i = 0; i < 2; i++) {
@@ -162,18 +155,15 @@ static enum dom_status motion_events(const struct motion *m, struct dom_event *e
     events[n++] = (struct dom_event){.kind = m->stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, .theta = m->end};
     for (int i = 0; i < n; i++)
         events[i].time = clock_time(&m->clock, events[i].theta);
-    *count = n;
-    return DOM_OK;
+    return n;
 }
 
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count)
 {
     struct motion m;
-    enum dom_status status = motion_prepare(train, compute, true, &m);
-    *count = 0;
-    if (status == DOM_OK)
-        status = motion_events(&m, events, count);
+    const enum dom_status status = motion_prepare(train, compute, true, &m);
+    *count = status == DOM_OK ? motion_events(&m, events) : 0;
     motion_end(&m);
     return status == DOM_OK && m.stops ? DOM_STOPS : status;
 }
@@ -235,11 +225,10 @@ enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_c
 {
     struct motion m;
     struct dom_event events[DOM_EVENTS_MAX];
-    int count = 0, next = 0;
+    int next = 0;
     bool more = true;
     enum dom_status status = motion_prepare(train, compute, true, &m);
-    if (status == DOM_OK)
-        status = motion_events(&m, events, &count);
+    const int count = status == DOM_OK ? motion_events(&m, events) : 0;
     for (size_t k = 0; k < states && status == DOM_OK && more; k++) {
         real part = states > 1 ? (real)k / (real)(states - 1) : 1, theta = part * m.end;
         if (by == DOM_BY_TIME && part > 0 && part < 1)

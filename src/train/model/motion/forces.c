@@ -159,19 +159,18 @@ KERNEL_SHARED enum dom_status peak_of_cycle(struct peak *p, const struct dom_tra
  * dominoes of different sizes can be compared. */
 struct least {
     const struct segment *segment;
-    real force, theta; /* the smallest force so far, and its tilt */
-    size_t domino;     /* the domino on which it acts */
-    real impulse;      /* the smallest impulse so far */
+    struct dom_least_force found; /* so far */
 };
 
 /* Sets *value to minus the smallest force at a tilt. */
 static enum dom_status least_at(real theta, void *context, real *value)
 {
-    struct least *least = context;
+    struct least *l = context;
+    struct dom_least_force *least = &l->found;
     struct kinematics motion;
     struct loaded *list;
     size_t n;
-    const enum dom_status status = forces_at(least->segment, theta, 0, &motion, &list, &n);
+    const enum dom_status status = forces_at(l->segment, theta, 0, &motion, &list, &n);
     *value = -(real)INFINITY;
     for (size_t i = 0; i < n && list[i].leaned; i++) {
         const real force = list[i].force * list[i].size / list[i].link.weight;
@@ -182,7 +181,7 @@ static enum dom_status least_at(real theta, void *context, real *value)
             least->domino = i;
         }
         if (isfinite(list[i].impulse))
-            least->impulse = fmin(list[i].impulse, least->impulse);
+            least->impulse = fmin(list[i].impulse, (real)least->impulse);
     }
     free(list);
     return status;
@@ -192,14 +191,14 @@ enum { CONTACT_SAMPLES = 3 };
 
 KERNEL_SHARED enum dom_status segment_contact(const struct segment *st, real to, real *force)
 {
-    struct least least = {.segment = st, .force = *force};
+    struct least least = {.segment = st, .found.force = *force};
     enum dom_status status = DOM_OK;
     for (int k = 0; k <= CONTACT_SAMPLES && status == DOM_OK; k++) {
         real part = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2, value;
         /* The last tilt is `to` itself, because rounding can put lo + (to - lo) beyond it. */
         status = least_at(k < CONTACT_SAMPLES ? st->lo + part * (to - st->lo) : to, &least, &value);
     }
-    *force = least.force;
+    *force = least.found.force;
     return status;
 }
 
@@ -210,10 +209,10 @@ enum dom_status dom_cycle_least_force(const struct dom_train *train, const struc
                                       struct dom_least_force *found)
 {
     struct motion m;
-    struct least least = {.segment = &m.segment, .force = (real)INFINITY, .impulse = (real)INFINITY};
+    struct least least = {&m.segment, {.force = (real)INFINITY, .impulse = (real)INFINITY}};
     struct peak peak = {PEAK_MOST / 3, least_at, &least, -(real)INFINITY, FORCES_TOL, LEAST_OFF};
     const enum dom_status status = peak_of_cycle(&peak, train, compute, &m);
     if (status == DOM_OK)
-        *found = (struct dom_least_force){least.force, least.theta, least.domino, least.impulse};
+        *found = least.found;
     return status;
 }

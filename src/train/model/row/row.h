@@ -29,9 +29,8 @@ struct row {
 KERNEL real row_tau(const struct row *row, size_t k);
 KERNEL real row_unit(const struct row *row, size_t k);
 
-/* row_begin checks a row and prepares its runs. If the row ends with many equal dominoes, their geometry is
- * left out, except that of the first. Call row_free afterwards, even after an error. If a domino is bad, sets
- * *wrong to its number, counted from 1. */
+/* row_begin checks a row and prepares its runs. Call row_free afterwards, even after an error. If a domino is
+ * bad, sets *wrong to its number, counted from 1. */
 KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struct dom_compute *compute,
                                         struct row *row, size_t *wrong);
 KERNEL_SHARED void row_free(struct row *row);
