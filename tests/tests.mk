@@ -81,8 +81,8 @@ $(P)/tap/%.bats.count: tests/%.bats all FORCE
 	@tests/run --suite $(P) $<
 
 # Runs the quick tests: the unit tests, the short sessions, and a twentieth of the points of the sweeps.
-QUICK_HARD := $(P)/hard/test_sweep $(P)/hard/test_properties
-QUICK_BATS := $(wildcard $(patsubst %,tests/%.bats,shell/output train/count train/growth train/effects rows/rows train/precision pictures/draw train/cycle))
+QUICK_HARD := $(filter %/test_sweep %/test_properties,$(HARD_BIN))
+QUICK_BATS := $(filter $(patsubst %,tests/%.bats,shell/output train/count train/growth train/effects rows/rows train/precision pictures/draw train/cycle),$(BATS))
 QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
 
 quick: export SWEEP_SIZE := 0.05
@@ -94,14 +94,18 @@ sessions: $(SHELL_RUN)
 quick test unit hard sessions:
 	@tests/run --sum $^
 
-# Takes each feature away in turn, with what needs it, and runs the sessions that are left. 'make removable
-# REMOVED="centre fit"' tests only these; 'centre' takes all away. With LEFT=all, no sessions run.
+# Takes each feature away, with what needs it, and runs the tests that are left. 'make removable REMOVED="centre fit"'
+# tests only these; 'centre' takes all away, and 'turn' the feature whose turn it is: the number of commits modulo the
+# number of features says which. With LEFT=all, no tests run.
 REMOVABLE := $(filter-out $(JOINT) train,$(EVERY))
 REMOVED   ?= centre $(REMOVABLE)
 LEFT      ?= unit sessions
 left_by    = $(foreach f,$(REMOVABLE),$(if $(filter centre,$(1))$(filter $(1),$(call with_needs,$f)),,$f))
-removable: $(REMOVED:%=without-%)
-without-%: all
+TURN       = $(word $(shell echo $$(($$(git rev-list --count HEAD 2>/dev/null || echo 0) % $(words $(REMOVABLE)) + 1))),$(REMOVABLE))
+removable: $(patsubst %,without-%,$(patsubst turn,$(TURN),$(REMOVED)))
+# Two builds at a time share the objects of tests, which are therefore compiled first.
+without-%: all $(if $(filter unit,$(LEFT)),$(call OBJ,$(wildcard tests/unit/*.c)))
+	@echo '  WITHOUT  $*'
 	+@$(MAKE) --no-print-directory P=$(B)/without/$* FEATURES='$(call left_by,$*)' $(LEFT)
 	@tests/names $(P)/domino $(B)/without/$*/domino
 
