@@ -288,6 +288,11 @@ bool run_change(const struct query *query, struct answer *a, struct problem *pro
 
 /* ---- Replace ---- */
 
+/* What of a domino is a length. The width is the last one. */
+static const enum row_measure lengths[] = {MEASURE_GAP, MEASURE_HEIGHT, MEASURE_THICKNESS, MEASURE_RADIUS,
+                                           MEASURE_WIDTH};
+enum { LENGTHS = sizeof lengths / sizeof *lengths };
+
 static bool is_near(domq_real a, domq_real b)
 {
     return quad(fabs)(a - b) <= (domq_real)1e-12 * quad(fabs)(b);
@@ -297,14 +302,12 @@ static bool is_near(domq_real a, domq_real b)
 static void domino_set(struct changed_domino *change, const struct domq_domino *now, struct domq_domino to,
                        bool sizes, domq_real masses)
 {
-    static const enum row_measure measures[] = {MEASURE_GAP, MEASURE_HEIGHT, MEASURE_THICKNESS,
-                                                MEASURE_RADIUS, MEASURE_WIDTH};
     struct domq_domino from = *now;
     const domq_real times = to.mass / now->mass * masses;
-    for (int i = 0; i < (sizes ? 5 : 4) && !(masses > 0); i++) {
-        const domq_real value = *row_measure_at(&to, measures[i]);
-        if (!is_near(*row_measure_at(&from, measures[i]), value))
-            *row_measure_at(&change->to, measures[i]) = value;
+    for (int i = 0; i < LENGTHS - !sizes && !(masses > 0); i++) {
+        const domq_real value = *row_measure_at(&to, lengths[i]);
+        if (!is_near(*row_measure_at(&from, lengths[i]), value))
+            *row_measure_at(&change->to, lengths[i]) = value;
     }
     if (masses > 0 && !is_near(times, 1))
         change->to.mass = (isnan(change->to.mass) ? 1 : change->to.mass) * times;
@@ -365,20 +368,51 @@ bool run_remove(const struct query *query, struct answer *a, struct problem *pro
     return true;
 }
 
-/* Inserts a copy of the domino that has the number k, or of the last one. The copy gets this number. */
+/* A names_list (see names.h) of the sizes that 'insert' sets. */
+const char *insert_sizes(const void *context, int k)
+{
+    (void)context;
+    return k == 0 ? "height" : NULL;
+}
+
+/* Enlarges a domino, of which `d` has the measurements, and its gap. It keeps its density. If it does not
+ * fit, sets *problem and returns false. */
+static bool domino_enlarge(struct changed_domino *change, struct domq_domino *d, domq_real times,
+                           struct problem *problem)
+{
+    char message[MISFIT_MESSAGE];
+    bool good = true;
+    d->mass *= times * times * times;
+    for (int i = 0; i < LENGTHS && good; i++) {
+        domq_real *value = row_measure_at(d, lengths[i]);
+        *value *= times;
+        if (*value > 0) /* without a radius of its own, a domino has that of 'set edges' */
+            *row_measure_at(&change->to, lengths[i]) = *value;
+        good = csv_fits(&rowfile_kind.column[lengths[i]], *value, message);
+    }
+    return (good && csv_fits(&rowfile_kind.column[MEASURE_MASS], d->mass, message)) ||
+           problem_no_answer(problem, "the new domino: %s", message);
+}
+
+/* Inserts a copy of the domino that has the number k, or of the last one. The copy gets this number and, if a
+ * height is given, all its sizes and the gap before it in proportion. */
 bool run_insert(const struct query *query, struct answer *a, struct problem *problem)
 {
     const size_t most = (size_t)domq_effect(DOM_EFFECT_row)->argument[0].highest,
                  k = (size_t)query->given->number[0], at = k - 1;
     struct scene_row row;
     struct listed_row *next;
+    if (query->given->count == 2)
+        return problem_error(problem, "the height is missing; enter, for example, 'insert %zu height 30 cm'",
+                             k);
     if (!query->next)
         return true;
     struct scene *scene = &query->next->scene;
     if (!scene_row_list(scene, &row, problem))
         return false;
     const size_t count = row.row.count, like = k <= count ? k - 1 : count - 1;
-    const struct domq_domino copied = row.domino[like];
+    struct domq_domino copied = row.domino[like];
+    const domq_real times = query->given->count > 2 ? query->given->number[2] / copied.height : 1;
     /* A new second domino, or one that moves to the second place, has no gap of its own if it is a copy of
      * the first. It gets a gap in proportion to the next one. */
     const domq_real gap =
@@ -399,6 +433,10 @@ bool run_insert(const struct query *query, struct answer *a, struct problem *pro
     to[at] = to[like];
     if (like == 0 && to[at].origin == 0)
         to[1].to.gap = gap;
+    if (times != 1 && !domino_enlarge(&to[at], &copied, times, problem)) {
+        slot_drop(&next->slot);
+        return false;
+    }
     to->to.gap = DOMQ_NAN;
     next->changes = count + 1;
     edit_end(scene, next);

@@ -297,12 +297,20 @@ static const struct command row_commands[] = {
      .run = run_remove},
     {.name = "insert",
      .synonyms = "add append extend more copy",
-     .argument = {{.name = "K", .kind = ARGUMENT_COUNT}},
+     .argument = {{.name = "K", .kind = ARGUMENT_COUNT},
+                  {.name = "height",
+                   .kind = ARGUMENT_CHOICE,
+                   .noun = "size",
+                   .optional = true,
+                   .choices = insert_sizes},
+                  {.name = "X", .kind = ARGUMENT_HEIGHT, .optional = true}},
      .summary = "put another domino into the row, as number K",
-     .help = "The new domino is a copy of the one that was number K, with the same gap before it; 'change' "
-             "gives it other sizes. The domino that was number K and those after it move on. If the row has "
-             "5 dominoes, 'insert 6' adds one at the end, like the last.",
-     .example = "set row 5; insert 3; change 3 height 9 cm; row",
+     .help =
+         "The new domino is a copy of the one that was number K, with the same gap before it. With a "
+         "height, as in 'insert 3 height 30 cm', its other sizes and its gap are in proportion, and it has "
+         "the same density. The domino that was number K and those after it move on. If the row has 5 "
+         "dominoes, 'insert 6' adds one at the end, like the last.",
+     .example = "set row 5; insert 3 height 9 cm; row",
      .see = "remove change row",
      .access.changes = true,
      .run = run_insert},

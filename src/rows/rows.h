@@ -25,6 +25,7 @@ bool remove_bind(const struct question *question, const struct query *query, str
                  struct problem *problem);
 bool run_change(const struct query *query, struct answer *a, struct problem *problem);
 bool run_remove(const struct query *query, struct answer *a, struct problem *problem);
+const char *insert_sizes(const void *context, int k);
 bool run_insert(const struct query *query, struct answer *a, struct problem *problem);
 
 /* ---- A row of one's own (listed.c) ---- */

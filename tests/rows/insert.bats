@@ -34,6 +34,18 @@ four() {
     same 'copies of changes' '0.009 0.009' "$(column thickness 'set row 2; change 2 thickness 9 mm; insert 2; remove 1')"
 }
 
+@test "insert: another height, and the rest in proportion" {
+    local scene row
+    same 'sizes and gap' '0.03 0.004375 0.012' "$(for key in height thickness gap; do json 'set row 3; insert 2 height 3 cm; row' | sed -n 2p | values $key; done | paste -sd ' ')"
+    same 'width, edges' '0.015 0.0015' "$(for key in width radius; do json 'set row 3; set width 0.25; change all width 24 mm; change 2 radius 3.6 mm; insert 2 height 3 cm; row' | sed -n 2p | values $key; done | paste -sd ' ' | awk '{ print $1 * 1.5, $2 }')"
+    for scene in 'set q solid' 'set q hollow' 'set walls 1 mm'; do # the same density, except that walls are as thick as before
+        row=$(json "$scene; set density 600; set row 4; insert 3 height 30 cm; row" | sed -n 3p)
+        same "$scene" "$(json "$scene; set density 600; set row 4; insert 3; change 3 height 30 cm; change 3 thickness 43.75 mm; change 3 width 15 cm; row" | sed -n 3p | values mass)" "$(values mass <<<"$row")"
+    done
+    same 'at the end' '0.072 0.3 0.12' "$(json 'set row 2; insert 3 height 30 cm; row' | sed -n 2,3p | values height | paste -sd ' ') $(json 'set row 2; insert 3 height 30 cm; row' | sed -n 3p | values gap)"
+    same people 'domino 2: 3.6 cm tall and 5.25 mm thick; the row has 4.' "$(echo 'set row 3; insert 2 height 36 mm' | "$DOMINO")"
+}
+
 @test "remove and insert: rows from files keep masses and leans; files and scripts" {
     four
     same masses '0.005 0.2' "$(column mass 'set row four.csv; remove 2,3' 2>/dev/null)"
@@ -53,7 +65,7 @@ four() {
         [ $((seed % 2)) = 0 ] || base='set row four.csv; set q hollow'
         edits=$(awk -v seed=$seed 'BEGIN { srand(seed); n = 4; for (i = 0; i < 9; i++) { k = 1 + int(n * rand()); what = rand()
             if (what < 0.3 && n > 2) { print "remove " k; n-- }
-            else if (what < 0.5) { print "insert " k; n++ }
+            else if (what < 0.5) { print "insert " k (what < 0.4 ? " height " 40 + int(60 * rand()) " mm" : ""); n++ }
             else print "change " k " " (what < 0.85 ? "mass" : "thickness") " +" 1 + int(20 * rand()) " %" } }' | paste -sd ';')
         saved=$(json "$base; $edits; row; save saved.dom" 2>/dev/null)
         [ "$(wc -l <<<"$saved")" -gt 2 ]
@@ -69,6 +81,8 @@ four() {
     wrong 'set row 5; remove all' "a row has at least one domino; 'set row off' removes the row"
     wrong 'set row 5; remove' 'K is missing; usage: remove K'
     wrong 'set row 5; insert 9' "there is no place 9 in this row of 5 dominoes; 'insert 6' adds one at its end"
-    wrong 'set row 5; insert 3 30 cm' 'one argument too many'
-    same 'nothing changed' '0.048 0.072' "$(json 'set row 2; remove 3; remove 1-2; insert 9; insert 1 1 kg; row' 2>/dev/null | values height | paste -sd ' ')"
+    wrong 'set row 5; insert 3 30 cm' "unknown size '30'; use one of: height"
+    wrong 'set row 5; insert 3 height' "the height is missing; enter, for example, 'insert 3 height 30 cm'"
+    wrong 'set row 5; insert 3 height 1e12 m' 'the new domino: .* is too large'
+    same 'nothing changed' '0.048 0.072' "$(json 'set row 2; remove 3; remove 1-2; insert 9; insert 1 1 kg; insert 1 height 0 m; row' 2>/dev/null | values height | paste -sd ' ')"
 }

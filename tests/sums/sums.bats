@@ -47,7 +47,7 @@ print sum(chain(0).weight / sum(chain(0).weight))|1
 set s 0.3; let a = sum(chain(0).arm_a); set s 0.4; print sum(chain(0).arm_a) - a with s 0.3|0
 print count(112 m) + count(112 m, 2)|32
 print max(3, 4) + min(3, 4)|7
-let sum(x) = 3*x; print sum(rmax) - 3*rmax|0
+let f(sum) = 3*sum; print f(rmax) - 3*rmax|0
 END
 }
 
@@ -87,6 +87,9 @@ END
     wrong 'set row 3; print max(fall.hit)' "fall.hit has no value in row 1; 'if' can choose another value there"
     wrong 'set row 3; print sum(row.mass)' "row.mass is not in the table here; enter 'row' to see why"
     wrong 'set row 3; print sum(if(row.domino == 1, 0, row.gap))' 'a plain number and a length are in different rows of the same column'
+    for name in 'sum(x)' sum 'min(x)' 'max(x, y)' 'count(x)'; do # a function of the user would hide the sums
+        wrong "let $name = 1" "'${name%%(*}' is a (built-in value|command|unit); choose another name, such as 'my_${name%%(*}'"
+    done
     wrong 'let w(t) = chain(t).weight; print w(0)' "in 'w\(t\)': 'chain' has no value: its answer is a table"
 }
 

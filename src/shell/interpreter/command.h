@@ -221,7 +221,7 @@ const char *command_keys(const void *command, int k); /* the columns that sweeps
 
 /* A names_list of the names that are known in expressions: the built-in names, 'sum', the names of features
  * such as landmarks, 'ans', the variables of the state `context`, and all commands and parameters, even those
- * without a value. If `context` is NULL, the list has no variables, nor 'sum' and names of features, which a
+ * without a value. If `context` is NULL, the list has neither variables nor the names of features, which a
  * variable may hide. */
 const char *value_names(const void *context, int k);
 

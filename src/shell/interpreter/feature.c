@@ -153,7 +153,7 @@ const char *value_names(const void *context, int k)
     if (k < variables)
         return state->variables.list[k].name;
     k -= variables;
-    if (state && aggregates && k-- == 0)
+    if (aggregates && k-- == 0)
         return aggregates->name;
     return k == 0 ? "ans" : topic_names(NULL, k - 1);
 }
