@@ -22,7 +22,6 @@ struct watch {
     double *tilt, *omega; /* tilt and angular velocity of each domino, in rad and rad/s */
     size_t head, moving;  /* index of the head, and number of moving dominoes */
     struct descent last;  /* the last motion over a segment */
-    struct clock clock;   /* of `last` */
 };
 
 /* ---- The state at a given tilt of the head ---- */
@@ -92,24 +91,13 @@ static void watch_head(struct run *run, size_t k)
 static enum dom_status watch_motion(struct run *run, const struct descent *d)
 {
     struct watch *w = run->options->context;
-    if (isnan(d->begins + d->time) && w->next < w->times)
-        return DOM_NO_MARGIN;
+    enum dom_status status = isnan(end_of(d)) && w->next < w->times ? DOM_NO_MARGIN : DOM_OK;
     w->last = *d;
-    d = &w->last;
-    enum dom_status status = DOM_OK;
-    /*
-     * If a requested time lies in this motion, its tilt is sought. If the motion ends here, the caller does
-     * not know the duration, and watch_rest needs the time of the end.
-     */
-    if (isnan(d->lasts) || (w->next < w->times && w->time[w->next] < end_of(d)))
-        status = clock_begin(&w->clock, &w->last.st, d->to, d->stops, d->st.geometry.tol);
-    if (isnan(d->lasts) && status == DOM_OK)
-        w->last.lasts = clock_time(&w->clock, d->to);
     while (status == DOM_OK && w->next < w->times && w->time[w->next] < end_of(d)) {
         const real time = (w->time[w->next] - d->begins) / d->tau - d->time;
         real theta = d->st.lo;
         if (time > 0)
-            status = clock_tilt(&w->clock, time, &theta);
+            status = clock_tilt(&run->clock, time, &theta);
         if (status == DOM_OK)
             status = watch_state(w, theta);
         if (status == DOM_OK)
@@ -179,7 +167,6 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
         status = row_run(row, compute, &options, watch_goes_on, &w, verdict);
     free(w.tilt);
     free(w.omega);
-    clock_free(&w.clock);
     return status;
 }
 

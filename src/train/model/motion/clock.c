@@ -148,15 +148,6 @@ KERNEL_SHARED real clock_time(const struct clock *c, real theta)
     return num_linear_moved(&c->time, x, x - c->time.panel[0].lo);
 }
 
-KERNEL enum dom_status segment_time(struct segment *st, real tol, real *time)
-{
-    struct clock clock = {.tol = tol};
-    const enum dom_status status = clock_begin(&clock, st, st->hi, false, tol);
-    *time = status == DOM_OK ? clock_time(&clock, st->hi) : REAL_NAN;
-    clock_free(&clock);
-    return status;
-}
-
 /* A root is the tilt at which the clock shows a time. */
 struct sought {
     const struct clock *clock;

@@ -122,13 +122,12 @@ enum dom_status dom_cycle_duration(const struct dom_train *train, const struct d
                                    dom_real *duration)
 {
     struct motion m;
-    real time = REAL_NAN;
     enum dom_status status = motion_prepare(train, compute, false, &m);
     if (status == DOM_OK)
-        status = m.stops ? DOM_STOPS : segment_time(&m.segment, m.tol, &time);
-    motion_end(&m);
+        status = m.stops ? DOM_STOPS : clock_begin(&m.clock, &m.segment, m.end, false, m.tol);
     if (status == DOM_OK)
-        *duration = time;
+        *duration = clock_time(&m.clock, m.end);
+    motion_end(&m);
     return status;
 }
 

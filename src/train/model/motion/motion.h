@@ -60,7 +60,8 @@ struct clock {
 
 /* Makes the clock of the motion from segment->lo to the tilt `to`. The segment must exist as long as the
  * clock. The memory of an earlier clock is used again; a new one must be {0}, and clock_free frees it.
- * Returns DOM_NO_MARGIN if the energy is too close to the barrier to compute times. */
+ * If the motion nearly stops, its time grows like ln(1/margin). Returns DOM_NO_MARGIN if the energy is too
+ * close to the barrier to compute times. */
 KERNEL_SHARED enum dom_status clock_begin(struct clock *clock, struct segment *segment, real to, bool rests,
                                           real tol);
 KERNEL_SHARED void clock_free(struct clock *clock);
@@ -70,10 +71,6 @@ KERNEL_SHARED real clock_time(const struct clock *clock, real theta);
 
 /* Finds the tilt at a time from 0 to clock_time(clock, clock->to). */
 KERNEL_SHARED enum dom_status clock_tilt(const struct clock *clock, real time, real *theta);
-
-/* Finds the duration of a segment, in tau. If the train nearly stops, the duration grows like ln(1/margin).
- * Returns DOM_NO_MARGIN as clock_begin does. */
-KERNEL enum dom_status segment_time(struct segment *segment, real tol, real *time);
 
 /* ---- The cycle of an endless train (cycle.c) ---- */
 

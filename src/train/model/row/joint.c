@@ -174,8 +174,8 @@ KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struc
 #undef OF_ROW
     const size_t count = given->count;
     *row = (struct row){.given = *given, .compute = compute_or_default(compute)};
-    row->counted = row->compute.work;
-    row->compute.work = &row->work;
+    if (!row->compute.work)
+        row->compute.work = &row->work;
     enum dom_status status = dom_arithmetic()->bits == 0                                   ? DOM_NO_PRECISION
                              : IS_NEWER(given) || IS_NEWER(&row->compute)                  ? DOM_NEWER
                              : count == 0                                                  ? DOM_BAD_COUNT
@@ -210,10 +210,4 @@ KERNEL_SHARED void row_free(struct row *row)
     if (row->geometry)
         dynamics_end(row->geometry);
     free(row->geometry);
-    struct dom_work *sum = row->counted;
-    if (sum) {
-        sum->passes += row->work.passes;
-        sum->dominoes += row->work.dominoes;
-        sum->longest = row->work.longest > sum->longest ? row->work.longest : sum->longest;
-    }
 }

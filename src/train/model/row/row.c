@@ -59,8 +59,11 @@ static enum dom_status descent_move(struct descent *d, struct segment *next)
     d->lasts = ends ? REAL_NAN : 0;
     if (status == DOM_OK && moves && (options->forces || !st->end.pushes))
         status = segment_contact(st, d->to, &d->least_force);
-    if (status == DOM_OK && !ends && options->times)
-        status = segment_time(st, st->geometry.tol, &d->lasts);
+    if (status == DOM_OK && options->times && (!ends || options->moves)) {
+        struct clock *clock = &d->run->clock;
+        status = clock_begin(clock, st, d->to, d->stops, st->geometry.tol);
+        d->lasts = status == DOM_OK ? clock_time(clock, d->to) : REAL_NAN;
+    }
     if (status == DOM_NO_MARGIN) /* then the time is NaN */
         status = DOM_OK;
     if (status == DOM_OK && moves && options->moves)
@@ -300,7 +303,7 @@ static bool row_is_steady(const struct run *run, const struct run *before, const
     const struct row *row = run->row;
     const real after = run->omegasq, lambda = d->st.gain * after / d->st.start.omegasq,
                left = fabs(after - before->omegasq) * lambda / (1 - lambda);
-    return !run->options->every && row->work.longest + STEADY_MORE <= alike &&
+    return !run->options->every && row->compute.work->longest + STEADY_MORE <= alike &&
            run->moving - before->moving <= 1 && lambda < 1 && left <= STEADY_SHARE * row->compute.tol * after;
 }
 
@@ -375,6 +378,7 @@ KERNEL_SHARED enum dom_status row_run(const struct dom_row *given, const struct 
         run.verdict.seconds = options->times ? run.time : REAL_NAN;
         if (status == DOM_OK)
             *verdict = run.verdict;
+        clock_free(&run.clock);
     }
     row_free(&row);
     return status;

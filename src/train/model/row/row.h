@@ -22,7 +22,7 @@ struct row {
     struct geometry *geometry;
     /* number of elements of `geometry` that are filled in so far; a run fills in more when it needs them */
     size_t made;
-    struct dom_work work, *counted; /* of this row alone, and the counters to which row_free adds it */
+    struct dom_work work; /* the counters, unless the caller has some */
 };
 
 /* Return tau of domino k in s, and its unit of energy m g h / 2 in J. Its geometry must be filled in. */
@@ -98,6 +98,7 @@ struct run {
     real time;    /* time since the start in s, or NaN if the time is unknown */
     real carried; /* kinetic energy before the next collision, in J */
     struct dom_verdict verdict;
+    struct clock clock; /* of the last motion over a segment, if the run has times */
 };
 
 /* The motion of one head, which is computed segment by segment, in the units of this head. */
@@ -109,7 +110,7 @@ struct descent {
     size_t moving;     /* number of dominoes that move after this segment */
     real J0;           /* J at the hit */
     /* The time since the hit at which the segment begins, and how long it lasts, in tau. `lasts` is NaN if it
-     * is not known. */
+     * is not known. Where the motion ends, it is known only in a run with `moves`. */
     real time, lasts;
     real climbed;               /* rise of the potential energy since the hit */
     real least_margin, theta_m; /* smallest margin so far, and the tilt of its barrier */
