@@ -30,6 +30,7 @@
 #include "numerics/real.h"
 #include "planning/model/shape.h"
 #include "row/row.h"
+#include "search/search.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics.h>
@@ -82,6 +83,156 @@ enum { SCATTER_ROWS = 128 };
  * does not matter. So a changed row is not run if the probability is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
+/* ---- The dominoes that the variables describe ----
+ *
+ * Each gap has one variable: ln(gap / height of the domino before the gap). If sizes may change, each domino
+ * between the first and the last has one, too: the logarithm of the factor by which this domino and those
+ * after it, except the last, become larger.
+ */
+
+/* Limits of a gap, as fractions of the height of the domino before it. */
+#define LEAST (1.0 / 1000)
+#define MOST  (98.0 / 100)
+
+/* If a row is too long for the hall, its gaps are narrowed. To avoid a kink, the narrowing sets in gradually,
+ * a little before the row fills the hall. The larger this exponent, the more abruptly the narrowing sets in.
+ * If the row exactly fills the hall, its gaps are multiplied by 2^(-1 / SHARP). */
+#define SHARP 64.0
+
+/* A height is multiplied or divided by at most this factor. */
+#define FARTHEST 4.0
+
+/* Two lengths count as equal if their relative difference is at most this, because of rounding errors. */
+#define SAME 1e-9
+
+enum dom_status limits_check(const struct dom_limits *l)
+{
+    enum dom_status status = !(l->q > 0 && l->q < HUGE_VAL)          ? DOM_BAD_Q
+                             : !(l->hall > 0)                        ? DOM_BAD_HALL
+                             : !(l->grid >= 0 && l->grid < HUGE_VAL) ? DOM_BAD_GAP
+                                                                     : DOM_OK;
+    for (size_t i = 0; i < l->boards && status == DOM_OK; i++)
+        status = l->board[i] > 0 && l->board[i] < HUGE_VAL ? DOM_OK : DOM_BAD_THICKNESS;
+    return status;
+}
+
+/* Returns the number of dominoes whose sizes may change: those from index 1 on. */
+static size_t sizes_of(const struct shape *s)
+{
+    return s->limits->sizes && s->row->count > 2 ? s->row->count - 2 : 0;
+}
+
+/* Sets the height and the thickness of a domino. Its mass, its width and the radius of its edges change
+ * accordingly. */
+static void resize(const struct shape *s, struct dom_domino *d, double height, double thickness)
+{
+    const struct dom_domino before = *d;
+    const double x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q;
+    d->width *= x;
+    d->radius *= x;
+    d->height = height;
+    d->thickness = thickness;
+    /* The mass of a solid domino (q = 4) is proportional to its thickness. The mass of a domino with thin
+     * walls (q = 3) hardly depends on its thickness. */
+    d->mass *= wood_factor(s->row, &before, d, pow(x, q - 1) * pow(slimmer, q - 3));
+}
+
+/* Returns the multiple of the grid nearest to a length, but at least one grid step. */
+static double on_grid(const struct shape *s, double length)
+{
+    const double grid = s->limits->grid;
+    return grid > 0 ? multiple_of(fmax(floor(length / grid + 0.5), 1), grid) : length;
+}
+
+/* Returns the thickness that a domino gets if `thickness` is wanted: that of the closest board, if it must be
+ * made from a board. If boxes_above of the row is > 0, boxes may have any thickness. */
+static double board_near(const struct shape *s, double height, double thickness, bool final)
+{
+    const struct dom_limits *l = s->limits;
+    const bool is_free = l->boards == 0 || (s->row->boxes_above > 0 && walls_of(s->row, height) > 0);
+    double near = is_free ? thickness : l->board[0];
+    for (size_t i = 1; i < l->boards && !is_free; i++)
+        near = fabs(l->board[i] - thickness) < fabs(near - thickness) ? l->board[i] : near;
+    return is_free && final ? on_grid(s, near) : near;
+}
+
+/* Rounds all gaps to the grid. If each gap were rounded alone, the rounding errors could add up. So before a
+ * gap is rounded, the rounding error of the earlier gaps is added to it. */
+static void gaps_round(const struct shape *s, struct dom_domino *d)
+{
+    const double grid = s->limits->grid;
+    double exact = 0, rounded = 0;
+    for (size_t k = 1; k < s->row->count && grid > 0; k++) {
+        exact += d[k].gap;
+        d[k].gap = multiple_of(fmax(floor((exact - rounded) / grid + 0.5), 0), grid);
+        rounded += d[k].gap;
+    }
+}
+
+/* Writes the dominoes that the variables x describe. If a domino cannot reach across the gap after it, this
+ * gap is narrowed. If the row is too long for the hall, all gaps are narrowed. If `final` is true, lengths
+ * are rounded to the grid. If the hall is too short even without gaps, returns false. */
+static bool shape_dominoes(const struct shape *s, const double *x, bool final, struct dom_domino *d)
+{
+    const size_t count = s->row->count;
+    const struct dom_domino *given = s->row->domino;
+    double room = s->limits->hall - given[count - 1].height - s->limits->grid, sum = 0, larger = 0;
+    memcpy(d, given, count * sizeof *d);
+    for (size_t k = 1; k <= sizes_of(s); k++) {
+        larger += x[count - 2 + k];
+        const double wish = given[k].height * exp(fmin(fmax(larger, -log(FARTHEST)), log(FARTHEST))),
+                     height = final ? on_grid(s, wish) : wish;
+        resize(s, &d[k], height, board_near(s, height, given[k].thickness / given[k].height * height, final));
+    }
+    for (size_t k = 0; k < count; k++)
+        room -= d[k].thickness;
+    for (size_t k = 1; k < count; k++) {
+        d[k].gap = fmin(fmax(exp(x[k - 1]), LEAST), MOST) * d[k - 1].height;
+        sum += d[k].gap;
+    }
+    if (room <= 0 && count > 1)
+        return false;
+    /* This is min(1, room / sum) without the kink, so that the minimizer can follow the limit. */
+    const double narrower = isinf(room) ? 1 : pow(1 + pow(sum / room, SHARP), -1 / SHARP);
+    for (size_t k = 1; k < count; k++)
+        d[k].gap *= narrower;
+    if (final)
+        gaps_round(s, d);
+    return true;
+}
+
+void shape_round(const struct shape *s, size_t count, struct dom_domino *d)
+{
+    for (size_t k = 1; k < count; k++) {
+        const double height = k + 1 < s->row->count ? on_grid(s, d[k].height) : d[k].height;
+        resize(s, &d[k], height, board_near(s, height, d[k].thickness * (height / d[k].height), true));
+    }
+    gaps_round(s, d);
+}
+
+static bool is_near(double a, double b)
+{
+    return fabs(a - b) <= SAME * fabs(b);
+}
+
+/* Returns true if a row is within the limits. `rounded` has room for its dominoes. */
+static bool shape_keeps(const struct shape *s, const struct dom_domino *d, struct dom_domino *rounded)
+{
+    const size_t count = s->row->count;
+    double length = d[count - 1].height;
+    bool keeps = true;
+    memcpy(rounded, d, count * sizeof *d);
+    shape_round(s, 1 + sizes_of(s), rounded);
+    for (size_t k = 0; k < count; k++) {
+        length += d[k].gap + d[k].thickness;
+        keeps = keeps && is_near(d[k].height, rounded[k].height) &&
+                is_near(d[k].thickness, rounded[k].thickness) && is_near(d[k].gap, rounded[k].gap);
+    }
+    return keeps && length <= s->limits->hall * (1 + SAME);
+}
+
+/* ---- The state of the search ---- */
+
 struct search {
     struct shape shape;
     const struct dom_compute *compute;
@@ -113,18 +264,12 @@ struct search {
 /* ---- The function that is minimized ---- */
 
 /* Collects the energy margins of a row while the row runs. */
-struct margins {
-    double *margin;
-    bool tips; /* true if the first domino is tipped over its edge, and therefore has no margin */
-};
-
 static bool margin_seen(const struct dom_fall *fall, void *context)
 {
-    const struct margins *run = context;
+    double *const margin = context;
     /* the barrier is infinite if friction locks the domino */
     const double z = fall->barrier > 0 ? log(fall->kinetic / fall->barrier) : MARGIN_MOST;
-    if (!(run->tips && fall->domino == 1))
-        run->margin[fall->domino - 1] = fmin(fmax(z, MARGIN_LEAST), MARGIN_MOST);
+    margin[fall->domino - 1] = fmin(fmax(z, MARGIN_LEAST), MARGIN_MOST);
     return true;
 }
 
@@ -149,11 +294,12 @@ static enum dom_status row_fails(struct draw *draw, size_t i, void *context)
         reach[k] = k > 0 ? 1 - draw->domino[k].gap / draw->domino[k - 1].height : MARGIN_MOST;
     }
     static const struct run_options options = {.carries_on = true};
-    struct margins run = {.margin = margin, .tips = isnan(draw->row.push)};
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
-    const enum dom_status status = row_run(&draw->row, &s->rough, &options, margin_seen, &run, &verdict);
+    const enum dom_status status = row_run(&draw->row, &s->rough, &options, margin_seen, margin, &verdict);
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return status;
+    if (isnan(draw->row.push))
+        margin[0] = UNSEEN;
     if (status != DOM_OK)
         margin[0] = MARGIN_NONE;
     else if (verdict.end != DOM_ROW_FALLS && verdict.end != DOM_ROW_STOPS && verdict.end != DOM_ROW_MISSES)
@@ -202,14 +348,6 @@ static void widths_set(struct search *s, double width)
 
 /* ---- The search ---- */
 
-/* Runs the random rows that decide whether a result is kept. Counts how many of them fall. */
-static enum dom_status count(const struct search *s, const struct dom_domino *domino, struct dom_study *study)
-{
-    struct dom_row row = *s->shape.row;
-    row.domino = domino;
-    return dom_placement_study(&row, s->compute, s->placement, study, NULL);
-}
-
 /*
  * Decides whether the row at x becomes the best row. First, the row is rounded to the grid.
  * Then the rounded row must be within the limits and must pass two tests:
@@ -227,7 +365,9 @@ static void consider(struct search *s)
     const double fails = fails_find(s, s->candidate, NULL, s->probability);
     if (s->status != DOM_OK || !(fails < s->least || s->study[1].rows == 0))
         return;
-    const enum dom_status status = count(s, s->candidate, &study);
+    struct dom_row row = *s->shape.row;
+    row.domino = s->candidate;
+    const enum dom_status status = dom_placement_study(&row, s->compute, s->placement, &study, NULL);
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         s->status = status;
     if (status != DOM_OK || (s->given_allowed && study.fall <= s->study[0].fall))
@@ -301,7 +441,7 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
     study[0] = study[1] = (struct dom_study){.rows = 0};
     s.status = limits_check(limits);
     if (s.status == DOM_OK)
-        s.status = count(&s, row->domino, &study[0]);
+        s.status = dom_placement_study(row, compute, placement, &study[0], NULL);
     if (s.status != DOM_OK) {
         study[0].rows = 0;
         return s.status;
@@ -322,9 +462,11 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
         s.probability = s.margin + 2 * n * ROWS_MOST;
         s.given_allowed = shape_keeps(&s.shape, domino, s.candidate);
         study[1] = s.given_allowed ? study[0] : study[1];
-        s.variables = shape_begin(&s.shape, s.x);
+        s.variables = n - 1 + sizes_of(&s.shape);
         for (size_t i = 0; i < s.variables; i++)
             s.step[i] = FIRST_STEP;
+        for (size_t k = 0; k + 1 < n; k++)
+            s.x[k] = log(fmax(domino[k + 1].gap / domino[k].height, LEAST));
         const bool is_needed = n > 1 && !(s.given_allowed && study[0].fall == study[0].rows);
         if (is_needed && !shape_dominoes(&s.shape, s.x, false, s.domino))
             s.status = DOM_BAD_HALL;
