@@ -85,28 +85,30 @@ TEST(rows_again_end_like_whole_rows)
     for (int i = 0; i < 150; i++) {
         static struct random_dominoes row;
         struct dom_domino changed[ROW];
-        struct study *study;
-        struct dom_verdict before, again, whole;
+        struct study study = {.mark = NULL};
+        struct dom_verdict again, whole;
         dominoes_make(&row, &seed, i % 5 ? 0 : 0.2);
         if (i % 4)
             last_domino_balance(&row, &seed);
         struct dom_row copy = row.row;
-        enum dom_status status = row_study_begin(&copy, NULL, &study, &before);
+        enum dom_status status = study_begin(&study, &copy, NULL);
+        const bool falls_before = study.verdict.end == DOM_ROW_FALLS;
         for (int j = 0; j < 20 && status == DOM_OK; j++) {
             const size_t k = (size_t)(random_unit(&seed) * (double)row.row.count);
             memcpy(changed, row.domino, sizeof changed);
             domino_change(&changed[k], &seed);
             copy.domino = changed;
             assert_status(dom_row_run(&copy, NULL, false, NULL, NULL, &whole), DOM_OK);
-            assert_status(row_study(study, &copy, k, k, &again), DOM_OK);
+            assert_status(study_change(&study, &copy, k, k, &again), DOM_OK);
             assert_int_equal(again.end == DOM_ROW_FALLS, whole.end == DOM_ROW_FALLS);
             falls += whole.end == DOM_ROW_FALLS;
-            other += (whole.end == DOM_ROW_FALLS) != (before.end == DOM_ROW_FALLS);
+            other += (whole.end == DOM_ROW_FALLS) != falls_before;
         }
         row.domino[1].thickness *= -1;
         copy.domino = row.domino;
-        assert_status(row_study(study, &copy, 0, 1, &again), DOM_BAD_THICKNESS);
-        row_study_end(study);
+        assert_status(study_change(&study, &copy, 0, 1, &again), DOM_BAD_THICKNESS);
+        row_free(&study.row);
+        free(study.mark);
     }
     print_message("# %d rows fall; %d changes also change the verdict\n", falls, other);
     assert_true(falls > 500 && other > 100);

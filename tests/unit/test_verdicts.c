@@ -230,8 +230,9 @@ static void every_measure_is_drawn(double walls)
     row.feet = 0.5;
     row.push = 3;
     row.walls = walls;
-    struct draw draw;
-    assert_status(draw_begin(&draw, &row), DOM_OK);
+    gsl_rng *const random[] = {gsl_rng_alloc(gsl_rng_taus2), gsl_rng_alloc(gsl_rng_mrg)};
+    struct dom_domino drawn[DRAWN];
+    struct draw draw = {.random = {*random[0], *random[1]}, .domino = drawn};
     for (int kind = 0; kind < DOM_ERROR_COUNT; kind++)
         for (size_t k = kind == DOM_ERROR_gap || kind == DOM_ERROR_place; k < DRAWN; k++) {
             struct dom_placement p = {.seed = 5};
@@ -254,7 +255,8 @@ static void every_measure_is_drawn(double walls)
             assert_true(fabs(sum) < 4 * moved * sqrt(DRAWS));
             assert_near("standard deviation", sqrt(squares / DRAWS), moved, 0.06);
         }
-    draw_end(&draw);
+    gsl_rng_free(random[0]);
+    gsl_rng_free(random[1]);
     /* The domino that stands on the gentlest slope decides. */
     for (size_t k = 0; k < DRAWN; k++) {
         domino[k].thickness = 0.004;

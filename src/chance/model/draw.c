@@ -18,24 +18,6 @@
  * within the tightened limits is within the true limits in spite of rounding errors. */
 #define INSIDE (1 - 1e-6)
 
-/* Allocates memory for random copies of a row. draw_end must be called even if this fails. */
-static enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
-{
-    /* gsl_rng_alloc would end the program if memory runs out, unless GSL's error handler, which belongs to
-     * the whole process, is switched off. */
-    *draw = (struct draw){
-        .random = {{gsl_rng_taus2, malloc(gsl_rng_taus2->size)}, {gsl_rng_mrg, malloc(gsl_rng_mrg->size)}},
-        .domino = malloc(row->count * sizeof *draw->domino)};
-    return draw->random[0].state && draw->random[1].state && draw->domino ? DOM_OK : DOM_NO_MEMORY;
-}
-
-static void draw_end(struct draw *draw)
-{
-    for (int i = 0; i < 2; i++)
-        free(draw->random[i].state);
-    free(draw->domino);
-}
-
 /* Derives seed number i from `seed`. Successive integers as seeds would give similar random numbers, so the
  * bits are mixed, as in splitmix64 (Steele et al., 2014). */
 static unsigned long long seed_of(unsigned long long seed, size_t i)
@@ -44,16 +26,6 @@ static unsigned long long seed_of(unsigned long long seed, size_t i)
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
     return z ^ (z >> 31);
-}
-
-/* Seeds both generators for one kind of error in row number i. */
-static void kind_begin(const struct draw *draw, const struct dom_placement *p, size_t i, int kind)
-{
-    unsigned long long seed = seed_of(p->seed, i);
-    if (kind > 0)
-        seed = seed_of(seed, (size_t)kind);
-    gsl_rng_set(&draw->random[0], (unsigned long)(seed & 0xffffffffU));
-    gsl_rng_set(&draw->random[1], (unsigned long)(seed >> 32));
 }
 
 /* Returns the next random error. It is made from the numbers of two generators, because the seeds of GSL have
@@ -161,6 +133,7 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
                                               DOM_ERROR_push,      DOM_ERROR_lean};
     _Static_assert(sizeof order / sizeof *order == DOM_ERROR_COUNT,
                    "`order` must list each kind of error once");
+    const unsigned long long row_seed = seed_of(p->seed, i);
     memcpy(draw->domino, row->domino, row->count * sizeof *draw->domino);
     draw->row = *row;
     draw->row.domino = draw->domino;
@@ -168,7 +141,10 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
         const struct dom_random_error *error = &p->error[order[k]];
         if (!(error->size > 0))
             continue;
-        kind_begin(draw, p, i, (int)order[k]);
+        const unsigned long long seed =
+            order[k] == DOM_ERROR_gap ? row_seed : seed_of(row_seed, (size_t)order[k]);
+        gsl_rng_set(&draw->random[0], (unsigned long)(seed & 0xffffffffU));
+        gsl_rng_set(&draw->random[1], (unsigned long)(seed >> 32));
         if (order[k] == DOM_ERROR_place)
             places_draw(draw, error);
         else
@@ -199,16 +175,23 @@ struct batches {
 static void batch_run(size_t index, void *context)
 {
     struct batches *b = context;
-    struct draw draw;
     if (atomic_load(&b->status) != DOM_OK)
         return;
-    enum dom_status status = draw_begin(&draw, b->row);
+    /* gsl_rng_alloc would end the program if memory runs out, unless GSL's error handler, which belongs to
+     * the whole process, is switched off. */
+    struct draw draw = {
+        .random = {{gsl_rng_taus2, malloc(gsl_rng_taus2->size)}, {gsl_rng_mrg, malloc(gsl_rng_mrg->size)}},
+        .domino = malloc(b->row->count * sizeof *draw.domino)};
+    const bool ready = draw.random[0].state && draw.random[1].state && draw.domino;
+    enum dom_status status = ready ? DOM_OK : DOM_NO_MEMORY;
     for (size_t i = index * BATCH; i < b->rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
         status = b->visit(&draw, i, b->context);
     int none = DOM_OK;
     if (status != DOM_OK)
         atomic_compare_exchange_strong(&b->status, &none, (int)status);
-    draw_end(&draw);
+    free(draw.random[0].state);
+    free(draw.random[1].state);
+    free(draw.domino);
 }
 
 enum dom_status draw_run(const struct dom_row *row, const struct dom_placement *p, draw_visit *visit,

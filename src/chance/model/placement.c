@@ -100,15 +100,16 @@ static enum dom_status row_count(struct draw *draw, size_t i, void *context)
     return DOM_OK;
 }
 
-/* Checks the arguments of a study. The model cannot check all of them. The study changes the gaps and the
- * tolerance before the model sees them, and could thereby hide bad values. */
-static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
-                                   const struct dom_placement *p)
+enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
+                                    const struct dom_placement *p, struct dom_study *study, size_t *stops)
 {
-    enum dom_status status = p->rows == 0                                     ? DOM_BAD_ROWS
-                             : row->count == 0                                ? DOM_BAD_COUNT
-                             : !(compute->tol >= dom_arithmetic()->tol_floor) ? DOM_BAD_TOL
-                                                                              : DOM_OK;
+    struct shared s = {.row = row, .compute = compute_or_default(compute), .placement = p};
+    /* The model cannot check all arguments, since the study changes gaps and the tolerance before the model
+     * sees them. */
+    enum dom_status status = p->rows == 0                                      ? DOM_BAD_ROWS
+                             : row->count == 0                                 ? DOM_BAD_COUNT
+                             : !(s.compute.tol >= dom_arithmetic()->tol_floor) ? DOM_BAD_TOL
+                                                                               : DOM_OK;
     for (int k = 0; k < DOM_ERROR_COUNT && status == DOM_OK; k++)
         if (!(p->error[k].size >= 0 && p->error[k].size < HUGE_VAL))
             status = DOM_BAD_ERROR;
@@ -116,14 +117,6 @@ static enum dom_status study_check(const struct dom_row *row, const struct dom_c
         status = DOM_NO_LEAN;
     for (size_t k = 0; k < row->count && status == DOM_OK; k++)
         status = row->domino[k].gap >= 0 ? DOM_OK : DOM_BAD_GAP;
-    return status;
-}
-
-enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
-                                    const struct dom_placement *p, struct dom_study *study, size_t *stops)
-{
-    struct shared s = {.row = row, .compute = compute_or_default(compute), .placement = p};
-    enum dom_status status = study_check(row, &s.compute, p);
     if (status != DOM_OK)
         return status;
     s.compute.work = NULL; /* rows may run in parallel and must not share the counters */
@@ -165,31 +158,11 @@ struct budget {
     int answers;
 };
 
-/* Returns the fraction of the random rows that falls. The errors of b->kind have the size `sigma`. If b->kind
- * is DOM_ERROR_COUNT, all errors are multiplied by `sigma`. The random numbers are the same for every sigma,
- * so that the fractions for two sigmas can be compared. */
-static double fall_share(struct budget *b, double sigma)
-{
-    for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
-        if (b->seen[i].sigma == sigma)
-            return b->seen[i].share;
-    struct dom_placement p = *b->placement;
-    struct dom_study study = {.rows = p.rows};
-    for (int k = 0; k < DOM_ERROR_COUNT; k++)
-        if (b->kind == DOM_ERROR_COUNT)
-            p.error[k].size *= sigma;
-        else if (k == (int)b->kind)
-            p.error[k].size = sigma;
-    b->status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
-    const double share = (double)study.fall / (double)study.rows;
-    if (b->status == DOM_OK) {
-        b->seen[b->answers % BUDGET_SEEN].sigma = sigma;
-        b->seen[b->answers++ % BUDGET_SEEN].share = share;
-    }
-    return share;
-}
-
-/* An edge_test: returns true if enough rows fall. After an error, nothing more is run. */
+/*
+ * An edge_test: returns true if enough random rows fall. The errors of b->kind have the size `sigma`. If
+ * b->kind is DOM_ERROR_COUNT, all errors are multiplied by `sigma`. The random numbers are the same for every
+ * sigma, so that the shares for two sigmas can be compared. After an error, nothing more is run.
+ */
 static bool enough_fall(double sigma, double *spare, void *context)
 {
     struct budget *b = context;
@@ -198,7 +171,23 @@ static bool enough_fall(double sigma, double *spare, void *context)
         return false;
     if (sigma < 1e-9 / 4096 * b->widest) /* errors this small are negligible in a real row */
         return true;
-    return fall_share(b, sigma) >= b->share && b->status == DOM_OK;
+    for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
+        if (b->seen[i].sigma == sigma)
+            return b->seen[i].share >= b->share;
+    struct dom_placement p = *b->placement;
+    struct dom_study study = {.rows = p.rows};
+    for (int k = 0; k < DOM_ERROR_COUNT; k++)
+        if (b->kind == DOM_ERROR_COUNT)
+            p.error[k].size *= sigma;
+        else if (k == (int)b->kind)
+            p.error[k].size = sigma;
+    b->status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
+    if (b->status != DOM_OK)
+        return false;
+    const double share = (double)study.fall / (double)study.rows;
+    b->seen[b->answers % BUDGET_SEEN].sigma = sigma;
+    b->seen[b->answers++ % BUDGET_SEEN].share = share;
+    return share >= b->share;
 }
 
 /* Finds the largest sigma at which the share b->share of the rows falls, to a relative tolerance of 1e-3. If
@@ -214,42 +203,25 @@ static double sigma_find(struct budget *b)
     return edge_find(enough_fall, b, lo, &hi, 0, 1e-3);
 }
 
-/* Returns the largest sigma that is tried for a kind of error. The limits are described at
- * dom_placement_budget. */
-static double size_most(const struct dom_row *row, enum dom_error_of kind)
-{
-    double widest = 0;
-    for (size_t k = 1; k < row->count; k++)
-        widest = fmax(widest, row->domino[k].gap);
-    switch (kind) {
-    case DOM_ERROR_gap:
-    case DOM_ERROR_place:
-        return widest;
-    case DOM_ERROR_lean:
-    case DOM_ERROR_slope:
-        return row_steepest(row);
-    case DOM_ERROR_push:
-        return isnan(row->push) ? 0 : row->push;
-    case DOM_ERROR_COUNT:
-        return 64;
-    default:
-        return 1;
-    }
-}
-
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *p, enum dom_error_of kind, double share,
                                      struct dom_budget *budget)
 {
-    struct budget b = {.row = row, .compute = compute, .placement = p, .kind = kind};
+    struct budget b = {.row = row, .compute = compute, .placement = p, .kind = kind, .share = share};
     if (!(share > 0 && share < 1))
         return DOM_BAD_PROBABILITY;
     if (kind > DOM_ERROR_COUNT)
         return DOM_BAD_ERROR;
-    const double falls = fall_share(&b, 0);
-    if (b.status != DOM_OK || falls < share)
+    if (!enough_fall(0, NULL, &b))
         return b.status != DOM_OK ? b.status : DOM_STOPS;
-    b.widest = size_most(row, kind);
+    const bool lengths = kind == DOM_ERROR_gap || kind == DOM_ERROR_place,
+               angles = kind == DOM_ERROR_lean || kind == DOM_ERROR_slope;
+    b.widest = angles                    ? row_steepest(row)
+               : kind == DOM_ERROR_push  ? fmax(row->push, 0) /* 0 without a push */
+               : kind == DOM_ERROR_COUNT ? 64
+                                         : !lengths;
+    for (size_t k = 1; k < row->count && lengths; k++)
+        b.widest = fmax(b.widest, row->domino[k].gap);
     /* If rows fall with the probability `share`, at least `many` of them, or at most `few`, fall with a
      * probability of less than 2.5 %. */
     const double N = (double)p->rows;
@@ -259,7 +231,6 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
     while (many <= N && binomial_tail(many, N, share, true) >= TAIL)
         many++;
     struct dom_budget found = {.low = 0};
-    b.share = share;
     found.sigma = sigma_find(&b);
     if (b.status != DOM_OK)
         return b.status;

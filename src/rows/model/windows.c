@@ -118,27 +118,26 @@ static enum dom_status study_falls(struct study *s, size_t k, struct dom_verdict
     return status;
 }
 
-/* Runs the row as planned. Call row_study_end even after an error. */
-static enum dom_status row_study_begin(const struct dom_row *row, const struct dom_compute *compute,
-                                       struct study **study, struct dom_verdict *verdict)
+/* Runs the row as planned, and keeps states from which runs of changed rows can start. s->row and s->mark
+ * must be freed even after an error. */
+static enum dom_status study_begin(struct study *s, const struct dom_row *row,
+                                   const struct dom_compute *compute)
 {
-    struct study *s = *study = calloc(1, sizeof *s);
-    enum dom_status status = s ? row_begin(row, compute, &s->row, &verdict->domino) : DOM_NO_MEMORY;
+    enum dom_status status = row_begin(row, compute, &s->row, &s->verdict.domino);
     if (status == DOM_OK && !(s->mark = malloc(row->count * sizeof *s->mark)))
         status = DOM_NO_MEMORY;
     if (status == DOM_OK)
-        status = study_falls(s, 0, verdict);
+        status = study_falls(s, 0, &s->verdict);
     if (status == DOM_OK) {
-        s->known = verdict->domino;
-        s->verdict = *verdict;
+        s->known = s->verdict.domino;
         marks_join(s->mark, 0, s->known);
     }
     return status;
 }
 
 /* Runs a copy of the planned row in which the dominoes `first` to `last` have changed. */
-static enum dom_status row_study(struct study *s, const struct dom_row *row, size_t first, size_t last,
-                                 struct dom_verdict *verdict)
+static enum dom_status study_change(struct study *s, const struct dom_row *row, size_t first, size_t last,
+                                    struct dom_verdict *verdict)
 {
     const size_t from = first > 0 ? first - 1 : 0, count = row->count;
     enum dom_status status = DOM_OK;
@@ -165,15 +164,6 @@ static enum dom_status row_study(struct study *s, const struct dom_row *row, siz
     return status;
 }
 
-static void row_study_end(struct study *s)
-{
-    if (s) {
-        row_free(&s->row);
-        free(s->mark);
-    }
-    free(s);
-}
-
 /* ---- Trials ---- */
 
 /* A series of trials, each of which changes one value of a row and runs the row. If an error occurs, `status`
@@ -186,8 +176,7 @@ struct trial {
     size_t k;                  /* index of the domino that is changed, from 0 */
     /* distance from the back of the first domino to the back of domino k before the change */
     double place;
-    /* the state for running slightly changed rows, or NULL if an engine runs them */
-    struct study *study;
+    struct study study; /* for running slightly changed rows, unless an engine runs them */
     enum dom_status status;
 };
 
@@ -296,7 +285,7 @@ static bool falls_with(double value, double *spare, void *context)
         }
     } else if (t->status == DOM_OK) {
         const size_t last = t->k + (next && t->of == DOM_WINDOW_PLACE);
-        t->status = row_study(t->study, &t->row, t->k, last, &v);
+        t->status = study_change(&t->study, &t->row, t->k, last, &v);
     }
     t->row.mu = mu;
     d[next] = after;
@@ -353,14 +342,6 @@ static double edge_towards(struct trial *t, double from, double end, bool falls)
 }
 
 /* ---- Windows ---- */
-
-/* Returns true if domino k and its two neighbours equal domino k - 1 and its two neighbours. Then the window
- * of domino k nearly equals the window of domino k - 1. */
-static bool is_repeated(const struct dom_row *row, size_t k)
-{
-    return k > 2 && k + 1 < row->count && row_repeats(row, k - 1) && row_repeats(row, k) &&
-           row_repeats(row, k + 1);
-}
 
 /* Returns an end of the window around the value `now`, at which all dominoes fall. The search begins near
  * `guess`. */
@@ -421,18 +402,18 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
                                 struct dom_window *windows)
 {
     const bool one = of == DOM_WINDOW_FRICTION;
-    struct dom_verdict planned = {.end = DOM_ROW_STOPS};
     struct trial t = {.row = *row, .compute = compute_or_default(compute), .of = (int)of, .status = DOM_OK};
+    struct dom_verdict *const planned = &t.study.verdict;
     if (row->engine) /* an engine cannot start in the middle of a row */
-        (void)row_has_spare(row, &t.compute, &planned, &t.status);
-    else /* stores states from which runs of changed rows can start */
-        t.status = row_study_begin(row, &t.compute, &t.study, &planned);
+        (void)row_has_spare(row, &t.compute, planned, &t.status);
+    else
+        t.status = study_begin(&t.study, row, &t.compute);
     if (t.status == DOM_OK && !(t.domino = malloc(row->count * sizeof *t.domino)))
         t.status = DOM_NO_MEMORY;
     if (t.status == DOM_OK)
         memcpy(t.domino, row->domino, row->count * sizeof *t.domino);
     t.row.domino = t.domino;
-    const bool falls = planned.end == DOM_ROW_FALLS;
+    const bool falls = planned->end == DOM_ROW_FALLS;
     const size_t first = of == DOM_WINDOW_GAP || of == DOM_WINDOW_PLACE, end = one ? 1 : row->count;
     for (t.k = first; t.k < end && t.status == DOM_OK; t.k++) {
         if (t.k > 0)
@@ -441,15 +422,19 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
                                .now = *value_at(&t, &t.domino[t.k]),
                                .low = DOM_NAN,
                                .high = DOM_NAN};
+        /* If a domino and its neighbours equal those before, so nearly do the windows. */
+        const bool repeats = t.k > 2 && t.k + 1 < row->count && row_repeats(row, t.k - 1) &&
+                             row_repeats(row, t.k) && row_repeats(row, t.k + 1);
         if (falls)
-            window_around(&t, t.k > first && is_repeated(row, t.k) ? &windows[t.k - first - 1] : NULL, &w);
-        else if (matters(of, t.k, &planned))
+            window_around(&t, repeats ? &windows[t.k - first - 1] : NULL, &w);
+        else if (matters(of, t.k, planned))
             window_beside(&t, &w);
         windows[t.k - first] = w;
         if (progress)
             progress(t.k - first + 1, end - first, context);
     }
-    row_study_end(t.study);
+    row_free(&t.study.row);
+    free(t.study.mark);
     free(t.domino);
     return t.status;
 }
