@@ -7,24 +7,21 @@ const char *dom_version(void)
     return DOM_VERSION;
 }
 
+/* A number that is not in the enumeration may be negative. */
+#define TEXT_AT(text, k) ((size_t)(k) < sizeof(text) / sizeof *(text) ? (text)[k] : "unknown")
+#define TEXT(name, text) (text),
+
 const char *dom_status_text(enum dom_status status)
 {
-    switch (status) {
-#define TEXT(name, text)                                                                                     \
-    case DOM_##name:                                                                                         \
-        return text;
-        DOM_STATUSES(TEXT)
-#undef TEXT
-    }
-    return "unknown status";
+    static const char *const text[] = {DOM_STATUSES(TEXT)};
+    return TEXT_AT(text, status);
 }
 
-static const char *text_at(const char *const *text, size_t count, size_t k)
+const char *dom_row_end_text(enum dom_row_end end)
 {
-    return k < count ? text[k] : "unknown";
+    static const char *const text[] = {DOM_ROW_ENDS(TEXT)};
+    return TEXT_AT(text, end);
 }
-
-#define TEXT_AT(text, k) text_at(text, sizeof(text) / sizeof *(text), (size_t)(k))
 
 const char *dom_end_text(enum dom_end end)
 {
@@ -41,14 +38,4 @@ const char *dom_event_text(enum dom_event_kind kind)
                                        [DOM_EVENT_STOP] = "stop",
                                        [DOM_EVENT_HIT] = "hit"};
     return TEXT_AT(text, kind);
-}
-
-const char *dom_row_end_text(enum dom_row_end end)
-{
-    static const char *const text[] = {
-#define END_TEXT(name, text) [DOM_ROW_##name] = text,
-        DOM_ROW_ENDS(END_TEXT)
-#undef END_TEXT
-    };
-    return TEXT_AT(text, end);
 }
