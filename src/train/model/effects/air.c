@@ -47,16 +47,13 @@ const struct dom_effect dom_effect_air = {
     .name = "air",
     .synonyms = "atmosphere wind resistance drag fluid aerodynamic",
     .adds = "the drag of the air, and the inertia of the air that dominoes move",
-    .help =
-        "RHO is the density of the air. Light giants feel the air: a hollow domino of 8 m that weighs 1,200 "
-        "kg loses about a tenth of the energy that a cycle releases. Dominoes of solid wood lose less than "
-        "1 % of it at any size: k is about 0.006 for d = 0.15. In a row, the height, thickness, width and "
-        "mass of each domino count, so the masses must be known: 'set mass', 'set density', or a file. 'set "
-        "drag' changes the drag coefficient C of 1.2. An endless train must be solid ('set q solid'), "
-        "because other trains are not self-similar in air; ask about a row instead, as in 'set row "
-        "20; fall'. A train is also braked while its first domino falls alone. Drag and inertia are "
-        "estimates for a plate in still air; the flow between dominoes is left out, and so is buoyancy. "
-        "'fuel paper' cannot be combined with air.",
+    .help = "RHO is the density of the air. Light giants feel the air: a hollow domino of 8 m that weighs "
+            "1,200 kg loses about a tenth of the energy that a cycle releases. Solid wood loses less than 1 "
+            "% of it at any size. A row needs masses: 'set mass', 'set density', or a file. An endless train "
+            "must be solid ('set q solid'), because other trains are not self-similar in air; ask about a "
+            "row instead, as in 'set row 20; fall'. Drag and inertia are estimates for a plate in still air: "
+            "they leave out buoyancy and the flow between dominoes. 'set drag' changes the drag coefficient "
+            "C of 1.2.",
     .source = "quasi-steady drag and added mass of a slender plate, strip by strip; textbook fluid mechanics",
     .dissipates = "the drag of the air",
     .equations = (const char *const[]){"B = sum r^(-(q+1) i) S_i (theta_i'' + k theta_i'^2)",
@@ -75,9 +72,8 @@ const struct dom_effect dom_effect_drag = {
     .name = "drag",
     .synonyms = "coefficient resistance air shape",
     .adds = "a drag coefficient other than 1.2",
-    .help =
-        "C is the drag coefficient of a domino in the air: 1.1 to 1.3 for plates that are 0.5 to 1 times as "
-        "wide as tall, and 2 for an endless strip. If this effect is off, C is 1.2.",
+    .help = "C is the drag coefficient of a domino in the air: 1.1 to 1.3 for plates that are 0.5 to 1 times "
+            "as wide as tall, and 2 for an endless strip. If this effect is off, C is 1.2.",
     .source = "measured drag of flat plates across a flow; textbook fluid mechanics",
     .argument = {{.name = "C",
                   .unit = "",

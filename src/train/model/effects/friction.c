@@ -19,15 +19,12 @@ const struct dom_effect dom_effect_friction = {
     .name = "friction",
     .synonyms = "mu rub rough sandpaper slippery coefficient",
     .adds = "Coulomb friction between dominoes, in motion and in the collision",
-    .help =
-        "MU is the friction coefficient: 0.2 to 0.5 for wood on wood, and 0 in the paper's model. "
-        "The tip of each follower slides down the face of its leader, and a friction force mu N acts "
-        "along the face, where N is the contact force. This changes the lever arms of a contact: a on the "
-        "leader and b on the follower. The barrier is the kinetic energy that "
-        "the train needs to pass every tilt of the cycle. The verdict 'locks' is possible only with "
-        "friction: near r s = 1 the force on the struck domino passes on the wrong side of its hinge "
-        "and cannot turn it. 'fuel paper' cannot be combined with friction: the paper's closed form "
-        "of the fuel does not include this effect.",
+    .help = "MU is 0.2 to 0.5 for wood on wood, and 0 in the paper's model. The tip of each follower slides "
+            "down the face of its leader, and the friction force mu N, where N is the contact force, changes "
+            "the lever arms of the contact: a on the leader and b on the follower. The barrier is then the "
+            "kinetic energy that the train needs to pass every tilt of the cycle. Only with friction can a "
+            "train lock: near r s = 1 the force on the struck domino passes on the wrong side of its hinge "
+            "and cannot turn it.",
     .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
     .dissipates = "friction",
     .equations = (const char *const[]){"a = Y/r - L x - mu d", "b = (Y + mu X)/r", NULL},

@@ -6,15 +6,12 @@ const struct dom_effect dom_effect_row = {
     .name = "row",
     .synonyms = "file csv load measurements list finite spacing",
     .adds = "a finite row of dominoes, equal or not, instead of the endless train",
-    .help =
-        "With a number N, domino k is h r^(k-1) tall, the gap before it is s times its height, "
-        "and its mass follows from q. FILE is a csv file with a line for each domino and the "
-        "columns height, thickness, gap (or pitch, or position) and, if known, mass or density. Units "
-        "are written in the first line, as in 'height (mm)', or in the cells. The row starts with a "
-        "push ('set push'), from a tilt ('set release'), or with its first domino at the point of tipping "
-        "over. 'fall' runs the row. "
-        "Domino j leans on domino k = j + 1. If an upper edge would pass above the next domino, or if a "
-        "contact would have to pull, the model does not apply, and the output ends with a message.",
+    .help = "With a number N, domino k is h r^(k-1) tall, the gap before it is s times its height, and its "
+            "mass follows from q. FILE is a csv file with a line for each domino and the columns height, "
+            "thickness, gap (or pitch, or position) and, if known, mass or density. Units are written in the "
+            "first line, as in 'height (mm)', or in the cells. The row starts with a push ('set push'), from "
+            "a tilt ('set release'), or with its first domino at the point of tipping over. 'fall' runs the "
+            "row. In the equations, domino j leans on domino k = j + 1.",
     .source = "energy balance and collision of the paper, (19; c1) to (22; c4), for dominoes of any sizes",
     .equations =
         (const char *const[]){"h_j sin(theta_j - theta_k) = (gap_k + d_k) cos theta_k - d_k",
@@ -34,14 +31,12 @@ const struct dom_effect dom_effect_push = {
     .name = "push",
     .synonyms = "start finger kick speed velocity",
     .adds = "a push on the first domino, which then starts upright",
-    .help = "Without a push the first domino is let go at the angle at which it begins to tip over "
-            "(tan theta_u = d), and the clock starts when it hits the second domino. With a push the "
-            "first domino starts upright, or at the tilt of 'set release', and the clock starts with the "
-            "push. A standard domino "
-            "needs about 2.5 rad/s to tip over; with a weaker push the row stops at domino 1. If the "
-            "first domino touches the second before it tips over, the row needs a push. OMEGA may also "
-            "be the speed of the domino's upper edge, as in 'set push 0.5 m/s'; it then stays this speed if "
-            "the domino becomes taller.",
+    .help = "The first domino starts upright, or at the tilt of 'set release', and the clock starts with the "
+            "push. A standard domino needs about 2.5 rad/s to tip over. OMEGA may also be the speed of the "
+            "upper edge, as in 'set push 0.5 m/s', which stays the same if the domino becomes taller. "
+            "Without a push the first domino is let go where it begins to tip over (tan theta_u = d), and "
+            "the clock starts when it hits the second one. If the two touch before that, the row needs a "
+            "push.",
     .source = "energy of a single domino, (6; b2) and (9; b5)",
     .argument = {{.name = "OMEGA",
                   .unit = "rad/s",
@@ -56,13 +51,11 @@ const struct dom_effect dom_effect_release = {
     .name = "release",
     .synonyms = "slanted tilted tilt start angle lean held rest let go",
     .adds = "a first domino that is held at a tilt and released",
-    .help =
-        "The first domino is held at the tilt ANGLE and let go; it starts at rest, unless 'set push' gives "
-        "it an angular velocity there. The clock starts at the release. 'set release touch' holds the "
-        "domino against the second one, just at the contact: then both start at rest, and the weight of "
-        "the first domino alone has to push the second one over. ANGLE must not be larger than the tilt "
-        "at which the two touch. If ANGLE is smaller than the tilt at which the domino tips over "
-        "(tan theta_u = d with sharp edges on a level floor), it falls back.",
+    .help = "The first domino is held at the tilt ANGLE and let go, and the clock starts. It starts at rest, "
+            "unless 'set push' gives it an angular velocity there. With 'set release touch' it leans against "
+            "the second domino, and its weight alone has to push that one over. If ANGLE is smaller than the "
+            "tilt at which the domino tips over (tan theta_u = d with sharp edges on a level floor), it "
+            "falls back.",
     .source = "energy balance from a first domino at rest, as in (9; b5)",
     .argument = {{.name = "ANGLE",
                   .unit = "rad",

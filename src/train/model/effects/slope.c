@@ -28,14 +28,11 @@ const struct dom_effect dom_effect_slope = {
     .name = "slope",
     .synonyms = "alpha hill incline ramp tilt downhill uphill",
     .adds = "a sloping floor, downhill if ALPHA > 0",
-    .help = "A domino can stand upright only if |ALPHA| is less than theta_u, the angle at which it "
-            "tips over (tan theta_u = d with sharp edges). At separations from 0.2 to 0.4, one "
-            "degree downhill raises "
-            "r_max by 4 to 8 %, and one degree uphill lowers it by 3 to 6 %. Tilts are "
-            "measured from the normal to the floor. The slope changes the "
-            "potential energy h of a domino, and so H, the fuel P, the barrier and the forces. 'fuel paper' "
-            "cannot be combined with a slope: the paper's closed "
-            "form of the fuel does not include this effect.",
+    .help = "A domino can stand upright only if |ALPHA| is less than theta_u, the angle at which it tips "
+            "over (tan theta_u = d with sharp edges). At separations from 0.2 to 0.4, one degree downhill "
+            "raises r_max by 4 to 8 %, and one degree uphill lowers it by 3 to 6 %. Tilts are measured from "
+            "the normal to the floor, so the slope changes only the potential energy h of a domino, and with "
+            "it H, the fuel P, the barrier and the forces.",
     .source = "the potential energy of a block on an inclined plane",
     .equations = (const char *const[]){"h(theta) = cos(theta + alpha) + d sin(theta + alpha)",
                                        "x_i = sin(theta_i + alpha), y_i = cos(theta_i + alpha) in C", NULL},

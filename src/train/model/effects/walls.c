@@ -48,25 +48,17 @@ const struct dom_effect dom_effect_walls = {
     .name = "walls",
     .synonyms = "box hollow boards plywood inertia shell",
     .adds = "the moment of inertia of boxes made of six walls",
-    .help = "Without this effect the moment of inertia is that of a solid block, even if 'q' "
-            "is hollow. In a train, the thickness of the walls is the same fraction of the "
-            "height for every domino. The walls then change only tau, the unit of time, and "
-            "the friction that the floor needs. For the standard domino with thin walls, all "
-            "times are 2.8 % longer.\n\n"
-            "In a row, all dominoes are boxes made of the same "
-            "boards, whose thickness is THICKNESS times the height of the first domino, or a "
-            "length as in 'set walls 12 mm'. With ABOVE, as in 'set walls 12 mm 30 cm', "
-            "only the dominoes of a row that are taller than ABOVE are boxes, and all others "
-            "are solid. The endless train then consists of solid dominoes. If ABOVE is given "
-            "and the row does not come from a file, masses follow from the volumes of the "
-            "blocks and boxes, and 'q' has no effect.\n\n"
-            "The moments of inertia of boxes, and "
-            "masses computed from a density, take the walls into account. Walls half as thick "
-            "as the domino make a solid block. 'set width', or the file of a row, gives the width w of "
-            "a domino; by default it is half of the height. The moment of inertia is taken about the lower "
-            "edge; v is "
-            "the volume of the "
-            "hollow.",
+    .help = "Without this effect, the moment of inertia is that of a solid block, even if 'q' is hollow. In "
+            "a train, THICKNESS is the same fraction of the height for every domino. The walls then change "
+            "only tau, the unit of time, and the friction that the floor needs: with thin walls, the times "
+            "of the standard domino are 2.8 % longer.\n\n"
+            "In a row, all dominoes are made of the same boards: THICKNESS times the height of the first "
+            "domino, or a length, as in 'set walls 12 mm'. With ABOVE, as in 'set walls 12 mm 30 cm', only "
+            "the dominoes that are taller are boxes. The endless train then consists of solid dominoes, and "
+            "unless the row comes from a file, masses follow from the volumes, whatever 'q' is. Masses "
+            "computed from a density are those of the boards.\n\n"
+            "v is the part of the volume that is hollow, and w the width divided by the height, which is 1/2 "
+            "unless 'set width' or the file of a row gives it. I is taken about the lower edge.",
     .source = "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
     .equations = (const char *const[]){"I = I_solid (1 + v (1 - u)/(4 (1 - v)))",
                                        "v = (1 - 2 t)(1 - 2 t/d)(1 - 2 t/w)",
