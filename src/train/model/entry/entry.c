@@ -1,10 +1,69 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The checks of the values of a question, and the public functions that ask more than one precision or an
- * engine. The other public functions are where the mathematics is. */
+/* The structures of a question: their defaults, what follows from them without mathematics, and the checks of
+ * their values. Then the public functions that ask more than one precision or an engine. The other public
+ * functions are where the mathematics is. */
 #include "entry/other.h" /* first */
 
 #include "growth/limit.h"
 #include "row/row.h"
+
+#define DEFAULT(name, default_, lowest, highest, unit, meaning) .name = default_,
+
+struct dom_train dom_train_default(void)
+{
+    return (struct dom_train){DOM_TRAIN_PARAMETERS(DEFAULT).fuel = DOM_FUEL_EXACT};
+}
+
+struct dom_scale dom_scale_default(void)
+{
+    return (struct dom_scale){DOM_SCALE_PARAMETERS(DEFAULT)};
+}
+
+struct dom_row dom_row_default(void)
+{
+    return (struct dom_row){.g = dom_scale_default().g, .push = DOM_NAN};
+}
+
+dom_real dom_train_reach(const struct dom_train *train)
+{
+    return reach_span(train->rho) / train->s;
+}
+
+/* The smallest tolerance of each precision is 4 to 10 times its epsilon. */
+#define DOUBLE_FLOOR (1 / 1e15)
+#define TENTH(power) (1 / (dom_real)(power)) /* `power` is a power of ten that a double holds exactly */
+
+#if defined DOMF
+static const struct dom_arithmetic arithmetic = {
+    "float", "float", FLT_MANT_DIG, (double)FLT_EPSILON, TENTH(1e5F), TENTH(1e6F), 5};
+#elif !defined DOMQ
+static const struct dom_arithmetic arithmetic = {
+    "double", "double", DBL_MANT_DIG, DBL_EPSILON, TENTH(1e12), DOUBLE_FLOOR, 10};
+#elif defined DOMQ_REAL_FLOAT128
+static const struct dom_arithmetic arithmetic = {
+    "quad", "__float128", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30};
+#elif LDBL_MANT_DIG == 113
+static const struct dom_arithmetic arithmetic = {
+    "quad", "long double", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30};
+#elif LDBL_MANT_DIG > DBL_MANT_DIG
+static const struct dom_arithmetic arithmetic = {
+    "quad", "long double", LDBL_MANT_DIG, (double)LDBL_EPSILON, TENTH(1e17), TENTH(1e18), 17};
+#else
+static const struct dom_arithmetic arithmetic = {
+    "quad", "none wider than double", 0, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10};
+#endif
+
+const struct dom_arithmetic *dom_arithmetic(void)
+{
+    return &arithmetic;
+}
+
+struct dom_compute dom_compute_default(void)
+{
+    return (struct dom_compute){.tol = arithmetic.tol_default};
+}
+
+/* ---- Checks ---- */
 
 /* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */
 #define BAD_s     DOM_BAD_S
@@ -38,13 +97,17 @@ KERNEL enum dom_status train_check(const struct dom_train *train, const struct d
 
 /* ---- Limits, which more than one precision may find ---- */
 
-enum dom_status OWN(_limit_alone)(const struct dom_train *train, const struct dom_compute *compute, bool pair,
-                                  dom_real near, struct dom_limit *limit)
+#define THERE(name, ...)                     .name = (other_real)train->name,
+#define EFFECT_THERE(effect, member, status) .member = (other_real)train->member,
+
+static other_train train_there(const struct dom_train *train)
 {
-    struct dom_train t = *train;
-    t.r = 1; /* the search chooses r, so train->r need not be valid */
-    const enum dom_status status = train_check(&t, compute);
-    return status == DOM_OK ? limit_answer(&t, compute, pair, near, limit) : status;
+    return (other_train){DOM_TRAIN_PARAMETERS(THERE) DOM_DYNAMICS(EFFECT_THERE).fuel = train->fuel};
+}
+
+static other_compute compute_there(const struct dom_compute *compute, other_real tol)
+{
+    return (other_compute){.tol = tol, .work = compute->work, .interrupt = compute->interrupt};
 }
 
 /* Finds a limit. In quad, a search for r_max starts from that in double. A limit that is open in float or
@@ -53,11 +116,26 @@ static enum dom_status limit_of(const struct dom_train *train, const struct dom_
                                 struct dom_limit *limit)
 {
     const struct dom_compute compute = compute_or_default(given);
+    other_limit found;
 #ifdef DOMQ
-    return OWN(_limit_alone)(train, &compute, pair, pair ? 0 : near_rmax(train, &compute), limit);
+    const other_train there = train_there(train);
+    const other_compute coarse = compute_there(&compute, DOUBLE_FLOOR);
+    const bool near = !pair && OTHER(_limit_answer)(&there, &coarse, false, 0, &found) == DOM_OK &&
+                      found.ends == DOM_END_BARRIER && found.r_max > 1;
+    return limit_answer(train, &compute, pair, near ? found.r_max : 0, limit);
 #else
-    const enum dom_status status = OWN(_limit_alone)(train, &compute, pair, 0, limit);
-    const enum dom_status then = status == DOM_OPEN ? limit_in_quad(train, &compute, pair, limit) : DOM_OPEN;
+    const enum dom_status status = limit_answer(train, &compute, pair, 0, limit);
+    if (status != DOM_OPEN)
+        return status;
+    const other_train there = train_there(train);
+    const other_compute same = compute_there(&compute, compute.tol);
+    const enum dom_status then = OTHER(_limit_answer)(&there, &same, pair, 0, &found);
+    if (then == DOM_OK || then == DOM_OPEN)
+        *limit = (struct dom_limit){.r_max = (real)found.r_max,
+                                    .ends = found.ends,
+                                    .why = found.why,
+                                    .uncertainty = (real)found.uncertainty,
+                                    .open = (real)found.open};
     return then == DOM_OK || then == DOM_INTERRUPTED ? then : status;
 #endif
 }
@@ -77,16 +155,30 @@ enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_c
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *given,
                                struct dom_best *best)
 {
-    struct dom_train anywhere = *train;
+    struct dom_train from = *train;
     dom_real near = 0;
-    anywhere.s = anywhere.r = 1;
-    const enum dom_status status = train_check(&anywhere, given);
+    from.s = 1; /* the search chooses s, so train->s need not be valid */
 #ifdef DOMQ
     const struct dom_compute compute = compute_or_default(given);
-    if (status == DOM_OK)
-        near_best(&anywhere, &compute, &anywhere.s, &near);
+    const other_train there = train_there(&from);
+    const other_compute coarse = compute_there(&compute, DOUBLE_FLOOR);
+    other_best found;
+    if (OTHER(_limit_best)(&there, &coarse, 0, &found) == DOM_OK) {
+        from.s = found.s;
+        near = found.r_max;
+    }
 #endif
-    return status == DOM_OK ? limit_best(&anywhere, given, near, best) : status;
+    return limit_best(&from, given, near, best);
+}
+
+dom_real dom_rmax(dom_real s, dom_real d, dom_real q)
+{
+    struct dom_train train = dom_train_default();
+    struct dom_limit limit;
+    train.s = s;
+    train.d = d;
+    train.q = q;
+    return dom_limit_rmax(&train, NULL, &limit) == DOM_OK ? limit.r_max : DOM_NAN;
 }
 
 /* ---- Rows ---- */
@@ -134,12 +226,25 @@ enum dom_status dom_row_touch(const struct dom_row *given, const struct dom_comp
     return status;
 }
 
-dom_real dom_rmax(dom_real s, dom_real d, dom_real q)
+void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
+                      struct dom_domino *domino, size_t count)
 {
-    struct dom_train train = dom_train_default();
-    struct dom_limit limit;
-    train.s = s;
-    train.d = d;
-    train.q = q;
-    return dom_limit_rmax(&train, NULL, &limit) == DOM_OK ? limit.r_max : DOM_NAN;
+    const dom_real heavier = pow(train->r, train->q - 1);
+    dom_real height = scale->h;
+    for (size_t k = 0; k < count; k++, height *= train->r, mass *= heavier)
+        domino[k] = (struct dom_domino){
+            .height = height,
+            .thickness = train->d * height,
+            .gap = k == 0 ? 0 : train->s * height,
+            .width = train->width * height,
+            .mass = mass,
+        };
+}
+
+void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real rho, dom_real lean[2])
+{
+    dom_real radius = rho != 0 && domino->radius > 0 ? domino->radius : rho * domino->height;
+    dom_real limit = atan((domino->thickness - 2 * radius) / domino->height);
+    lean[0] = -limit - alpha;
+    lean[1] = limit - alpha;
 }

@@ -283,8 +283,8 @@ static enum dom_status best_find(struct best *b)
     return g->status;
 }
 
-KERNEL enum dom_status limit_best(const struct dom_train *train, const struct dom_compute *compute, real near,
-                                  struct dom_best *best)
+enum dom_status limit_best(const struct dom_train *train, const struct dom_compute *compute, real near,
+                           struct dom_best *best)
 {
     struct growth g;
     struct best b = {.g = &g, .finer = 1};

@@ -87,8 +87,8 @@ static enum dom_status pair_find(struct growth *g, struct limit *found)
     return g->status;
 }
 
-KERNEL enum dom_status limit_answer(const struct dom_train *train, const struct dom_compute *compute,
-                                    bool pair, real near, struct dom_limit *limit)
+enum dom_status limit_answer(const struct dom_train *train, const struct dom_compute *compute, bool pair,
+                             real near, struct dom_limit *limit)
 {
     struct growth g;
     struct limit found;

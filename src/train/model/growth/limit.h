@@ -45,8 +45,8 @@ KERNEL real x_of(const struct growth *g, real r)
     return -sqrt(fmax(1 - r * g->s / g->geometry.span, 0));
 }
 
-/* Begins a search for the limits of the endless train, by equation (26; c8, corrected), or of the pair, by
- * equation (17; b13). If the work exceeds a limit, the search ends with DOM_TOO_LONG. */
+/* Checks the train and begins a search for the limits of the endless train, by equation (26; c8, corrected),
+ * or of the pair, by equation (17; b13). If the work exceeds a limit, the search ends with DOM_TOO_LONG. */
 KERNEL void growth_begin(const struct dom_train *train, const struct dom_compute *compute, bool pair,
                          real near, struct growth *g);
 
@@ -114,9 +114,10 @@ KERNEL enum dom_status limit_find(struct growth *g, struct limit *limit);
 /* Finds how far r_max may be from the exact value, because of rounding errors and the tolerance. */
 KERNEL enum dom_status limit_uncertainty(struct growth *g, const struct limit *limit, real *uncertainty);
 
-/* Find the answers of dom_limit_rmax, of dom_limit_pair if `pair` is true, and of dom_limit_best. `near` is
- * r_max as double has found it, or 0. */
-KERNEL enum dom_status limit_answer(const struct dom_train *train, const struct dom_compute *compute,
-                                    bool pair, real near, struct dom_limit *limit);
-KERNEL enum dom_status limit_best(const struct dom_train *train, const struct dom_compute *compute, real near,
-                                  struct dom_best *best);
+/* Find the answers of dom_limit_rmax, of dom_limit_pair if `pair` is true, and of dom_limit_best, in one
+ * arithmetic alone. `near` is r_max as double has found it, at train->s, or 0. They are not static, because
+ * another precision calls them (entry/other.h). */
+enum dom_status limit_answer(const struct dom_train *train, const struct dom_compute *compute, bool pair,
+                             real near, struct dom_limit *limit);
+enum dom_status limit_best(const struct dom_train *train, const struct dom_compute *compute, real near,
+                           struct dom_best *best);

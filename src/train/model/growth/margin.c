@@ -71,8 +71,12 @@ static enum dom_status pair_kinetic(const struct geometry *geometry, real *kinet
 KERNEL void growth_begin(const struct dom_train *train, const struct dom_compute *compute, bool pair,
                          real near, struct growth *g)
 {
+    struct dom_train checked = *train;
+    checked.r = 1; /* the search chooses r, so train->r need not be valid */
     *g = (struct growth){.train = train, .s = (real)train->s, .near = near};
-    g->status = dynamics_read(train, compute, &g->geometry);
+    g->status = train_check(&checked, compute);
+    if (g->status == DOM_OK)
+        g->status = dynamics_read(train, compute, &g->geometry);
     if (pair)
         g->geometry.n = 2;
     /* the pair does not depend on the fuel formula */
