@@ -199,22 +199,25 @@ static bool push_enough(double push, double *spare, void *planner)
 }
 
 /* Returns true if a train with the growth r is safe at some separation. Finds the separation at which it is
- * safest: first takes coarse steps over all separations, and then, from the best one, ever smaller steps to
- * both sides. If the train is safe there, keeps this separation. */
+ * safest: first takes coarse steps over all separations, down from the widest gap within reach, and then,
+ * from the best one, ever smaller steps to both sides. If the train is safe there, keeps this separation. */
 static bool growth_enough(double r, double *spare, void *planner)
 {
     struct planner *p = planner;
+    const int widest = (int)(GRID / r);
     int best = 0;
     *spare = 0;
-    for (int step = COARSE, from = 0; step > 0; step /= 2, from = best) {
+    for (int step = COARSE, from = 0; step > 0; from = best) {
         const bool all = step == COARSE;
-        for (int k = all ? step : from - step; k <= (all ? GRID : from + step); k += all ? step : 2 * step) {
-            const double ratio = k > 0 && k <= GRID ? train_ratio(p, (double)k / GRID, r) : 0;
+        for (int k = all ? widest : from + step; k > 0 && k >= from - step;
+             k = all ? (k - 1) / step * step : k - 2 * step) {
+            const double ratio = train_ratio(p, (double)k / GRID, r);
             if (ratio > *spare) {
                 *spare = ratio;
                 best = k;
             }
         }
+        step = all || best == from ? step / 2 : step;
     }
     if (*spare >= p->wish->safety)
         p->k = best;
