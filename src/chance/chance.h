@@ -7,6 +7,20 @@
 
 /* ---- Kinds of random error ---- */
 
+/* A kind of random error. Errors in gaps and heights belong to the effect 'placement', which stands with the
+ * gaps; every other kind has an effect of its own. */
+struct error_kind {
+    const char *name, *unit;    /* as in DOM_ERRORS */
+    struct parameter parameter; /* the effect as a parameter; not used for heights */
+    struct domq_effect effect;
+};
+
+/* The last one stands for "all": its value is a factor, without a unit. */
+extern const struct error_kind error_kinds[DOM_ERROR_COUNT + 1];
+
+/* Returns the number of the effect that describes a kind of random error. */
+int error_effect(int kind);
+
 /* Fills the array `error` with the random errors of a scene. If a kind of error is off, its size is 0.
  * Returns true if any of the effects for random errors is on. */
 bool scene_errors(const struct scene *scene, struct dom_random_error error[DOM_ERROR_COUNT]);
