@@ -264,10 +264,9 @@ KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct til
 KERNEL enum dom_status barrier_search(const struct geometry *geometry, bool known, real tol,
                                       struct barrier *b)
 {
-    known = known && b->height > 0; /* otherwise the top is no higher than the upright position */
-    if (!known)
+    if (!known || b->height <= 0) /* a known top may be no higher than the upright position */
         *b = (struct barrier){.height = 0};
-    else if (barrier_single(geometry))
+    if (known && barrier_single(geometry))
         return DOM_OK;
     enum dom_status status = geometry->conservative ? DOM_OK : flow_solve(geometry);
     if (status == DOM_OK)
