@@ -61,6 +61,7 @@ poses_agree() { # SCENE
     json "$scene; effect feet 0.5; set errors on; verdict" | values seconds_error | awk '{ exit !($1 > 0 && $1 < 0.01) }'
 }
 
+# bats test_tags=explain
 @test "'effects' says that the engine runs the row; trains are still computed by the model" {
     says "$scene; effect feet 0.4; effects" 'computed by the rigid-body engine'
     same train "$(json 'rmax' | sed 's/"r_start.*//')" "$(json 'set method engine; rmax' | sed 's/"r_start.*//')"

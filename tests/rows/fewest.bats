@@ -11,7 +11,7 @@ row() { # SCENE HEIGHT KIND START KEY...
     for key in "${@:5}"; do values "$key" <<<"$line"; done | paste -sd ' ' -
 }
 
-# bats test_tags=sums
+# bats test_tags=sums,landmarks
 @test "count 112 m fewest: the quiz with the best gap, in a table, two sentences and details" {
     same 'the table' "kind     start          dominoes             r             s
                                                            h

@@ -178,7 +178,7 @@ END
     same 'nothing is left' s.dom "$(ls)"
 }
 
-# bats test_tags=save
+# bats test_tags=save,log
 @test "a link whose target does not exist is not written, and stays a link" {
     ln -s nowhere link
     for call in 'fuel >' 'fuel >>' save log; do

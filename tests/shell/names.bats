@@ -37,7 +37,7 @@ END
 7|print rmax.r_max_papr|^print:.*unknown key of rmax 'r_max_papr'; did you mean 'r_max_paper'\?
 1|b|^'b' is ambiguous: barrier, back, best, budget$
 6|show t|^show: 't' is ambiguous: tol, threads$
-12|set errors o|^set: 'o' is ambiguous: off, on
+12|set header o|^set: 'o' is ambiguous: off, on
 END
 }
 

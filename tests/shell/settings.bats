@@ -4,7 +4,7 @@
 
 load common
 
-# bats test_tags=rows,chance,engine
+# bats test_tags=rows,chance,engine,errors
 @test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
     json show >all
     same names 's r d q width tol h g mass density fuel precision output header digits angle threads seed method errors' "$(values name <all | paste -sd ' ' -)"

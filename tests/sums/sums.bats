@@ -54,6 +54,7 @@ END
 # bats test_tags=rows,sweeps
 @test "aggregates of a row, in a sweep, in assert and in solve" {
     scene='set row 4; set r 2; set s 0.3'
+    wrong 'print sum(curve(0.1, 0.9, 3).s)' "'curve' has no value"
     close 'the gaps' "$(awk 'BEGIN { print 0.3 * 0.048 * (2 + 4 + 8) }')" "$(json "$scene; print sum(row.gap)" | values value)"
     same 'the unit' m "$(json "$scene; print sum(row.gap)" | values unit)"
     close 'the last hit' "$(json "set row 4; fall" | tail -n 1 | values hit)" \
@@ -81,7 +82,6 @@ END
 36|print sum(landmarks.height/(1 m) + chain(0).weight)|'chain' is another table; all columns must be of one table
 28|print sum(landmarks.height + 1)|a length and a plain number cannot be added
 17|print sum(chain(chain(0).weight).weight)|'chain' has no value: its answer is a table
-11|print sum(curve(0.1, 0.9, 3).s)|'curve' has no value
 7|print max(fall.hit)|there is no row
 END
     wrong 'set row 3; print max(fall.hit)' "fall.hit has no value in row 1; 'if' can choose another value there"

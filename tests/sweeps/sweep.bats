@@ -128,8 +128,8 @@ END
     after=$(json 'goto top; show; where; sweep s 0.1 0.9 5 q hollow, massive friction 0, 0.1 : step 2; print ans.theta' | grep -v '"q":')
     same 'parameters, walk and ans' "$before" "$after"
     differ 'what a trace would be' "$before" "$(json 'goto top; show; where; step 2; print ans.theta')"
-    same 'effects' "$("$DOMINO" -e 'effect row 4; effects')" \
-        "$("$DOMINO" -e 'effect row 4; sweep row 3, 5 > /dev/null : verdict' 2>/dev/null; "$DOMINO" -e 'effect row 4; sweep row 3, 5 : verdict > /dev/null; effects')"
+    same 'effects' "$("$DOMINO" -e 'effect row 4; show')" \
+        "$("$DOMINO" -e 'effect row 4; sweep row 3, 5 > /dev/null : verdict' 2>/dev/null; "$DOMINO" -e 'effect row 4; sweep row 3, 5 : verdict > /dev/null; show')"
 }
 
 # bats test_tags=rows,chance,pictures,explain
