@@ -156,14 +156,6 @@ static const struct column cost_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Makes a cell for a number that is known to only three digits. */
-static struct cell cell_brief(double value)
-{
-    struct cell cell = cell_real((domq_real)value);
-    cell.digits = 3;
-    return cell;
-}
-
 /* Returns the shortest time in s in which a contender, or any if `by` is -1, reached this relative error, or
  * NaN if it never did. */
 static double seconds_for(const struct cost *cost, int by, double error)
@@ -193,12 +185,12 @@ static void cost_write(struct answer *a, const struct cost *cost)
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++) {
         struct cell cells[] = {cell_word(row->by == BY_METHOD ? cost->method->name : "ours"),
                                cell_word(any_arithmetic(precision_of(row->by)).name),
-                               cell_brief(row->tol),
-                               cell_brief((double)row->error),
+                               cell_narrow((domq_real)row->tol, 3),
+                               cell_narrow(row->error, 3),
                                cell_count((domq_real)row->work.longest),
                                cell_count((domq_real)row->work.passes),
-                               cell_brief(1e6 * row->seconds),
-                               cell_brief(row->seconds / cheapest)};
+                               cell_narrow((domq_real)(1e6 * row->seconds), 3),
+                               cell_narrow((domq_real)(row->seconds / cheapest), 3)};
         for (int i = 3; i < 8 && row->status != DOM_OK; i++)
             cells[i] = cell_real(DOMQ_NAN);
         answer_row(a, cells, NULL);
