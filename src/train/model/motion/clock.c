@@ -64,33 +64,27 @@ static bool clock_rate(real x, void *context, struct num_rate *rate)
  * than this fraction of the motion, panels are short. */
 #define REST_WIDTH ((real)1e-6)
 
-/* Returns the tilt at which the piece of the series ends that begins at theta: the next edge of the barrier.
- * Towards a rest, pieces become shorter by the factor 8, and after it longer. */
-static real clock_next(const struct clock *c, real theta)
-{
-    const struct segment *st = c->segment;
-    const real span = c->to - st->lo, width = REST_WIDTH * span, left = c->to - theta;
-    real next = c->to;
-    for (int i = 0; i < st->barrier.edges; i++)
-        if (st->barrier.edge[i] > fmax(theta, REAL_MIN))
-            next = fmin(next, st->barrier.edge[i]);
-    if (c->rests && left > 8 * width)
-        next = fmin(next, c->to - left / 8);
-    if (st->start.omegasq == 0)
-        next = fmin(next, st->lo + fmax(8 * (theta - st->lo), width));
-    return next;
-}
-
+/* Makes the series, in pieces. A piece ends at the next edge of the barrier. Towards a rest, pieces become
+ * shorter by the factor 8, and after it longer. */
 static enum num_status clock_make(struct clock *c)
 {
+    const struct segment *st = c->segment;
+    const real span = c->to - st->lo, width = REST_WIDTH * span;
     enum num_status solver = NUM_OK;
     c->time.integral = true;
     c->time.panels = 0;
-    for (real theta = c->segment->lo; theta < c->to && solver == NUM_OK;) {
-        const real next = clock_next(c, theta), lo = clock_place(c, theta), hi = clock_place(c, next);
+    for (real theta = st->lo, next; theta < c->to && solver == NUM_OK; theta = next) {
+        next = c->to;
+        for (int i = 0; i < st->barrier.edges; i++)
+            if (st->barrier.edge[i] > fmax(theta, REAL_MIN))
+                next = fmin(next, st->barrier.edge[i]);
+        if (c->rests && c->to - theta > 8 * width)
+            next = fmin(next, c->to - (c->to - theta) / 8);
+        if (st->start.omegasq == 0)
+            next = fmin(next, st->lo + fmax(8 * (theta - st->lo), width));
+        const real lo = clock_place(c, theta), hi = clock_place(c, next);
         if (lo < hi)
             solver = num_linear_solve(clock_rate, c, lo, hi, c->tol, &c->time);
-        theta = next;
     }
     return solver;
 }
@@ -115,7 +109,7 @@ KERNEL_SHARED enum dom_status clock_begin(struct clock *c, struct segment *st, r
     c->segment = st;
     c->to = to;
     c->rests = rests;
-    c->tol = fmax(tol / 8, noise);
+    c->tol = fmax(tol, noise);
     c->smooth = st->lo;
     /* If H were a parabola, the kinetic energy would have its complex zeros at this distance from theta_m. */
     c->width = b->height > 0 ? (b->theta_m - st->lo) * sqrt(fmax(spare, 0) / b->height) : to - st->lo;
@@ -148,22 +142,17 @@ KERNEL_SHARED real clock_time(const struct clock *c, real theta)
     return num_linear_moved(&c->time, x, x - c->time.panel[0].lo);
 }
 
-/* A root is the tilt at which the clock shows a time. */
-struct sought {
-    const struct clock *clock;
-    real time;
-};
-
+/* A root is the tilt at which the clock shows the time that is sought. */
 static real clock_early(real theta, void *context)
 {
-    const struct sought *s = context;
-    return clock_time(s->clock, theta) - s->time;
+    const struct clock *c = context;
+    return clock_time(c, theta) - c->sought;
 }
 
-KERNEL_SHARED enum dom_status clock_tilt(const struct clock *c, real time, real *theta)
+KERNEL_SHARED enum dom_status clock_tilt(struct clock *c, real time, real *theta)
 {
-    struct sought s = {c, time};
-    const enum num_status solver = num_root(clock_early, &s, c->segment->lo, c->to, c->tol, theta);
+    c->sought = time;
+    const enum num_status solver = num_root(clock_early, c, c->segment->lo, c->to, c->tol / 8, theta);
     if (solver != NUM_NOT_BRACKETED)
         return model_status(DOM_OK, solver);
     *theta = time > 0 ? c->to : c->segment->lo;

@@ -56,6 +56,7 @@ struct clock {
     real width;  /* the width of the peak that the slowness has at the top of the barrier */
     real tol;
     struct num_linear time; /* the time in tau, as a function of the variable x (clock.c) */
+    real sought;            /* by clock_tilt */
 };
 
 /* Makes the clock of the motion from segment->lo to the tilt `to`. The segment must exist as long as the
@@ -70,7 +71,7 @@ KERNEL_SHARED void clock_free(struct clock *clock);
 KERNEL_SHARED real clock_time(const struct clock *clock, real theta);
 
 /* Finds the tilt at a time from 0 to clock_time(clock, clock->to). */
-KERNEL_SHARED enum dom_status clock_tilt(const struct clock *clock, real time, real *theta);
+KERNEL_SHARED enum dom_status clock_tilt(struct clock *clock, real time, real *theta);
 
 /* ---- The cycle of an endless train (cycle.c) ---- */
 

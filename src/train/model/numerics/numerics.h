@@ -48,6 +48,8 @@ KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real
  */
 #if REAL_BITS <= 24
 #define LINEAR_ORDER 8
+#elif REAL_BITS <= 64
+#define LINEAR_ORDER 32
 #else
 #define LINEAR_ORDER 36
 #endif
