@@ -59,57 +59,50 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
     return DOM_OK;
 }
 
-/* The state of the search for one top, a local maximum of H. The variable of the search is p = tan(theta /
- * 2), and the bracket is [lo, hi]. */
-struct top {
-    real lo, hi;
-    /* `rises` is true if H is known to increase at lo. `falls` is true if H is known to decrease at hi. */
-    bool rises, falls;
-    real p;      /* the next p to try */
-    real height; /* estimated height of the top; its error is proportional to the cube of the last step */
-};
-
 #define TOP_STEPS 200
 
 /*
- * Searches for a local maximum of H by Newton's method, starting at top->p: the slope H1 of H is 0 there. If
- * a step is impossible or leaves the bracket, p moves to an end of the bracket at which the sign of the slope
- * is not known yet. If both signs are known, p moves to the middle of the bracket.
+ * Searches [lo, hi] for a top, a local maximum of H, by Newton's method: the slope H1 of H is 0 there. The
+ * variable is p = tan(theta / 2), which begins at top->half. If `bracketed` is true, H is known to increase
+ * at lo and to decrease at hi. If a step is impossible or leaves the bracket, p moves to an end of the
+ * bracket at which the sign of the slope is not known yet. If both signs are known, p moves to the middle of
+ * the bracket. The error of top->height is proportional to the cube of the last step.
  */
-static enum dom_status barrier_climb(const struct slope_context *c, struct top *top, real tol)
+static enum dom_status barrier_climb(const struct slope_context *c, real lo, real hi, bool bracketed,
+                                     real tol, struct barrier *top)
 {
     /* Changes of p are relative to |p| plus tan of half the initial backward lean, because p may be 0. */
     const real backwards = fmax(-half_of_tilt(c->from), 0);
-    real before = 1;
+    bool rises = bracketed, falls = bracketed;
+    real before = 1, p = top->half;
     tol = fmax(tol, 4 * REAL_EPSILON);
     for (int i = 0; i < TOP_STEPS; i++) {
         struct sums at;
-        const real p = top->p;
         enum dom_status status =
             chain_change(c->geometry, c->from, tilt_half(p), PASS_SECOND_DERIVATIVE, &at);
         if (status != DOM_OK)
             return status;
         const bool up = at.H1 > 0;
-        top->rises = top->rises || up;
-        top->falls = top->falls || !up;
+        rises = rises || up;
+        falls = falls || !up;
         real step = -at.H1 / at.H2, next = p + step * (1 + p * p) / 2;
         /* H still increases towards this end of the bracket, so the top is at this end */
-        if (p == (up ? top->hi : top->lo)) {
+        if (p == (up ? hi : lo)) {
             next = p;
             step = 0;
         }
-        *(up ? &top->lo : &top->hi) = p;
-        const bool newton = step == 0 || (at.H2 < 0 && next >= top->lo && next <= top->hi),
-                   closed = top->rises && top->falls;
+        *(up ? &lo : &hi) = p;
+        const bool newton = step == 0 || (at.H2 < 0 && next >= lo && next <= hi), closed = rises && falls;
         if (!newton)
-            next = !top->falls ? top->hi : !top->rises ? top->lo : (top->lo + top->hi) / 2;
+            next = !falls ? hi : !rises ? lo : (lo + hi) / 2;
         const real moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / (fabs(next) + backwards);
-        top->height = newton ? at.dH + at.H1 * step / 2 : at.dH;
-        top->p = next;
-        if (moved <= tol || (closed && top->hi - top->lo <= 4 * REAL_EPSILON * (fabs(top->hi) + backwards)))
+        if (moved <= tol || (closed && hi - lo <= 4 * REAL_EPSILON * (fabs(hi) + backwards))) {
+            top->half = next;
+            top->height = newton ? at.dH + at.H1 * step / 2 : at.dH;
             return DOM_OK;
-        if (closed && i > 2 && moved > before / 2) /* Newton's method oscillates at a kink of H' */
-            top->p = (top->lo + top->hi) / 2;
+        }
+        /* at a kink of H', Newton's method oscillates */
+        p = closed && i > 2 && moved > before / 2 ? (lo + hi) / 2 : next;
         before = moved;
     }
     return DOM_NOT_CONVERGED;
@@ -135,14 +128,11 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
         if (c->status == DOM_OK)
             c->status = barrier_try(c, at, b);
     } else if (last->slope > 0 && next.slope <= 0 && !(last->p <= c->known && c->known <= p)) {
-        struct top top = {.lo = last->p,
-                          .hi = p,
-                          .rises = true,
-                          .falls = true,
-                          .p = last->p + last->slope / (last->slope - next.slope) * (p - last->p)};
-        c->status = barrier_climb(c, &top, tol);
+        const real root = last->p + last->slope / (last->slope - next.slope) * (p - last->p);
+        struct barrier top = {.half = root};
+        c->status = barrier_climb(c, last->p, p, true, tol, &top);
         if (c->status == DOM_OK)
-            barrier_keep(b, top.p, top.height);
+            barrier_keep(b, top.half, top.height);
     }
     *last = next;
 }
@@ -231,11 +221,9 @@ static enum dom_status barrier_pieces(const struct geometry *geometry, struct ti
     bool upright = from.x == 0, begins = upright || (geometry->lean != 0 && b->edge[0] == geometry->lean);
     real end = b->edge[b->edges - 1], lo = upright ? b->edge[0] : half_of_tilt(from);
     if (upright && barrier_single(geometry)) {
-        struct top top = {.hi = fmin(tan(end / 2), geometry_half_u(geometry))};
-        top.p = top.hi / 2;
-        status = barrier_climb(&c, &top, tol);
-        if (status == DOM_OK)
-            barrier_keep(b, top.p, top.height);
+        b->half = fmin(tan(end / 2), geometry_half_u(geometry)) / 2;
+        status = barrier_climb(&c, 0, 2 * b->half, false, tol, b);
+        b->height = fmax(b->height, 0);
     } else
         for (int i = 1; status == DOM_OK && i < b->edges; i++) {
             real hi = tan(b->edge[i] / 2);
@@ -279,12 +267,8 @@ KERNEL bool barrier_follow(const struct geometry *geometry, real tol, struct bar
     struct slope_context c = {.geometry = geometry, .from = standing, .known = -1};
     /* the last tilt at which H may increase */
     const real last = falls_above_u(geometry) ? geometry_half_u(geometry) : half_of_tilt(geometry->c);
-    struct top top = {.hi = last, .p = b->half > 0 ? fmin(b->half, last) : last / 2};
-    if (barrier_climb(&c, &top, tol) != DOM_OK)
-        return false;
-    b->half = top.p;
-    b->height = top.height;
-    return true;
+    b->half = b->half > 0 ? fmin(b->half, last) : last / 2;
+    return barrier_climb(&c, 0, last, false, tol, b) == DOM_OK;
 }
 
 KERNEL real barrier_most(const struct geometry *geometry)
