@@ -41,10 +41,10 @@ static const struct dom_arithmetic arithmetic = {
     "double", "double", DBL_MANT_DIG, DBL_EPSILON, TENTH(1e12), DOUBLE_FLOOR, 10};
 #elif defined DOMQ_REAL_FLOAT128
 static const struct dom_arithmetic arithmetic = {
-    "quad", "__float128", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30};
+    "quad", "__float128", 113, 0x1p-112, TENTH(1e15) / (dom_real)1e15, TENTH(1e15) / (dom_real)1e18, 30};
 #elif LDBL_MANT_DIG == 113
 static const struct dom_arithmetic arithmetic = {
-    "quad", "long double", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30};
+    "quad", "long double", 113, 0x1p-112, TENTH(1e15) / (dom_real)1e15, TENTH(1e15) / (dom_real)1e18, 30};
 #elif LDBL_MANT_DIG > DBL_MANT_DIG
 static const struct dom_arithmetic arithmetic = {
     "quad", "long double", LDBL_MANT_DIG, (double)LDBL_EPSILON, TENTH(1e17), TENTH(1e18), 17};
@@ -122,13 +122,13 @@ static enum dom_status limit_of(const struct dom_train *train, const struct dom_
     const other_compute coarse = compute_there(&compute, DOUBLE_FLOOR);
     const bool near = !pair && OTHER(_limit_answer)(&there, &coarse, false, 0, &found) == DOM_OK &&
                       found.ends == DOM_END_BARRIER && found.r_max > 1;
-    return limit_answer(train, &compute, pair, near ? found.r_max : 0, limit);
+    return limit_answer(train, &compute, pair, near ? (real)found.r_max : 0, limit);
 #else
     const enum dom_status status = limit_answer(train, &compute, pair, 0, limit);
     if (status != DOM_OPEN)
         return status;
     const other_train there = train_there(train);
-    const other_compute same = compute_there(&compute, compute.tol);
+    const other_compute same = compute_there(&compute, (other_real)compute.tol);
     const enum dom_status then = OTHER(_limit_answer)(&there, &same, pair, 0, &found);
     if (then == DOM_OK || then == DOM_OPEN)
         *limit = (struct dom_limit){.r_max = (real)found.r_max,
@@ -164,8 +164,8 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
     const other_compute coarse = compute_there(&compute, DOUBLE_FLOOR);
     other_best found;
     if (OTHER(_limit_best)(&there, &coarse, 0, &found) == DOM_OK) {
-        from.s = found.s;
-        near = found.r_max;
+        from.s = (real)found.s;
+        near = (real)found.r_max;
     }
 #endif
     return limit_best(&from, given, near, best);
