@@ -9,9 +9,6 @@
 #include "effects/effects.h"
 #include "row/row.h"
 
-/* The headers of the kernel declare functions that only its own sources define. */
-#pragma GCC diagnostic ignored "-Wunused-function"
-
 /* True if a motion with losses is computed roughly. If the errors may change the verdict, the run sets
  * `doubt`, and the row is run again, precisely. */
 struct quick {

@@ -9,9 +9,6 @@
 #include "row/row.h"
 #include <stdlib.h>
 
-/* The headers of the kernel declare functions that only its own sources define. */
-#pragma GCC diagnostic ignored "-Wunused-function"
-
 /* The times at which the caller wants the state of a row, and the current state. */
 struct watch {
     const double *time; /* the requested times in s, in ascending order */

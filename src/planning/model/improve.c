@@ -37,9 +37,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The headers of the kernel declare functions that only its own sources define. */
-#pragma GCC diagnostic ignored "-Wunused-function"
-
 /* The levels of the search. On each level, the search makes STEPS steps with `rows` random rows. `width` is
  * the width of the smoothing, in standard deviations of the margin. */
 enum { LEVELS = 4, STEPS = 13, ROWS_MOST = 1024, ROWS_ALL = STEPS * (128 + 256 + 512 + ROWS_MOST) };

@@ -6,9 +6,6 @@
 #include "row/row.h"
 #include <stdlib.h>
 
-/* The headers of the kernel declare functions that only its own sources define. */
-#pragma GCC diagnostic ignored "-Wunused-function"
-
 /* The relative tolerance of the friction. */
 #define FLOOR_TOL 1e-7
 

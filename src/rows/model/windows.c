@@ -11,9 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The headers of the kernel declare functions that only its own sources define. */
-#pragma GCC diagnostic ignored "-Wunused-function"
-
 /*
  * ---- Runs of a changed row ----
  *

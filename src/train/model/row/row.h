@@ -4,6 +4,11 @@
 
 #include "motion/motion.h"
 
+#ifndef KERNEL_SOURCES
+/* Models of features include headers that declare functions which only the sources of the kernel define. */
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+
 /* ---- Joints: two neighbours, as if these were dominoes of a train (joint.c) ---- */
 
 /*
