@@ -74,8 +74,7 @@ typedef double dom_real;
 /* Returns the largest growth of a train, or NaN: dom_limit_rmax in one call. */
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
-/* The parameters of a train: X(name, default, lowest, highest, unit, meaning). Both ends of a range are
- * allowed. */
+/* The parameters of a train: X(name, default, lowest, highest, unit, meaning). Ranges include both ends. */
 #define DOM_TRAIN_PARAMETERS(X)                                                                              \
     X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: the gap before a domino divided by its height")        \
     X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: the size of each domino relative to the one before")          \
@@ -191,8 +190,7 @@ struct dom_link {
     size_t i;
     dom_real theta; /* its angle theta_i (27; A2) */
     dom_real slope; /* d theta_i / d theta (33; A9) */
-    /* The lever arms, in h, of the contact between this domino and domino i + 1 (table 1). NaN if the two do
-     * not touch. */
+    /* The lever arms, in h, of the contact with domino i + 1 (table 1). NaN if the two do not touch. */
     dom_real arm_a, arm_b;
     dom_real weight; /* r^(-q i), the weight of the domino in H (19; c1) */
 };
@@ -220,8 +218,7 @@ struct dom_fuels {
     dom_real paper;
 };
 
-/* Finds the fuel, which is the energy that drives a cycle, by both formulas. If it is <= 0, the train does
- * not keep falling. */
+/* Finds the fuel, which drives a cycle, by both formulas. If it is <= 0, the train does not keep falling. */
 enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
                               struct dom_fuels *fuels);
 
@@ -267,21 +264,21 @@ struct dom_barrier {
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
 
-/* ---- One cycle ---- */
+/* ---- One cycle ----
+ *
+ * The status of these functions is DOM_NO_FUEL if there is no cycle, and DOM_STOPS if the train stops before
+ * the tilt theta or, without a tilt, before the end of the cycle. Functions that find a time return
+ * DOM_NO_MARGIN if the margin is 0 within rounding errors. */
 
-/* Finds tau^2 omega^2 of the head at theta (21; c3), or NaN. The status is DOM_NO_FUEL if there is no cycle,
- * and DOM_STOPS if the train stops before theta. */
+/* Finds tau^2 omega^2 of the head at theta (21; c3), or NaN. */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, dom_real *omegasq);
 
 /* Finds the duration t_f of a cycle in tau, the integral of 1/(tau omega) from 0 to theta_c. Where the margin
  * is small, it grows like ln(1 / margin), and its relative error like kinetic / margin times the unit
- * roundoff. The status is DOM_NO_MARGIN if the margin is 0 within rounding errors, and DOM_NO_FUEL or
- * DOM_STOPS if there is no complete cycle. */
+ * roundoff. */
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    dom_real *duration);
-
-/* ---- One cycle, event by event ---- */
 
 struct dom_event {
     enum dom_event_kind kind;
@@ -290,35 +287,32 @@ struct dom_event {
     size_t domino;  /* number of the domino that detaches; 0 for all other events */
 };
 
-/* Finds the events of the cycle in order, at most DOM_EVENTS_MAX. If the train stops, the status is DOM_STOPS
- * and the last event is DOM_EVENT_STOP. If there is no fuel, the status is DOM_NO_FUEL and *count is 0. Every
- * function that finds a time may return DOM_NO_MARGIN, as dom_cycle_duration does. */
+/* Finds the events of the cycle in order, at most DOM_EVENTS_MAX, also if the status is DOM_STOPS. The last
+ * event is then DOM_EVENT_STOP. With any other error, *count is 0. */
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count);
 
 /* The train at one tilt of a cycle. Energies are in units of m g h / 2 of the head. Unless the paper's fuel
  * is used, the energies balance: before - lost - climbed - friction_work = kinetic. */
 struct dom_state {
-    dom_real theta;        /* tilt of the head */
-    dom_real time;         /* time since the launch, in tau */
-    dom_real omegasq;      /* tau^2 omega^2 (21; c3) */
-    dom_real acceleration; /* tau^2 times the angular acceleration of the head */
-    dom_real kinetic;      /* J(theta) tau^2 omega^2 */
-    dom_real climbed;      /* H(theta) - H(0), negative while the train is lower than at the launch */
-    dom_real fallen;       /* the part of `climbed` due to dominoes that detached in this cycle */
-    dom_real before;       /* kinetic energy just before the collision */
-    /* The energy that is lost in the collision. By equation (22; c4) it is `before` / J(0). */
-    dom_real lost;
+    dom_real theta;         /* tilt of the head */
+    dom_real time;          /* time since the launch, in tau */
+    dom_real omegasq;       /* tau^2 omega^2 (21; c3) */
+    dom_real acceleration;  /* tau^2 times the angular acceleration of the head */
+    dom_real kinetic;       /* J(theta) tau^2 omega^2 */
+    dom_real climbed;       /* H(theta) - H(0), negative while the train is lower than at the launch */
+    dom_real fallen;        /* the part of `climbed` due to dominoes that detached in this cycle */
+    dom_real before;        /* kinetic energy just before the collision */
+    dom_real lost;          /* energy lost in the collision, `before` / J(0) by equation (22; c4) */
     dom_real friction_work; /* energy lost to friction and to the air since the launch */
 };
 
-/* The statuses are those of dom_cycle_omegasq. */
 enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_state *state);
 
 /* Visits the states of a cycle in chronological order: `count` states that are evenly spaced over the cycle,
  * for which `event` is NULL, and one state at each event. This takes far less time than dom_cycle_state for
- * each. The statuses are those of dom_cycle_events; DOM_STOPS is returned after all states. */
+ * each. DOM_STOPS is returned after all states. */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t count,
                                enum dom_spacing by, dom_state_visit *visit, void *context);
@@ -333,7 +327,7 @@ struct dom_least_force {
 };
 
 /* Finds the smallest contact force during the cycle, or until the train stops, with an error of at most 1e-5
- * of the weight of the pushed domino. The status is DOM_NO_FUEL if there is no cycle. */
+ * of the weight of the pushed domino. A train that stops has the status DOM_OK. */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
                                       struct dom_least_force *least);
 
@@ -342,8 +336,7 @@ enum dom_status dom_cycle_least_force(const struct dom_train *train, const struc
 struct dom_limit {
     dom_real r_max;    /* the largest growth; NaN with DOM_END_NONE */
     enum dom_end ends; /* what limits the growth */
-    /* With DOM_END_NONE, how a train with r = 1 ends: DOM_NO_FUEL, DOM_STOPS, DOM_LOCKS or DOM_OUT_OF_REACH.
-     * Otherwise DOM_OK. */
+    /* DOM_OK or, with DOM_END_NONE, how r = 1 ends: DOM_NO_FUEL, DOM_STOPS, DOM_LOCKS, DOM_OUT_OF_REACH. */
     enum dom_status why;
     /* How far r_max may be from its exact value because of rounding errors and the tolerance, estimated from
      * the slope of the margin. NaN with DOM_END_NONE. */
@@ -388,13 +381,11 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
     dom_real lowest, highest; /* the range of the argument; both ends are allowed */
-    /* A typical value. It is the default of an optional argument. */
-    dom_real usual;
-    bool optional;       /* this argument and all later ones may be left out */
-    bool whole;          /* the argument is a whole number */
-    const char *or_file; /* the kind of file that may replace the number, or NULL */
-    /* The words that stand for the values 0, 1, ...; a NULL ends the list. If the argument is a number,
-     * `words` is NULL. */
+    dom_real usual;           /* a typical value, which is the default of an optional argument */
+    bool optional;            /* this argument and all later ones may be left out */
+    bool whole;               /* the argument is a whole number */
+    const char *or_file;      /* the kind of file that may replace the number, or NULL */
+    /* The words for the values 0, 1, ..., ended by NULL. NULL if the argument is a number. */
     const char *const *words;
 };
 
@@ -405,13 +396,10 @@ struct dom_effect {
     const char *help;   /* a description in full sentences, with equations in the paper's notation */
     const char *source; /* the publication from which the mathematics comes */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
-    unsigned needs; /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
-    /* What takes energy from moving dominoes, in a few words, or NULL if nothing does. */
-    const char *dissipates;
-    /* The equations that the effect adds or changes, one each, ended by NULL; NULL if there are none. */
-    const char *const *equations;
-    /* true if the effect changes only tau, so that times in units of tau stay the same */
-    bool cancels;
+    unsigned needs;         /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
+    const char *dissipates; /* what takes energy from moving dominoes, in a few words; NULL if nothing does */
+    const char *const *equations; /* that the effect adds or changes, ended by NULL; NULL if there are none */
+    bool cancels; /* true if the effect changes only tau, so that times in units of tau stay the same */
     const char *synonyms; /* search words for the effect, separated by blanks */
 };
 
@@ -430,9 +418,8 @@ bool dom_dissipates(const struct dom_train *train);
 
 /* A hollow box with six walls of the same thickness. */
 struct dom_box {
-    dom_real filled; /* volume of the walls divided by the volume of the box */
-    /* Moment of inertia about a lower edge, divided by that of a solid block of equal mass. */
-    dom_real inertia;
+    dom_real filled;  /* volume of the walls divided by the volume of the box */
+    dom_real inertia; /* about a lower edge, divided by that of a solid block of equal mass */
 };
 
 /* The four lengths have the same unit, and the first three are outer sizes. The status is DOM_NO_ROOM if a
@@ -449,8 +436,7 @@ dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *tr
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
 struct dom_count {
-    /* The number n of dominoes: the smallest integer with first * r^n >= height. It is infinite if r = 1 and
-     * height > first. */
+    /* The number n: the smallest integer with first * r^n >= height; infinite if r = 1 and height > first. */
     dom_real dominoes;
     dom_real exact; /* ln(height / first) / ln r; equal to `dominoes` if r = 1 */
     dom_real last;  /* first * r^n, in the unit of `first`; NaN if n is infinite */

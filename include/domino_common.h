@@ -111,8 +111,7 @@ enum dom_effect_name {
 /* The number of effects in DOM_DYNAMICS. */
 enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_drag + 1 };
 
-/* The number of members that later versions can add to struct dom_train, struct dom_row and struct
- * dom_compute. */
+/* The number of members that later versions can add to a structure: see "Versions" in <domino.h>. */
 enum { DOM_LATER = 4 };
 
 /* The largest number of arguments that an effect has. */
@@ -122,8 +121,7 @@ enum { DOM_EFFECT_ARGUMENTS = 3 };
  * even equal dominoes do not keep falling. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/* Returns "none", "barrier" or "reach". For a number that is not in the enumeration, this function and those
- * like it return "unknown". */
+/* Returns "none", "barrier" or "reach". For any other number, such functions return "unknown". */
 const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
@@ -152,8 +150,7 @@ struct dom_work {
     size_t longest;  /* number of dominoes visited in the longest pass */
 };
 
-/* Returns true if flag is not NULL and *flag is not 0. Reads *flag atomically, since another thread may set
- * it. */
+/* Returns true if flag is not NULL and *flag is not 0, which another thread may set. */
 static inline bool dom_raised(const volatile sig_atomic_t *flag)
 {
 #if defined __GNUC__

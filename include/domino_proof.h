@@ -46,8 +46,7 @@ const char *dom_proof_gap_text(enum dom_proof_gap gap);
 enum dom_proof_end {
     DOM_PROVED_BARRIER, /* the train keeps falling at growths from `from` to `low` and stops at `high` */
     DOM_PROVED_REACH,   /* the train keeps falling at growths from `from` to 1/s; low <= 1/s <= high */
-    /* For a train: it stops even at r = 1. For a pair: no growth above 1 was found at which the pair provably
-     * keeps falling. */
+    /* The train stops even at r = 1, or no growth above 1 was found at which the pair provably falls. */
     DOM_PROVED_NONE,
     /* The train keeps falling at every growth from `from` to `low`. If `low` is NaN, nothing is proved.
      * `gap` says why the proof is incomplete. */
@@ -56,8 +55,7 @@ enum dom_proof_end {
 
 struct dom_proof {
     enum dom_proof_end ends;
-    /* The lowest proved growth. It is 1, except for a pair that succeeds only at larger growths. */
-    double from;
+    double from;  /* the lowest proved growth: 1, except for a pair that succeeds only at larger growths */
     double low;   /* r_max >= low; NaN with DOM_PROVED_NONE */
     double high;  /* r_max <= high; infinite if no bound is proved */
     int decimals; /* with DOM_PROVED_BARRIER, the number of decimal places of `low` and `high` */
@@ -118,8 +116,7 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
  * The recipe at the end of the paper's section 'A general domino train' raises theta and r in steps of
  * sqrt(tol) / 2, which gives errors of about tol. Each function answers as the function of <domino.h> does
  * whose last word is the same. The status is DOM_NO_METHOD for trains with effects that change their motion,
- * and DOM_NOT_CONVERGED if the method fails. The sums of the paper do not converge for r = 1: the status is
- * then DOM_TOO_LONG.
+ * DOM_NOT_CONVERGED if the method fails, and DOM_TOO_LONG for r = 1, where the sums do not converge.
  */
 enum dom_status dom_paper_launch(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_launch *launch);

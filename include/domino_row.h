@@ -103,13 +103,11 @@ struct dom_fall {
 
 struct dom_verdict {
     enum dom_row_end end;
-    /* the last domino that was hit; if the status is DOM_BAD_..., the one with the bad value */
-    size_t domino;
-    /* the missing energy in J: > 0 for DOM_ROW_STOPS and DOM_ROW_BACK, infinite if friction locks the row */
-    dom_real short_by;
-    dom_real seconds; /* until all dominoes lie on the floor, or until the last hit; NaN without times */
-    /* the number of the falling domino with the smallest margin / barrier, apart from dominoes that begin at
-     * rest; 0 if there is none */
+    size_t domino; /* the last one that was hit; if the status is DOM_BAD_..., the one with the bad value */
+    dom_real short_by; /* missing energy in J, > 0 for DOM_ROW_STOPS and DOM_ROW_BACK; infinite if locked */
+    dom_real seconds;  /* until all dominoes lie on the floor, or until the last hit; NaN without times */
+    /* the falling domino with the smallest margin / barrier that does not begin at rest; 0 if there is none
+     */
     size_t weakest;
     dom_real spare; /* margin / barrier of the weakest domino; infinite without a barrier */
 };
@@ -124,9 +122,8 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
  * if it touches none. The statuses are those of dom_row_run. */
 enum dom_status dom_row_touch(const struct dom_row *row, const struct dom_compute *compute, dom_real *tilt);
 
-/* Writes the first `count` dominoes of a train. Each gap is s times the height of its domino, and each width
- * is train->width times the height. The first domino has the given mass in kg. Does not check the
- * arguments. */
+/* Writes the first `count` dominoes of a train. Gaps and widths are s and train->width times the height, and
+ * the first domino has the given mass in kg. Does not check the arguments. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
@@ -182,8 +179,7 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
  * force is > 0 (section 5 of the paper). */
 struct dom_force {
     size_t i;
-    /* contact force divided by the weight m g of the head; NaN if domino i has no follower */
-    double force;
+    double force;      /* contact force divided by the weight m g of the head; NaN without a follower */
     double per_weight; /* the force divided by the weight of domino i */
     double impulse;    /* impulse of the collision, divided by the head's m g tau; NaN if theta > 0 */
 };

@@ -10,8 +10,7 @@
 extern "C" {
 #endif
 
-/* A callback that reports the progress of a long computation: `done` parts of `of` are complete. It may be
- * NULL. */
+/* Reports the progress of a long computation: `done` parts of `of` are complete. May be NULL. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
 /* ---- Mending, and how precisely a row must be set up ---- */
@@ -210,10 +209,8 @@ struct dom_placement {
 /* How many rows of a placement fall. */
 struct dom_study {
     size_t rows, fall; /* the number of rows, and how many of them fall completely */
-    /* The number of rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS). They widen the
-     * interval. */
-    size_t unknown;
-    /* the 95 % interval (Clopper and Pearson) for the probability that a row falls */
+    size_t unknown;    /* rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS) */
+    /* The 95 % interval (Clopper and Pearson) for the probability that a row falls. Unknown rows widen it. */
     double low, high;
 };
 

@@ -152,8 +152,7 @@ enum dom_status draw_verdict(const struct dom_row *row, const struct dom_compute
 {
     const struct dom_train first = dynamics_of_domino(row, 0);
     struct quick quick = {.rough = dom_dissipates(&first)};
-    struct run_options options = {
-        .every = true, .passes = head_passes, .ends = is_in_doubt, .context = &quick};
+    struct run_options options = {.passes = head_passes, .ends = is_in_doubt, .context = &quick};
     for (size_t k = 0; k < row->count; k++)
         if (row->domino[k].lean != 0) {
             options.passes = NULL;

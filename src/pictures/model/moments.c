@@ -151,7 +151,6 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
                       .tilt = calloc(row->count + 1, sizeof *w.tilt),
                       .omega = calloc(row->count + 1, sizeof *w.omega)};
     const struct run_options options = {.times = true,
-                                        .every = true,
                                         .begins = watch_head,
                                         .moves = watch_motion,
                                         .detaches = watch_detach,

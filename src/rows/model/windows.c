@@ -100,7 +100,6 @@ static enum dom_status study_falls(struct study *s, size_t k, struct dom_verdict
 {
     const struct run_options options = {.forces = s->known <
                                                   s->row.given.count, /* a mark needs the smallest force */
-                                        .every = true,
                                         .ends = study_ends,
                                         .context = s};
     struct run run = row_launch(&s->row, &options);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The cycle of an endless train: its launch, barrier and verdict, its events, its states, and the cycle as a
- * table. */
+/* The cycle of an endless train: its launch, barrier and verdict, its events and its states. */
 #include "motion/motion.h"
 
 /* Returns the relative tolerance to which two terms must be computed, so that their difference is known to
@@ -133,12 +132,10 @@ enum dom_status dom_cycle_duration(const struct dom_train *train, const struct d
 
 /* ---- Events ---- */
 
-/* The state at the tilt at which a follower detaches is that just after it has detached, whatever rounding
- * does to the tilt. */
+/* The event of a follower that detaches is this fraction later, just after it, whatever rounding does. */
 #define DETACHED (64 * REAL_EPSILON)
 
-/* Lists the events of the motion in the order in which they happen, and returns their number, which is at
- * most DOM_EVENTS_MAX. */
+/* Lists the events of the motion in order, and returns their number, which is at most DOM_EVENTS_MAX. */
 static int motion_events(const struct motion *m, struct dom_event *events)
 {
     const struct barrier *b = &m->segment.barrier;

@@ -28,8 +28,7 @@ struct segment {
     enum dom_status status; /* status of an integrand, or of a function whose root is sought */
 };
 
-/* Lowers hi to the tilt at which a domino detaches, if one does. *moving receives the number of dominoes that
- * still move beyond hi. */
+/* Lowers hi to the tilt at which a domino detaches, if one does. Beyond hi, *moving dominoes still move. */
 KERNEL enum dom_status segment_cut(struct segment *segment, size_t *moving);
 
 /* Finds the barrier of a segment, and J. The members geometry, lo, hi, gain and start must be set. If

@@ -9,8 +9,7 @@ static struct tilt tilt_of_head(const struct geometry *head, size_t i, struct ti
     return i == 0 ? tilt : geometry_leader(head, tilt_of_head(next, i - 1, tilt));
 }
 
-/* Each pass lowers hi to the tilt at which a domino detaches. Another domino may have detached even earlier,
- * so the loop goes on. */
+/* Each pass lowers hi to the tilt at which a domino detaches, until none has detached even earlier. */
 KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
 {
     const struct geometry *geometry = &st->geometry;
@@ -126,8 +125,7 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
         }
     }
     const enum num_status solver = num_root(segment_short, st, edge[0], hi, geometry->tol / 8, theta);
-    /* Here the energy is just enough for the highest point, to within a rounding error. The row comes to rest
-     * at this point. */
+    /* The energy is just enough for the highest point, to within a rounding error: the row rests there. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
         *theta = hi;
         return DOM_OK;

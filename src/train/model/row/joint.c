@@ -9,27 +9,23 @@
 #include "row/row.h"
 #include <stdlib.h>
 
+/*
+ * Allows for rounding errors in a gap. A head counts as reaching the next domino even if the gap exceeds the
+ * reach of the head by up to this fraction. With sharp edges, the reach is the height. Example: in a row that
+ * is made from a train with r = 1/s, each gap equals the height of the domino before it, but only up to the
+ * rounding errors of r, of the heights and of the gap.
+ */
+#define REACH_ROUNDED (4 * REAL_EPSILON)
+
 KERNEL bool row_releases(const struct dom_row *row)
 {
     return row->release > 0 && !isnan(row->push);
 }
 
-KERNEL real row_lean(const struct dom_row *row, size_t k)
+/* Returns the lean of domino k, which is 0 for a first domino that is released. */
+static real row_lean(const struct dom_row *row, size_t k)
 {
     return k == 0 && row_releases(row) ? 0 : (real)row->domino[k].lean;
-}
-
-KERNEL real row_tau(const struct row *row, size_t k)
-{
-    const struct geometry *self = &row->geometry[k];
-    return sqrt((real)row->given.domino[k].height / (3 * (real)row->given.g) * (1 + self->d * self->d) *
-                self->inertia_factor);
-}
-
-KERNEL real row_unit(const struct row *row, size_t k)
-{
-    const struct dom_domino *self = &row->given.domino[k];
-    return (real)self->mass * (real)row->given.g * (real)self->height / 2;
 }
 
 /* Sets the geometry of the contact between domino k and its follower k - 1. */
@@ -81,7 +77,12 @@ static void joint_make(const struct dom_row *row, size_t k, const struct geometr
     geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
 }
 
-KERNEL bool lean_touch(const struct dom_row *row, size_t k, struct contact *contact, struct tilt *tilt)
+/*
+ * Finds where domino k touches domino k + 1, if one of the two leans at the start. Sets *contact to their
+ * contact, and *tilt to the tilt of domino k at that moment. Returns false if the edge of domino k misses the
+ * back face of domino k + 1, or if the two dominoes already touch at the start.
+ */
+static bool lean_touch(const struct dom_row *row, size_t k, struct contact *contact, struct tilt *tilt)
 {
     const struct dom_domino *other = &row->domino[k + 1];
     struct geometry next = {.d = (real)(other->thickness / other->height), .lean = (real)other->lean};
@@ -92,8 +93,7 @@ KERNEL bool lean_touch(const struct dom_row *row, size_t k, struct contact *cont
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= row_lean(row, k);
 }
 
-/* Returns the tilt of domino k at which it hits the next domino, or at which it lies on the floor if it hits
- * nothing. */
+/* Returns the tilt at which domino k hits the next one, or lies on the floor if it hits nothing. */
 static struct tilt row_end(const struct dom_row *row, size_t k, const struct geometry *geometry)
 {
     const struct tilt lies = {1, 0, 1};
@@ -109,6 +109,28 @@ static struct tilt row_end(const struct dom_row *row, size_t k, const struct geo
     if (next->gap > self->height * (1 + REACH_ROUNDED))
         return lies;
     return lean_touch(row, k, &contact, &tilt) ? tilt : contact.arm > 0 ? geometry_rest(geometry) : lies;
+}
+
+KERNEL enum dom_row_end joint_ends(const struct row *row, size_t k)
+{
+    const struct dom_row *given = &row->given;
+    const struct dom_domino *self = &given->domino[k], *next = self + 1;
+    const struct geometry *hits = &row->geometry[k];
+    const real top = hits->rounded.rho + hits->rounded.tall * hits->c.y,
+               flat = 1 - row->geometry[k + 1].rounded.rho;
+    struct contact contact;
+    struct tilt tilt;
+    if (next->gap > hits->span * self->height * (1 + REACH_ROUNDED))
+        return DOM_ROW_MISSES;
+    /* the first domino would be inside the second one when it is released */
+    if (k == 0 && row_releases(given) && isfinite(given->release) &&
+        given->release > hits->lean * (1 + REACH_ROUNDED))
+        return DOM_ROW_SKEWED;
+    if (row_lean(given, k) != 0 || next->lean != 0)
+        return !lean_touch(given, k, &contact, &tilt) ? DOM_ROW_SKEWED
+               : contact.arm > 1                      ? DOM_ROW_PASSES
+                                                      : DOM_ROW_FALLS;
+    return self->height * top > flat * next->height ? DOM_ROW_PASSES : DOM_ROW_FALLS;
 }
 
 KERNEL_SHARED enum dom_status row_geometry(struct row *row, size_t k)
@@ -136,8 +158,7 @@ static bool positive(dom_real value)
     return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
 }
 
-/* Values that are computed from the sizes may underflow or overflow even if the sizes do not, so they are
- * checked, too. */
+/* Also checks values that are computed from the sizes, since these may underflow or overflow. */
 KERNEL_SHARED enum dom_status row_domino_check(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

@@ -13,6 +13,21 @@
 #include "dynamics/dynamics.h"
 #include <stdlib.h>
 
+/* Returns tau of domino k in s. */
+static real row_tau(const struct row *row, size_t k)
+{
+    const struct geometry *self = &row->geometry[k];
+    return sqrt((real)row->given.domino[k].height / (3 * (real)row->given.g) * (1 + self->d * self->d) *
+                self->inertia_factor);
+}
+
+/* Returns the unit of energy of domino k, its m g h / 2 in J. */
+static real row_unit(const struct row *row, size_t k)
+{
+    const struct dom_domino *self = &row->given.domino[k];
+    return (real)self->mass * (real)row->given.g * (real)self->height / 2;
+}
+
 /* Finds the tilt at which the motion of a head ends early, either because its energy is `used_up`, or because
  * friction stops or locks the head. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
@@ -95,8 +110,7 @@ static enum dom_status descent_segment(struct descent *d, real end)
     return status;
 }
 
-/* Runs head k from its first tilt to its last tilt and stores the final state in *d. Unlike row_head, does
- * not update the verdict. */
+/* Runs head k from its first tilt to its last, and stores the final state in *d, but no verdict. */
 static enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct geometry *self = &run->row->geometry[k];
@@ -192,29 +206,6 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Returns how the fall ends when head k reaches the next domino, or DOM_ROW_FALLS if it goes on. */
-static enum dom_row_end hit_ends(const struct row *row, size_t k)
-{
-    const struct dom_row *given = &row->given;
-    const struct dom_domino *self = &given->domino[k], *next = self + 1;
-    const struct geometry *hits = &row->geometry[k];
-    const real top = hits->rounded.rho + hits->rounded.tall * hits->c.y,
-               flat = 1 - row->geometry[k + 1].rounded.rho;
-    struct contact contact;
-    struct tilt tilt;
-    if (next->gap > hits->span * self->height * (1 + REACH_ROUNDED))
-        return DOM_ROW_MISSES;
-    /* the first domino would be inside the second one when it is released */
-    if (k == 0 && row_releases(given) && isfinite(given->release) &&
-        given->release > hits->lean * (1 + REACH_ROUNDED))
-        return DOM_ROW_SKEWED;
-    if (row_lean(given, k) != 0 || next->lean != 0)
-        return !lean_touch(given, k, &contact, &tilt) ? DOM_ROW_SKEWED
-               : contact.arm > 1                      ? DOM_ROW_PASSES
-                                                      : DOM_ROW_FALLS;
-    return self->height * top > flat * next->height ? DOM_ROW_PASSES : DOM_ROW_FALLS;
-}
-
 /*
  * Computes the collision of head k with domino k + 1, which then becomes the head. The arguments *at and
  * *hitting are the state and the geometry of head k at the hit. If the fall ends here, sets run->verdict.end.
@@ -223,7 +214,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
                                const struct start *at)
 {
     const struct geometry *geometry = &run->row->geometry[k + 1];
-    run->verdict.end = hit_ends(run->row, k);
+    run->verdict.end = joint_ends(run->row, k);
     if (run->verdict.end != DOM_ROW_FALLS)
         return DOM_OK;
     real inertia_ratio = 0, velocity_ratio;
@@ -287,24 +278,24 @@ static enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
 
 /* ---- The run ---- */
 
-/* The number of equal dominoes up to the head must exceed the length of the longest pass along a chain by at
- * least STEADY_MORE. */
+/* By how many the equal dominoes up to the head must outnumber the longest pass along a chain. */
 enum { STEADY_MORE = 2 };
 
 /* The relative change of omegasq over all further heads together must be at most this fraction of the
  * tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
-/* Returns true if the heads after *d would move like it, were all dominoes equal. The last `alike` dominoes
- * are equal. */
+/* Returns true if later heads would move like *d, were all dominoes equal. The last `alike` ones are equal.
+ */
 static bool row_is_steady(const struct run *run, const struct run *before, const struct descent *d,
                           size_t alike)
 {
     const struct row *row = run->row;
     const real after = run->omegasq, lambda = d->st.gain * after / d->st.start.omegasq,
                left = fabs(after - before->omegasq) * lambda / (1 - lambda);
-    return !run->options->every && row->compute.work->longest + STEADY_MORE <= alike &&
-           run->moving - before->moving <= 1 && lambda < 1 && left <= STEADY_SHARE * row->compute.tol * after;
+    return !run->options->ends && !run->options->detaches &&
+           row->compute.work->longest + STEADY_MORE <= alike && run->moving - before->moving <= 1 &&
+           lambda < 1 && left <= STEADY_SHARE * row->compute.tol * after;
 }
 
 /* In a long sequence of equal dominoes, all heads eventually move alike. From then on, a head repeats the

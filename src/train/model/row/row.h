@@ -11,14 +11,6 @@
 
 /* ---- Joints: two neighbours, as if these were dominoes of a train (joint.c) ---- */
 
-/*
- * Allows for rounding errors in a gap. A head counts as reaching the next domino even if the gap exceeds the
- * reach of the head by up to this fraction. With sharp edges, the reach is the height. Example: in a row that
- * is made from a train with r = 1/s, each gap equals the height of the domino before it, but only up to the
- * rounding errors of r, of the heights and of the gap.
- */
-#define REACH_ROUNDED (4 * REAL_EPSILON)
-
 /* A row that has been checked, with the memory that its runs need. */
 struct row {
     struct dom_row given;
@@ -29,10 +21,6 @@ struct row {
     size_t made;
     struct dom_work work; /* the counters, unless the caller has some */
 };
-
-/* Return tau of domino k in s, and its unit of energy m g h / 2 in J. Its geometry must be filled in. */
-KERNEL real row_tau(const struct row *row, size_t k);
-KERNEL real row_unit(const struct row *row, size_t k);
 
 /* row_begin checks a row and prepares its runs. Call row_free afterwards, even after an error. If a domino is
  * bad, sets *wrong to its number, counted from 1. */
@@ -52,15 +40,8 @@ KERNEL_SHARED bool row_repeats(const struct dom_row *row, size_t k);
 /* Returns true if the first domino starts at a tilt that takes the place of its lean. */
 KERNEL bool row_releases(const struct dom_row *row);
 
-/* Returns the lean of domino k, which is 0 for a first domino that is released. */
-KERNEL real row_lean(const struct dom_row *row, size_t k);
-
-/*
- * Finds where domino k touches domino k + 1, if one of the two leans at the start. Sets *contact to their
- * contact, and *tilt to the tilt of domino k at that moment. Returns false if the edge of domino k misses the
- * back face of domino k + 1, or if the two dominoes already touch at the start.
- */
-KERNEL bool lean_touch(const struct dom_row *row, size_t k, struct contact *contact, struct tilt *tilt);
+/* Returns how the fall ends when head k reaches the next domino, or DOM_ROW_FALLS if it goes on. */
+KERNEL enum dom_row_end joint_ends(const struct row *row, size_t k);
 
 /* ---- Runs (row.c) ---- */
 
@@ -68,11 +49,11 @@ struct run;
 struct descent;
 
 /* How a row runs, and what other folders do while it runs. Each function may be NULL. A status other than
- * DOM_OK ends the run. */
+ * DOM_OK ends the run. If neither `ends` nor `detaches` is set, a head may repeat the motion of the one
+ * before, instead of being computed. */
 struct run_options {
     bool times;
     bool forces;     /* the smallest contact force is wanted, not only its sign */
-    bool every;      /* no head may repeat the motion of the one before instead of being computed */
     bool carries_on; /* a domino that would stop gets the energy that it needs, and the run goes on */
     /* Returns true if it is certain, without a search for the barrier, that head k keeps falling. Sets *at to
      * the state at the end of its motion. */
