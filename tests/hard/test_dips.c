@@ -181,6 +181,31 @@ TEST(the_depth_of_a_dip_decides)
     assert_int_equal(tally.wrong, 0);
 }
 
+/* Just below the reach, the margin of thin dominoes dips and rises again between two samples of the search.
+ * Each r is the growth of such a dip, at which the train stops. */
+TEST(a_dip_close_to_the_reach_is_seen)
+{
+    static const struct scene close[] = {
+        {0.00058319685379602413, 1.496225472401489, 0, 0, 0.006426525, 155.2},
+        {0.00076321139066404589, 1.4934010668498015, 0, 0, 0.0075800289993315315, 131.474397838},
+        {0.00051698020712347375, 1.3747552345991327, 0, 0, 0.0038322329287496502, 260.13385428},
+        {0.00010074699714384886, 1.8741295298117646, 0, 0, 0.0069475911580184858, 143.733965511},
+        {0.00013673941252387379, 1.5419841257526361, 0, 0, 0.0029746117817103547, 335.711511936},
+    };
+    for (size_t i = 0; i < sizeof close / sizeof *close; i++) {
+        const struct setup fine = fine_train(&close[i], close[i].s);
+        assert_true(share_at_growth(close[i].r, &fine) < 0);
+        for (enum precision precision = IN_DOUBLE; precision <= IN_QUAD; precision++) {
+            const struct setup train = train_of(&close[i], close[i].s, precision);
+            struct domq_limit limit;
+            assert_int_equal(ask_limit_rmax(&train, &limit), DOM_OK);
+            assert_true(limit.r_max < close[i].r);
+            assert_true(share_at_growth(limit.r_max * (1 - (domq_real)1e-9), &fine) > 0);
+            assert_true(share_at_growth(limit.r_max * (1 + (domq_real)1e-9), &fine) < 0);
+        }
+    }
+}
+
 /* ---- The best separation ---- */
 
 /*

@@ -25,10 +25,11 @@ static real r_of(const struct growth *g, real x)
 }
 
 /* The steps of ln r from one sample to the next: half of sqrt(s (s + 2 d)), the scale on which the weights of
- * the chain change near r = 1, but at least SAMPLE_LEAST and at most SAMPLE_MOST. The last samples are at 0.9
- * of the reach and at the reach itself. */
+ * the chain change near r = 1, but at least SAMPLE_LEAST and at most SAMPLE_MOST. The last samples are at
+ * NEAR_REACH of the reach and at the reach itself. */
 #define SAMPLE_LEAST ((real)0.1)
 #define SAMPLE_MOST  ((real)0.2)
+#define NEAR_REACH   ((real)0.9)
 /* Enough for a reach of 1.6e6, the largest there is. */
 enum { SAMPLES_MOST = 100 };
 
@@ -125,6 +126,9 @@ static bool is_clear(const struct first *s, const struct stretch *in, const stru
         return true;
     /* beyond the known root, the margin may change on much smaller scales */
     const bool beyond = in->after && in->after->r > s->limit.r_max;
+    /* and near the reach on smaller scales than a third sample on one side shows */
+    if (!in->after && in->halves == HALVES && in->hi->r > NEAR_REACH * s->g->geometry.span / s->g->s)
+        return false;
     const struct margin *const third[] = {in->before, beyond && s->sign > 0 ? &s->at : in->after};
     bool clear = third[0] || third[1];
     for (int k = 0; k < 2 && clear; k++)
@@ -312,7 +316,7 @@ KERNEL enum dom_status first_change(struct growth *g, const struct margin *from,
                       .unit = barrier_most(&g->geometry),
                       .limit = {.r_max = (real)INFINITY, .open = (real)INFINITY, .dip = (real)INFINITY}};
     struct margin sample[SAMPLES_MOST] = {*from};
-    const real tol = g->geometry.tol, reach = g->geometry.span / g->s, near = (real)0.9 * reach,
+    const real tol = g->geometry.tol, reach = g->geometry.span / g->s, near = NEAR_REACH * reach,
                first = fmin(fmax(sqrt(g->s * (g->s + 2 * g->geometry.d)) / 2, SAMPLE_LEAST), SAMPLE_MOST);
     int n = 1;
     g->geometry.tol = fmin(tol, SAMPLE_TOL);
