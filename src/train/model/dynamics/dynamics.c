@@ -1,24 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dynamics/dynamics.h"
-#include <stdlib.h>
 
 /* ---- The equation of motion of dominoes that lose energy ---- */
-
-KERNEL enum dom_status dynamics_begin(struct geometry *geometry)
-{
-    if (geometry->conservative)
-        return DOM_OK;
-    geometry->flow = calloc(1, sizeof *geometry->flow);
-    return geometry->flow ? DOM_OK : DOM_NO_MEMORY;
-}
-
-KERNEL void dynamics_end(struct geometry *geometry)
-{
-    if (geometry->flow)
-        num_linear_free(&geometry->flow->solution);
-    free(geometry->flow);
-    geometry->flow = NULL;
-}
 
 /* The largest number of visits to dominoes that one solution may make, in all its passes along the chain. In
  * double precision, this many visits take half a second. */

@@ -118,6 +118,8 @@ KERNEL enum dom_status dynamics_near_rest(const struct geometry *geometry, real 
  * [H(theta) - H(0)] / J(0).
  *
  * Source: van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010).
+ *
+ * A geometry points to its flow, which begins as {0}. In the end, num_linear_free frees the solution.
  */
 struct flow {
     struct num_linear solution;
@@ -129,11 +131,6 @@ struct flow {
 /* Finds tau^2 omega^2 of a domino with drag that tips over at theta_u and falls alone to the tilt theta_c.
  * The flow of the geometry is then the solution of this motion. */
 KERNEL enum dom_status losses_tipped(const struct geometry *geometry, real *omegasq);
-
-/* Allocates and frees the flow of a geometry, if its law of motion needs one. dynamics_end may follow a
- * failed dynamics_begin. */
-KERNEL enum dom_status dynamics_begin(struct geometry *geometry);
-KERNEL void dynamics_end(struct geometry *geometry);
 
 /* Solves the equation of motion over a whole cycle, unless an earlier call has already done so. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);

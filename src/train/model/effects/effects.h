@@ -24,7 +24,7 @@ KERNEL enum dom_status dynamics_read(const struct dom_train *train, const struct
                                      struct geometry *geometry);
 
 /* Checks a train, prepares its geometry and the law of motion, and sets the separation and the growth. If
- * `energies` is true, also prepares the far tail. Call dynamics_begin before the law is used. */
+ * `energies` is true, also prepares the far tail. The caller sets geometry->flow before the law is used. */
 KERNEL enum dom_status train_make(const struct dom_train *train, const struct dom_compute *compute,
                                   bool energies, struct geometry *geometry);
 

@@ -62,7 +62,6 @@ KERNEL enum dom_status train_make(const struct dom_train *train, const struct do
                                   bool energies, struct geometry *geometry)
 {
     enum dom_status status = train_check(train, compute);
-    *geometry = (struct geometry){.flow = NULL}; /* for dynamics_end */
     if (status == DOM_OK)
         status = dynamics_read(train, compute, geometry);
     if (status == DOM_OK)

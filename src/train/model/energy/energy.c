@@ -56,13 +56,13 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
                                 struct dom_launch *launch)
 {
     struct geometry geometry;
+    struct flow flow = {.tol = 0};
     struct launch l;
     enum dom_status status = train_make(train, compute, true, &geometry);
-    if (status == DOM_OK)
-        status = dynamics_begin(&geometry);
+    geometry.flow = &flow;
     if (status == DOM_OK)
         status = dynamics_collide(&geometry, train->fuel, &l);
-    dynamics_end(&geometry);
+    num_linear_free(&flow.solution);
     if (status != DOM_OK)
         return status;
     bool fuelled = l.fuel > 0;

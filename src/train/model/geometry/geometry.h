@@ -66,7 +66,7 @@ struct geometry {
     real inertia_factor; /* moment of inertia divided by that of a solid block */
     real entrained;      /* the share of this moment of inertia that is outside the domino */
     bool rolls;          /* true if edges are rounded, so that dominoes roll */
-    struct flow *flow;   /* solution of the equation of motion; NULL if none is needed */
+    struct flow *flow;   /* solution of the equation of motion, unless energy is conserved */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     /* The number of dominoes visited in the current search so far, and its limit. `effort` is NULL if there

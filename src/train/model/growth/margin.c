@@ -90,20 +90,20 @@ KERNEL void growth_begin(const struct dom_train *train, const struct dom_compute
 static enum dom_status margin_find(struct growth *g, enum margin_how how, real r, real tol, struct margin *m)
 {
     struct geometry geometry = g->geometry;
+    struct flow flow = {.tol = 0};
     const bool pair = geometry.n == 2;
+    geometry.flow = &flow;
     geometry.tol = tol;
     *m = (struct margin){.r = r, .tol = tol};
     g->status = geometry_set(&geometry, g->s, r);
     if (g->status == DOM_OK)
         far_make(&geometry, how == MARGIN_SIGN ? 1 : 2);
     if (g->status == DOM_OK)
-        g->status = dynamics_begin(&geometry);
-    if (g->status == DOM_OK)
         g->status = pair ? pair_kinetic(&geometry, &m->kinetic)
                          : train_kinetic(&geometry, g->train->fuel, &m->kinetic);
     if (g->status == DOM_OK)
         g->status = margin_barrier(&geometry, g, how, m);
-    dynamics_end(&geometry);
+    num_linear_free(&flow.solution);
     g->locked = g->status == DOM_LOCKS;
     /* If a train locks, its energy tends to 0, so the train stops. The margin is then negative. Its size does
      * not matter. */

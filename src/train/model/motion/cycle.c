@@ -35,8 +35,7 @@ KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, cons
     *m = (struct motion){.launch.fuel = REAL_NAN};
     enum dom_status status = train_make(train, compute, true, &st->geometry);
     m->tol = st->geometry.tol;
-    if (status == DOM_OK)
-        status = dynamics_begin(&st->geometry);
+    st->geometry.flow = &m->flow;
     m->end = st->hi = tilt_angle(st->geometry.c);
     if (status == DOM_OK)
         status = motion_balance(m, train->fuel);
@@ -56,7 +55,7 @@ KERNEL_SHARED enum dom_status motion_prepare(const struct dom_train *train, cons
 
 KERNEL_SHARED void motion_end(struct motion *m)
 {
-    dynamics_end(&m->segment.geometry);
+    num_linear_free(&m->flow.solution);
     clock_free(&m->clock);
 }
 

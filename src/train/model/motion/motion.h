@@ -76,6 +76,7 @@ KERNEL_SHARED enum dom_status clock_tilt(struct clock *clock, real time, real *t
 
 struct motion {
     struct segment segment; /* from the upright position to theta_c */
+    struct flow flow;       /* of the segment's geometry */
     struct launch launch;
     bool stops;         /* true if the train does not get over the barrier */
     real end;           /* the last tilt: theta_c, or the tilt of rest */

@@ -138,9 +138,8 @@ KERNEL_SHARED enum dom_status row_geometry(struct row *row, size_t k)
     const struct dom_row *given = &row->given;
     const struct dom_train own = dynamics_of_domino(given, k);
     struct geometry *geometry = &row->geometry[k];
-    struct flow *flow = row->geometry[0].flow;
     const enum dom_status status = dynamics_read(&own, &row->compute, geometry);
-    geometry->flow = flow;
+    geometry->flow = &row->flow;
     geometry->lean = row_lean(given, k);
     geometry->short_of = 1;
     geometry->n = k + 1;
@@ -215,20 +214,16 @@ KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struc
     row->geometry = status == DOM_OK ? malloc(count * sizeof *row->geometry) : NULL;
     if (!row->geometry)
         return status == DOM_OK ? DOM_NO_MEMORY : status;
-    row->geometry[0] = (struct geometry){.flow = NULL};
     for (; row->made < count && status == DOM_OK; row->made++) {
         if (row->made % CHECK_EVERY == 0 && dom_interrupted(row->compute.interrupt))
             return DOM_INTERRUPTED;
         status = row_geometry(row, row->made);
-        if (status == DOM_OK && !row->geometry[0].flow) /* all joints share the memory of the law of motion */
-            status = dynamics_begin(row->geometry);
     }
     return status;
 }
 
 KERNEL_SHARED void row_free(struct row *row)
 {
-    if (row->geometry)
-        dynamics_end(row->geometry);
+    num_linear_free(&row->flow.solution);
     free(row->geometry);
 }

@@ -17,6 +17,7 @@ struct row {
     struct dom_compute compute;
     /* geometry[k] describes domino k, both as a head and as the follower of domino k + 1 */
     struct geometry *geometry;
+    struct flow flow; /* the memory of the law of motion, which all dominoes share */
     /* number of elements of `geometry` that are filled in so far; a run fills in more when it needs them */
     size_t made;
     struct dom_work work; /* the counters, unless the caller has some */
