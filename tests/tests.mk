@@ -34,7 +34,7 @@ $(P)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE) $(ANY)) $(P)/libdom
 
 # These tests include the sources of the model in double, beside those in the library.
 $(addprefix $(P)/unit/test_,chain numerics study verdicts): LDFLAGS += -Wl,-z,muldefs
-$(addprefix $(B)/obj/tests/unit/test_,chain.o numerics.o study.o verdicts.o): C_FLAGS += -include $(B)/library.h
+$(addprefix $(B)/obj/tests/unit/test_,chain.o numerics.o proof.o study.o verdicts.o): C_FLAGS += -include $(B)/library.h
 # This test can make allocations and threads fail.
 $(P)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # This test counts the checks for an interrupt.

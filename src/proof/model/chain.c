@@ -46,14 +46,14 @@ SPAN struct span tilt_sine(struct span v)
     return (struct span){PROOF_BOUND(SINE, low * (1 - 0x1p-51), low), high * (1 + 0x1p-51)};
 }
 
-static struct span tilt_cosine(struct span v)
+SPAN struct span tilt_cosine(struct span v)
 {
     return (struct span){least_0(down(1 - v.hi)), up(1 - v.lo)};
 }
 
 /* Returns g = d sin theta - (1 - cos theta), which is h(theta) - 1. It increases up to theta_u and decreases
  * after it. */
-static struct span tilt_height(const struct shape *shape, struct span v)
+SPAN struct span tilt_height(const struct shape *shape, struct span v)
 {
     const struct span lo = span_of(v.lo), hi = span_of(v.hi),
                       at_lo = span_sub(span_product(shape->d, tilt_sine(lo)), lo),
@@ -66,19 +66,12 @@ static struct span tilt_height(const struct shape *shape, struct span v)
 }
 
 /* Returns dh/dtheta = d cos theta - sin theta, which decreases on [0, pi/2]. */
-static struct span tilt_rise(const struct shape *shape, struct span v)
+SPAN struct span tilt_rise(const struct shape *shape, struct span v)
 {
     return span_sub(span_product(shape->d, tilt_cosine(v)), tilt_sine(v));
 }
 
 /* ---- A domino and its follower ---- */
-
-/* One domino of a chain, for all tilts of the head and all growths in a box. */
-struct domino {
-    struct span v;
-    struct span slope; /* dtheta_i/dtheta >= 0 */
-    struct span shift; /* dtheta_i/dr >= 0, for a head with a fixed tilt */
-};
 
 /* The sine X and the cosine Y of the angle theta_1 - theta at one growth. If v increases, X
  * decreases and Y increases. */
@@ -134,111 +127,114 @@ SPAN struct span corner_follow(const struct corner *c, double v)
 }
 
 /* Given v of a domino, returns v of its follower. */
-static struct span chain_follow(const struct growth *g, struct span v)
+SPAN struct span chain_follow(const struct upright *t, struct span v)
 {
-    const struct corner *const low = PROOF_BOUND(CORNERS, &g->low, &g->high);
-    return (struct span){corner_follow(low, v.lo).lo, corner_follow(&g->high, v.hi).hi};
+    const struct corner *const low = PROOF_BOUND(CORNERS, &t->low, &t->high);
+    return (struct span){corner_follow(low, v.lo).lo, corner_follow(&t->high, v.hi).hi};
 }
 
-/* One contact: from domino i to domino i + 1. */
-struct contact {
-    struct span X, Y;  /* sine and cosine of theta_(i+1) - theta_i */
-    struct span x;     /* sin theta_i */
-    struct span slope; /* dF/dtheta */
-    struct span shift; /* dF/dr */
-    /* true if theta_i is beyond theta_leave in the whole box; the follower then stays at theta_f */
-    bool held;
-    bool may_hold; /* true if theta_i may be beyond theta_leave in a part of the box */
+/* One domino of a chain, for all tilts of the head and all growths in a box. */
+struct domino {
+    struct span v;
+    struct span slope; /* dtheta_i/dtheta >= 0 */
+    struct span shift; /* dtheta_i/dr >= 0, for a head with a fixed tilt */
 };
 
-/* Given v of a domino, returns its contact with its follower. */
-static struct contact chain_contact(const struct growth *g, struct span v)
+/* The derivatives of the tilt F of a domino's follower. */
+struct contact {
+    struct dual slope; /* dF/dtheta, and its derivative with respect to r along the chain */
+    struct span shift; /* dF/dr */
+};
+
+/*
+ * Returns the contact of a domino with its follower, with the derivative of dF/dtheta if `second` is true.
+ * With the sine X and the cosine Y of the angle between the two, and the sine x of the leader's tilt,
+ *
+ *     dF/dtheta = 1 - r L x/Y (14; b10), which is between 0 and 1;     dF/dr = (X/r)/Y.
+ *
+ * Beyond theta_leave, F is constant, so all tilts beyond theta_leave are treated like theta_leave. The
+ * derivatives of F have no jump at theta_leave, since dF/dtheta = 0 there.
+ */
+SPAN struct contact contact_find(const struct upright *t, const struct domino *leader, bool second)
 {
-    struct contact c = {.held = v.lo >= g->leave.hi, .may_hold = v.hi >= g->leave.lo};
-    /* Beyond theta_leave, F is constant, so all tilts beyond theta_leave are treated like theta_leave. The
-     * derivatives of F have no jump at theta_leave, since dF/dtheta = 0 there. */
-    const struct span u = {smaller(v.lo, g->leave.lo), smaller(v.hi, g->leave.hi)};
-    const struct turn low = corner_turn(&g->low, span_of(u.hi)), high = corner_turn(&g->high, span_of(u.lo));
-    c.X = (struct span){low.X.lo, high.X.hi};
-    c.Y = (struct span){high.Y.lo, low.Y.hi};
-    c.x = tilt_sine(u);
-    /* dF/dtheta = 1 - r L sin theta / Y (14; b10), which is between 0 and 1. */
-    c.slope = span_sub(one, span_over(span_mul((struct span){g->low.rL.lo, g->high.rL.hi}, c.x), c.Y));
-    c.slope = c.held ? span_of(0) : (struct span){least_0(c.slope.lo), most_1(least_0(c.slope.hi))};
-    /* dF/dr = (X/r)/Y, where X/r = L cos theta - d. dF/dr decreases with theta and increases with r. */
-    c.shift =
-        (struct span){least_0(down(down(c.X.lo / g->r.lo) / c.Y.hi)), up(up(c.X.hi / g->r.hi) / c.Y.lo)};
-    return c;
+    /* the leader is beyond theta_leave in the whole box, or in a part of it */
+    const bool held = leader->v.lo >= t->leave.hi, may_hold = leader->v.hi >= t->leave.lo;
+    const struct span u = {smaller(leader->v.lo, t->leave.lo), smaller(leader->v.hi, t->leave.hi)};
+    const struct turn low = corner_turn(&t->low, span_of(u.hi)), high = corner_turn(&t->high, span_of(u.lo));
+    struct dual X = {.value = {low.X.lo, high.X.hi}}, Y = {.value = {high.Y.lo, low.Y.hi}},
+                x = {.value = tilt_sine(u)}, rL = {{t->low.rL.lo, t->high.rL.hi}, t->shape->L};
+    struct dual slope = {.value = span_sub(one, span_over(span_mul(rL.value, x.value), Y.value))};
+    slope.value = u.hi == 0 ? one : (struct span){least_0(slope.value.lo), most_1(least_0(slope.value.hi))};
+    if (second) { /* the tilt of the leader changes along with r; X = r (L cos theta - d), Y^2 = 1 - X^2 */
+        x.by_r = span_mul(tilt_cosine(leader->v), leader->shift);
+        const struct dual rLx = dual_mul(rL, x);
+        X.by_r = span_sub(span_over(X.value, t->r), span_mul(rLx.value, leader->shift));
+        Y.by_r = span_negate(span_over(span_mul(X.value, X.by_r), Y.value));
+        slope.by_r = span_negate(dual_over(rLx, Y).by_r);
+    }
+    if (may_hold)
+        slope.by_r = (struct span){smaller(slope.by_r.lo, 0), larger(slope.by_r.hi, 0)};
+    /* X/r depends on the tilt alone. dF/dr decreases with theta and increases with r. */
+    return (struct contact){
+        held ? dual_of(span_of(0)) : slope,
+        {least_0(down(down(X.value.lo / t->r.lo) / Y.value.hi)), up(up(X.value.hi / t->r.hi) / Y.value.lo)}};
 }
 
-/* Returns the follower of `leader`, including derivatives. */
-static struct domino chain_next(const struct growth *g, const struct domino *leader,
-                                const struct contact *contact)
+/* Returns the follower of `leader`. */
+SPAN struct domino chain_next(const struct upright *t, const struct domino *leader,
+                              const struct contact *contact)
 {
-    struct domino next = {.v = chain_follow(g, leader->v),
-                          .slope = span_mul(contact->slope, leader->slope),
-                          .shift = span_add(span_mul(contact->slope, leader->shift), contact->shift)};
+    struct domino next = {.v = chain_follow(t, leader->v),
+                          .slope = span_mul(contact->slope.value, leader->slope),
+                          .shift = span_add(span_mul(contact->slope.value, leader->shift), contact->shift)};
     next.slope.lo = least_0(next.slope.lo);
     next.shift.lo = least_0(next.shift.lo);
     return next;
 }
 
-/* Returns the derivative of dF/dtheta = 1 - r L x / Y with respect to r. If r changes, the tilt of the domino
- * changes too, by dtheta_i/dr = shift. */
-static struct span slope_by_r(const struct growth *g, const struct domino *domino, const struct contact *c)
+/* Returns h - 1 of a domino. */
+SPAN struct dual energy_of(const struct shape *shape, const struct domino *domino)
 {
-    const struct dual rL = {{g->low.rL.lo, g->high.rL.hi}, g->shape->L},
-                      x = {c->x, span_mul(tilt_cosine(domino->v), domino->shift)}, rLx = dual_mul(rL, x);
-    if (c->held)
-        return span_of(0);
-    /* X = r (L y - d), so dX/dr = X/r - r L x shift; Y^2 = 1 - X^2 */
-    const struct span X_by_r = span_sub(span_over(c->X, g->r), span_mul(rLx.value, domino->shift));
-    const struct dual Y = {c->Y, span_negate(span_over(span_mul(c->X, X_by_r), c->Y))};
-    const struct span by_r = span_negate(dual_over(rLx, Y).by_r);
-    return c->may_hold ? (struct span){smaller(by_r.lo, 0), larger(by_r.hi, 0)} : by_r;
+    return (struct dual){tilt_height(shape, domino->v), span_mul(tilt_rise(shape, domino->v), domino->shift)};
 }
 
-/* ---- Powers ---- */
+/* ---- The train with an upright head ---- */
 
 /* Returns x^q for x >= 1 and q >= 0. The functions of libm have no guaranteed error bounds, so powers take
  * only products and square roots: if q = n + f with a whole number n and f < 1, x^q = x^n sqrt(x^(2 f)). Each
  * step takes a binary digit from f, and each square root halves the relative error. */
 static struct span power_of(double x, double q)
 {
-    const double rest = q - floor(q); /* exact, like 2 rest */
-    struct span power = one, square = span_of(x);
-    double n = floor(q);
-    while (n > 0) {
-        if (fmod(n, 2) > 0)
-            power = span_product(power, square);
-        square = span_product(square, square);
-        n = floor(n / 2);
+    const double whole = floor(q);
+    if (q > whole) { /* q - whole is exact, like 2 (q - whole) */
+        const struct span root = span_sqrt(power_of(x, 2 * (q - whole)));
+        return whole > 0 ? span_product(power_of(x, whole), root) : root;
     }
-    return rest > 0 ? span_product(power, span_sqrt(power_of(x, 2 * rest))) : power;
+    if (q <= 1)
+        return q > 0 ? span_of(x) : one;
+    if (fmod(q, 2) > 0)
+        return span_product(span_of(x), power_of(x, q - 1));
+    const struct span half = power_of(x, q / 2);
+    return span_product(half, half);
 }
 
-static struct growth growth_make(const struct shape *shape, double r_low, double r_high)
+static struct upright growth_make(const struct shape *shape, double r_low, double r_high)
 {
-    struct growth g = {.shape = shape, .r = {r_low, r_high}};
-    g.low = corner_make(shape, r_low);
-    g.high = corner_make(shape, r_high);
-    g.leave = (struct span){g.high.leave.lo, g.low.leave.hi}; /* theta_leave decreases with r */
-    g.rq = (struct span){larger(power_of(r_low, shape->q.lo).lo, 1), power_of(r_high, shape->q.hi).hi};
-    g.weight = span_over(one, g.rq);
-    g.weight.hi = most_1(g.weight.hi);
-    g.inertia = span_over(g.weight, g.r);
-    g.v_hit = chain_follow(&g, span_of(0));
-    g.hit = span_sqrt(span_add(g.v_hit, g.v_hit));
-    return g;
+    struct upright t = {.shape = shape, .r = {r_low, r_high}};
+    t.low = corner_make(shape, r_low);
+    t.high = corner_make(shape, r_high);
+    t.leave = (struct span){t.high.leave.lo, t.low.leave.hi}; /* theta_leave decreases with r */
+    t.rq.value = (struct span){larger(power_of(r_low, shape->q.lo).lo, 1), power_of(r_high, shape->q.hi).hi};
+    t.weight.value = span_over(one, t.rq.value);
+    t.weight.value.hi = most_1(t.weight.value.hi);
+    const struct span rate = span_over(shape->q, t.r); /* dr^q/dr = (q/r) r^q */
+    t.rq.by_r = span_mul(rate, t.rq.value);
+    t.weight.by_r = span_negate(span_mul(rate, t.weight.value));
+    t.inertia = dual_over(t.weight, (struct dual){t.r, one});
+    t.v_hit = chain_follow(&t, span_of(0));
+    t.hit = span_sqrt(span_add(t.v_hit, t.v_hit));
+    return t;
 }
-
-/* Returns r^(-a i) with its derivative, for an a > 0. */
-static struct dual power_by_r(const struct growth *g, struct span power, struct span a, int i)
-{
-    return (struct dual){power, span_negate(span_mul(span_mul(span_of(i), span_over(a, g->r)), power))};
-}
-
-/* ---- Energies ---- */
 
 /*
  * Sums over the infinitely many dominoes of a train are computed only up to domino n - 1. Domino n and all
@@ -251,14 +247,11 @@ static struct dual power_by_r(const struct growth *g, struct span power, struct 
  */
 
 /* Finds the kinetic energy K from equation (24; c6). If P > 0, then K = P / E with E = r^q (1 + 1/T) - 1. */
-static struct dual kinetic_of_train(const struct growth *g, struct dual fuel, struct dual T)
+static struct dual kinetic_of_train(const struct upright *t, struct dual fuel, struct dual T)
 {
-    const struct dual unit = dual_of(one), rq = {g->rq, span_mul(g->rq, span_over(g->shape->q, g->r))},
-                      E = dual_sub(dual_mul(rq, dual_add(unit, dual_over(unit, T))), unit);
-    struct dual kinetic = dual_over(fuel, E);
-    if (!(E.value.lo > 0))
-        kinetic.value = everything;
-    return kinetic;
+    const struct dual unit = dual_of(one),
+                      E = dual_sub(dual_mul(t->rq, dual_add(unit, dual_over(unit, T))), unit);
+    return E.value.lo > 0 ? dual_over(fuel, E) : (struct dual){everything, everything};
 }
 
 /*
@@ -269,109 +262,67 @@ static struct dual kinetic_of_train(const struct growth *g, struct dual fuel, st
  *
  *     f = r k^2/(1 + k),   k = r^(-(q+1)).
  */
-static void kinetic_of_pair(struct upright *u)
+static void kinetic_of_pair(struct upright *t)
 {
-    const struct growth *g = &u->growth;
-    const struct span top = g->shape->v_top, hit = g->v_hit;
-    const struct dual k = power_by_r(g, g->inertia, span_add(g->shape->q, one), 1),
-                      share = dual_mul((struct dual){g->r, one},
-                                       dual_over(dual_mul(k, k), dual_add(dual_of(one), k)));
-    struct dual push = dual_sub(dual_of(g->shape->g_top), u->link[1].g);
-    u->kinetic.by_r = dual_mul(share, push).by_r;
+    const struct span top = t->shape->v_top, hit = t->v_hit;
+    const struct dual k = t->inertia, f = dual_mul((struct dual){t->r, one},
+                                                   dual_over(dual_mul(k, k), dual_add(dual_of(one), k)));
+    struct dual fuel = dual_sub(dual_of(t->shape->g_top), t->link[1].g);
     /* If theta_c < theta_u, domino 1 touches the head before it can tip over its edge, so the pair has no
      * fuel (5; b0). */
     if (!(hit.lo > top.hi))
-        push.value.lo = -1;
+        fuel = (struct dual){{-1, fuel.value.hi}, everything};
     if (hit.hi < top.lo)
-        push.value.hi = -1;
-    u->fuel = push.value;
-    u->kinetic.value = span_mul(share.value, push.value);
-    u->by_r = u->by_r && hit.lo > top.hi;
-}
-
-/* The weights r^(-q i) and r^(-(q+1) i) of domino i = n, its slope, and the sums P and T up to it. */
-struct sums {
-    struct span power, share;
-    struct dual slope, fuel, T;
-};
-
-/* Finds K, P and T from the sums. For K_n and its derivative, the sums have no remainders. */
-static void kinetic_find(struct upright *u, struct sums *sums, const struct domino *last)
-{
-    const struct growth *g = &u->growth;
-    struct span *const P = &sums->fuel.value, *const T = &sums->T.value;
-    if (g->shape->paper) { /* the paper's closed form of the fuel, P = 1 - h(theta_last) */
-        /* theta_last is the largest tilt that any follower reaches: theta_f = theta_1(theta_leave) if
-         * followers detach, and theta_inf otherwise. dF/dtheta is 0 there, so d theta_f/dr = dF/dr. */
-        const struct span v = chain_follow(g, one), shift = chain_contact(g, g->leave).shift;
-        sums->fuel = (struct dual){span_negate(tilt_height(g->shape, v)),
-                                   span_negate(span_mul(tilt_rise(g->shape, v), shift))};
-    }
-    u->kinetic = kinetic_of_train(g, sums->fuel, sums->T);
-    /* For i >= n, Y_i <= 1 and x_i >= x_n, so dF/dtheta = 1 - r L x_i / Y_i <= p = 1 - r L x_n. */
-    const double rest = up(sums->power.hi * least_0(up(u->link[u->n].g.value.hi - u->g_last))),
-                 slope = sums->slope.value.hi, sine = least_0(tilt_sine(last->v).lo),
-                 p = PROOF_BOUND(CONTRACTION, least_0(up(1 - down(g->low.rL.lo * sine))), 0),
-                 ratio = up(up(p * p) * g->inertia.hi),
-                 T_rest = up(up(up(slope * slope) * sums->share.hi) * up(1 / least_0(down(1 - ratio))));
-    if (!g->shape->paper)
-        P->hi = PROOF_BOUND(REST_OF_FUEL, up(P->hi + rest), P->hi);
-    T->hi = PROOF_BOUND(REST_OF_T, up(T->hi + T_rest), T->hi);
-    u->kinetic.value = kinetic_of_train(g, sums->fuel, sums->T).value;
-    u->fuel = *P;
-    u->inertia = *T;
-}
-
-static void link_make(struct upright *u, const struct domino *domino, struct span power, int i)
-{
-    const struct shape *shape = u->growth.shape;
-    u->link[i] = (struct link){.weight = power_by_r(&u->growth, power, shape->q, i)};
-    if (i > 0)
-        u->link[i].g = (struct dual){tilt_height(shape, domino->v),
-                                     span_mul(tilt_rise(shape, domino->v), domino->shift)};
+        fuel.value.hi = -1;
+    t->fuel = fuel.value;
+    t->kinetic = dual_mul(f, fuel);
 }
 
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest_most, int n,
-                  struct upright *u)
+                  struct upright *t)
 {
-    struct sums sums = {.power = {1, 1}, .share = {1, 1}, .slope.value = {1, 1}};
-    struct domino domino = {.slope = {1, 1}};
-    double rest_before = INFINITY, v_before = 0;
-    *u = (struct upright){.growth = growth_make(shape, r_low, r_high), .link = u->link, .by_r = true};
-    const struct growth *g = &u->growth;
-    if (!shape->pair && g->high.last <= shape->v_top.lo) {
+    struct link *const link = t->link;
+    struct domino domino = {.slope = one}, last = {.v = one};
+    struct contact contact;
+    struct dual fuel = dual_of(span_of(0)), T = fuel, slope = dual_of(one), inertia = slope, term = T;
+    double rest_before, v_before;
+    bool no_more, enough;
+    *t = growth_make(shape, r_low, r_high);
+    t->link = link;
+    t->rest = INFINITY;
+    /* F(pi/2) is the largest tilt that any follower reaches: theta_f if followers detach, and theta_inf
+     * otherwise. */
+    contact = contact_find(t, &last, false);
+    last = chain_next(t, &last, &contact);
+    const struct dual g_last = energy_of(shape, &last);
+    if (!shape->pair && last.v.hi <= shape->v_top.lo) {
         /* No domino reaches theta_u. So h increases from domino to domino, and every term of the fuel P is
          * negative. */
-        u->by_r = false;
-        u->fuel = u->kinetic.value = (struct span){-HUGE_VAL, 0};
-        u->inertia = (struct span){0, HUGE_VAL};
+        t->fuel = (struct span){-HUGE_VAL, 0};
+        t->T = (struct span){0, HUGE_VAL};
+        t->kinetic = (struct dual){t->fuel, everything};
         return true;
     }
-    u->g_last = tilt_height(shape, span_of(g->high.last)).lo;
-    link_make(u, &domino, sums.power, 0);
-    for (bool done = false; !done;) {
-        const int i = u->n++;
-        const struct contact c = chain_contact(g, domino.v);
-        const bool no_more = shape->pair ? i == 1 : i > 0 && domino.v.lo >= g->leave.hi;
-        if (no_more)
-            u->g_last = HUGE_VAL;
-        struct domino next = chain_next(g, &domino, &c);
-        const struct span by_r = slope_by_r(g, &domino, &c);
-        if (i == 0) /* for the upright head the slope is exact, since sin theta = 0 */
-            next.slope = one;
-        else
-            sums.slope = dual_mul((struct dual){c.slope, by_r}, sums.slope);
-        sums.slope.value = next.slope;
-        u->by_r = u->by_r && c.Y.lo > 0 && isfinite(c.shift.hi) && span_finite(sums.slope.by_r);
-        domino = next;
-        sums.power = span_mul(sums.power, g->weight);
-        sums.share = span_mul(sums.share, g->inertia);
-        if (u->n > LINKS_MOST)
+    link[0] = (struct link){.weight = dual_of(one)};
+    do {
+        no_more = shape->pair ? t->n == 1 : t->n > 0 && domino.v.lo >= t->leave.hi;
+        rest_before = t->rest;
+        v_before = domino.v.lo;
+        contact = contact_find(t, &domino, true);
+        domino = chain_next(t, &domino, &contact);
+        slope = dual_mul(contact.slope, slope);
+        slope.value = domino.slope;
+        const int i = ++t->n;
+        if (i > LINKS_MOST)
             return false;
-        link_make(u, &domino, sums.power, u->n);
-        sums.fuel =
-            dual_add(sums.fuel, dual_mul(u->link[i].weight, dual_sub(u->link[i].g, u->link[i + 1].g)));
-        const double rest = up(sums.power.hi * least_0(up(u->link[u->n].g.value.hi - u->g_last)));
+        link[i] = (struct link){energy_of(shape, &domino), dual_mul(link[i - 1].weight, t->weight)};
+        fuel = dual_add(fuel, dual_mul(link[i - 1].weight, dual_sub(link[i - 1].g, link[i].g)));
+        T = dual_add(T, term);
+        inertia = dual_mul(inertia, t->inertia);
+        term = dual_mul(inertia, dual_mul(slope, slope));
+        /* Dominoes that have detached do not move. */
+        t->rest =
+            no_more ? 0 : up(link[i].weight.value.hi * least_0(up(link[i].g.value.hi - g_last.value.lo)));
         /*
          * Usually, stop when the tilts hardly grow from domino to domino, since more dominoes do not help
          * then. But if equal dominoes stand close together, their tilts approach the limit slowly, and more
@@ -379,57 +330,54 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
          * increase.
          */
         const double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
-        const bool still = domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;
-        done = n > 0 ? u->n == n
-                     : no_more || (!shape->pair && domino.v.lo > shape->v_top.hi &&
-                                   (rest <= rest_most || still || u->n == LINKS_MOST));
-        rest_before = rest;
-        v_before = domino.v.lo;
-        if (!done) /* adds r^(-(q+1) i) slope^2 */
-            sums.T = dual_add(sums.T, dual_mul(power_by_r(g, sums.share, span_add(shape->q, one), u->n),
-                                               dual_mul(sums.slope, sums.slope)));
+        enough = t->rest <= rest_most || i == LINKS_MOST ||
+                 (domino.v.lo < v_before * (1 + grows) && t->rest > 0.98 * rest_before);
+    } while (n > 0 ? t->n < n : !no_more && (shape->pair || !(enough && domino.v.lo > shape->v_top.hi)));
+    if (shape->pair) {
+        kinetic_of_pair(t);
+        return true;
     }
-    if (shape->pair)
-        kinetic_of_pair(u);
-    else
-        kinetic_find(u, &sums, &domino);
-    u->by_r = u->by_r && span_finite(u->kinetic.by_r);
+    if (shape->paper) /* the paper's closed form of the fuel, P = 1 - h(theta_last), has no remainder */
+        fuel = dual_sub(dual_of(span_of(0)), g_last);
+    t->kinetic = kinetic_of_train(t, fuel, T);
+    /* For i >= n, Y_i <= 1 and x_i >= x_n, so dF/dtheta = 1 - r L x_i / Y_i <= p = 1 - r L x_n, and from
+     * term n on, each term of T is at most p^2 r^-(q+1) times the term before. */
+    const double sine = least_0(tilt_sine(domino.v).lo),
+                 p = PROOF_BOUND(CONTRACTION, least_0(up(1 - down(t->low.rL.lo * sine))), 0),
+                 ratio = up(up(p * p) * t->inertia.value.hi);
+    if (!shape->paper)
+        fuel.value.hi = PROOF_BOUND(REST_OF_FUEL, up(fuel.value.hi + t->rest), fuel.value.hi);
+    T.value.hi =
+        PROOF_BOUND(REST_OF_T, up(T.value.hi + up(term.value.hi / least_0(down(1 - ratio)))), T.value.hi);
+    t->kinetic.value = kinetic_of_train(t, fuel, T).value;
+    t->fuel = fuel.value;
+    t->T = T.value;
     return true;
 }
 
-struct climb climb_find(const struct upright *u, double low, double high, bool derivatives)
+/* ---- The climb ---- */
+
+struct climb climb_find(const struct upright *t, double low, double high, bool derivatives)
 {
-    const struct growth *g = &u->growth;
     /* The arguments `low` and `high` are values of sigma = 2 sin(theta/2). It follows that v = sigma^2/2, and
      * that dtheta/dsigma = 1/sqrt(1 - sigma^2/4). */
-    struct domino domino = {.v = {least_0(down(low * low / 2)), most_1(up(high * high / 2))},
-                            .slope = {1, 1}};
-    struct dual height = dual_of(span_of(0));
-    struct span by_tilt = {0, 0};
-    bool bounded = derivatives && u->by_r;
-    if (u->n == 0)
-        return (struct climb){everything, everything, everything};
-    for (const struct link *link = u->link; link < u->link + u->n; link++) {
-        struct dual h = dual_of(tilt_height(g->shape, domino.v));
-        if (!derivatives) {
-            height.value =
-                span_add(height.value, span_mul(link->weight.value, span_sub(h.value, link->g.value)));
-            domino.v = chain_follow(g, domino.v);
-            continue;
-        }
-        const struct span rise = tilt_rise(g->shape, domino.v);
-        h.by_r = span_mul(rise, domino.shift);
-        height = dual_add(height, dual_mul(link->weight, dual_sub(h, link->g)));
-        by_tilt = span_add(by_tilt, span_mul(link->weight.value, span_mul(rise, domino.slope)));
-        const struct contact contact = chain_contact(g, domino.v);
-        bounded = bounded && contact.Y.lo > 0 && isfinite(contact.shift.hi);
-        domino = chain_next(g, &domino, &contact);
+    struct domino domino = {.v = {least_0(down(low * low / 2)), most_1(up(high * high / 2))}, .slope = one};
+    struct contact contact = {{everything, everything}, everything};
+    struct climb climb = {.height = dual_of(span_of(0))};
+    if (t->n == 0)
+        return (struct climb){{everything, everything}, everything};
+    for (const struct link *link = t->link; link < t->link + t->n; link++) {
+        const struct span rise = span_mul(tilt_rise(t->shape, domino.v), domino.slope);
+        climb.height =
+            dual_add(climb.height, dual_mul(link->weight, dual_sub(energy_of(t->shape, &domino), link->g)));
+        climb.by_tilt = span_add(climb.by_tilt, span_mul(link->weight.value, rise));
+        if (derivatives)
+            contact = contact_find(t, &domino, false);
+        domino = chain_next(t, &domino, &contact);
     }
     const struct span quarter = {down(low * low / 4), up(high * high / 4)};
-    by_tilt = span_over(by_tilt, span_sqrt(span_sub(one, quarter)));
-    const struct link *last = &u->link[u->n];
-    const double rest = up(last->weight.value.hi * least_0(up(last->g.value.hi - u->g_last)));
-    height.value.lo = PROOF_BOUND(REST_OF_HEIGHT, down(height.value.lo - rest), height.value.lo);
-    return (struct climb){height.value, derivatives && span_finite(by_tilt) ? by_tilt : everything,
-                          bounded && span_finite(height.by_r) ? height.by_r : everything};
+    climb.by_tilt = span_over(climb.by_tilt, span_sqrt(span_sub(one, quarter)));
+    climb.height.value.lo =
+        PROOF_BOUND(REST_OF_HEIGHT, down(climb.height.value.lo - t->rest), climb.height.value.lo);
+    return climb;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A train in intervals, which a proof needs: a proof must hold for all growths in an interval, and for all
  * tilts of the head in an interval. So most numbers are intervals, which contain the true value for all these
- * growths and tilts. */
+ * growths and tilts. Energies are in units of m g h / 2 of the head. */
 #pragma once
 
 #include "proof/model/span.h"
@@ -28,19 +28,6 @@ struct corner {
     double last; /* upper bound on the v of every follower: the v of theta_f or of theta_inf */
 };
 
-/* A train whose growth r can be any number in an interval. For all these numbers, r s <= 1. */
-struct growth {
-    const struct shape *shape;
-    struct span r;
-    struct corner low, high;         /* the quantities at the two ends of the interval of growths */
-    struct span leave;               /* as in struct corner, but for all growths in the interval */
-    struct span rq, weight, inertia; /* r^q, r^-q, r^-(q+1) */
-    /* v and 2 sin(theta/2) at theta_c, the tilt of domino 1 while the head is upright: sin theta_c = r s */
-    struct span v_hit, hit;
-};
-
-/* Energies are in units of m g h / 2 of the head. */
-
 /* The most dominoes that a sum has. */
 enum { LINKS_MOST = 20000 };
 
@@ -50,20 +37,25 @@ struct link {
     struct dual weight; /* r^(-q i) */
 };
 
-/* The train at the beginning of a cycle, when its head is upright. All energies are differences from the
- * energy in this state. */
+/* The train at the beginning of a cycle, when its head is upright, for all growths in an interval. For all
+ * these growths, r s <= 1. */
 struct upright {
-    struct growth growth;
+    const struct shape *shape;
+    struct span r;
+    struct corner low, high;         /* the quantities at the two ends of the interval of growths */
+    struct span leave;               /* as in struct corner, but for all growths in the interval */
+    struct dual rq, weight, inertia; /* r^q, r^-q, r^-(q+1) */
+    /* v and 2 sin(theta/2) at theta_c, the tilt of domino 1 while the head is upright: sin theta_c = r s */
+    struct span v_hit, hit;
     struct link *link; /* array of LINKS_MOST + 1 dominoes */
-    /* Sums run over dominoes 0 ... n - 1, and intervals include the remainder. If no domino reaches theta_u,
-     * n is 0, and nothing is known except that P <= 0 and K <= 0. */
+    /* Sums run over dominoes 0 ... n - 1. If no domino reaches theta_u, n is 0, and nothing is known except
+     * that P <= 0 and K <= 0. */
     int n;
-    double g_last; /* lower bound on h - 1 for domino n and all later ones; infinite if they do not move */
-    /* P and T; for a pair, `fuel` is the energy that domino 1 releases, in m g h / 2 of domino 1, and
-     * `inertia` is not set */
-    struct span fuel, inertia;
-    struct dual kinetic; /* the kinetic energy K, and the derivative of K_n, which may be infinite */
-    bool by_r;           /* true if the derivatives with respect to r are finite */
+    double rest; /* the most energy that domino n and all later ones can release in a cycle */
+    /* P and T with their remainders; for a pair, `fuel` is the energy that domino 1 releases, in m g h / 2 of
+     * domino 1, and `T` is not set */
+    struct span fuel, T;
+    struct dual kinetic; /* the kinetic energy K, and the derivative of K_n */
 };
 
 struct shape shape_make(double s, double d, double q);
@@ -78,14 +70,12 @@ struct shape shape_make(double s, double d, double q);
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest, int n,
                   struct upright *upright);
 
-/* The energy D = H(theta) - H(0) that the train needs to tilt its head from upright to theta. */
+/* The climb D = H(theta) - H(0): the energy that the train needs to tilt its head from upright to theta. */
 struct climb {
-    struct span height;  /* D */
+    struct dual height;  /* D, and dD_n/dr */
     struct span by_tilt; /* derivative of D_n with respect to 2 sin(theta/2) */
-    struct span by_r;    /* dD_n/dr, or an infinite interval where no bound is known */
 };
 
 /* Returns intervals that hold for all growths of the train, and for all theta <= theta_c for which
- * 2 sin(theta/2) lies between `low` and `high`. If `derivatives` is false, the intervals of the derivatives
- * are infinite. */
+ * 2 sin(theta/2) lies between `low` and `high`. If `derivatives` is false, nothing is known about them. */
 struct climb climb_find(const struct upright *upright, double low, double high, bool derivatives);

@@ -5,185 +5,158 @@
 #include "domino_proof.h"
 #pragma GCC visibility pop
 #include "numerics/interrupt.h"
+#include "numerics/numerics.h"
 #include "proof/model/proof.h"
 
 #include <fenv.h>
 #include <stdlib.h>
 
-enum outcome {
-    OUTCOME_PROVED,  /* the train keeps falling for all growths in the interval */
-    OUTCOME_REFUTED, /* the train stops, or seems to stop, at the upper end of the interval */
-    OUTCOME_OPEN,    /* the proof failed; it may succeed for a narrower interval of growths */
-    OUTCOME_LIMIT,   /* the proof would need too many dominoes or boxes */
-    OUTCOME_INTERRUPTED
-};
+/* The header of numerics declares functions that only the kernel's own sources define. */
+#pragma GCC diagnostic ignored "-Wunused-function"
 
 /* A proof in progress. */
 struct proof {
     struct shape shape;
     double tol;
     const volatile sig_atomic_t *interrupt;
-    size_t boxes; /* how many boxes have been tried */
+    /* Why the last attempt has failed, if it has. A narrower interval of growths may help against
+     * DOM_PROOF_ROUNDING; all other gaps end the proof. */
+    enum dom_proof_gap gap;
+    int boxes; /* how many boxes have been tried */
     /* the train for the whole interval of growths, and for the upper end of the interval */
     struct upright box, point;
     double top;  /* 2 sin(theta/2) at the top of the barrier, as margin_guess has estimated it */
     double done; /* the train keeps falling for all growths from the first one to this one */
-    double stop; /* upper end of the last interval of growths that was tried */
 };
 
 /* Sums end when their remainders are at most this large. */
 static const double REST = 1e-17;
 
-enum { BOXES_MOST = 200000, DEEPEST = 48, PER_STRIP = 400, PER_WIDE_STRIP = 64, BRACKETS_MOST = 200 };
+static bool given_up(struct proof *proof)
+{
+    if (proof->gap == DOM_PROOF_ROUNDING && dom_interrupted(proof->interrupt))
+        proof->gap = DOM_PROOF_INTERRUPTED;
+    return proof->gap != DOM_PROOF_ROUNDING;
+}
 
 /* ---- An interval of growths ---- */
 
 /* Returns the most by which K_n - D_n can be smaller than its value at the upper end of the strip, for any
  * growth in the strip: an upper bound on its derivative with respect to r, times the width of the strip. */
-static double growth_loss(const struct upright *box, struct span climb_by_r)
+static double growth_loss(const struct upright *box, struct climb climb)
 {
-    const double width = up(box->growth.r.hi - box->growth.r.lo),
-                 loss = up(least_0(up(box->kinetic.by_r.hi - climb_by_r.lo)) * width);
+    const double width = up(box->r.hi - box->r.lo),
+                 loss = up(least_0(up(box->kinetic.by_r.hi - climb.height.by_r.lo)) * width);
     return PROOF_BOUND(MEAN_VALUE_GROWTH, loss, 0);
 }
 
 /*
- * Tries to prove that K - D > 0 for all growths in the strip, and for all tilts from `low` to `high`, given
- * as sigma = 2 sin(theta/2). It is proved if one of the two lower bounds of Lemma 3 in domino-model(7) is
- * positive:
+ * Tries to prove that the train keeps falling for all growths in a strip, from r_low to r_high, by showing
+ * that K - D > 0 at every tilt of the cycle. If `level` is not NULL, it takes the place of K. Tilts are given
+ * as sigma = 2 sin(theta/2). A box of tilts, from `low` to `high`, is proved if one of the two lower bounds
+ * of Lemma 3 in domino-model(7) is positive:
  *
  * 1. K - D of the box of all these tilts and growths, from its corners.
  * 2. K_n - D_n at one tilt `at` and at the upper end of the strip, minus `spread`, by which D may be larger
  * at other tilts, and minus growth_loss.
  *
- * If both bounds fail, the interval of tilts is halved. If they fail even for the single tilt `at`, the strip
- * is too wide.
+ * Boxes are tried from 0 upwards. After a success the next box is twice as wide; after a failure the box is
+ * halved. If the bounds fail even for the single tilt `at`, the strip is too wide.
  */
-static enum outcome cover_tilts(struct proof *proof, double low, double high, int depth, size_t *left)
+static bool strip_prove(struct proof *proof, double r_low, double r_high, const double *level)
 {
-    const struct upright *box = &proof->box, *point = &proof->point;
-    if (dom_interrupted(proof->interrupt))
-        return OUTCOME_INTERRUPTED;
-    if (*left == 0 || depth > DEEPEST)
-        return OUTCOME_OPEN;
-    --*left;
-    if (++proof->boxes > BOXES_MOST)
-        return OUTCOME_LIMIT;
-    const struct climb all = climb_find(box, low, high, true);
-    if (down(box->kinetic.value.lo - all.height.hi) > 0)
-        return OUTCOME_PROVED;
-    if (!isfinite(all.by_r.lo))
-        return OUTCOME_OPEN;
-    /*
-     * If D is monotonic in the box, `at` is the end of the interval at which D is largest. A cycle ends when
-     * the head has the tilt theta_c, and the bounds on D hold only up to theta_c. So the tilt `at` may not
-     * exceed theta_c. The tilt `low` may always be used: if any tilt in the box belongs to the cycle, `low`
-     * does.
-     */
-    double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
-    at = smaller(at, larger(low, box->growth.hit.lo));
-    const double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
-                 nearer = up(least_0(-all.by_tilt.lo) * up(at - low)),
-                 spread = PROOF_BOUND(MEAN_VALUE_TILT, larger(farther, nearer), 0);
-    const struct climb end = climb_find(point, at, at, false);
-    if (at <= point->growth.hit.lo && up(point->kinetic.value.hi - end.height.lo) < 0)
-        return OUTCOME_REFUTED;
-    const double by_end = down(point->kinetic.value.lo - end.height.hi);
-    if (down(down(by_end - spread) - growth_loss(box, all.by_r)) > 0)
-        return OUTCOME_PROVED;
-    if (!(by_end - growth_loss(box, climb_find(box, at, at, true).by_r) > 0))
-        return OUTCOME_OPEN;
-    const double middle = 0.5 * (low + high);
-    const enum outcome first = cover_tilts(proof, low, middle, depth + 1, left);
-    return first == OUTCOME_PROVED ? cover_tilts(proof, middle, high, depth + 1, left) : first;
-}
-
-/* Tries to prove that the train keeps falling for all growths from r_low to r_high, by showing that K > D at
- * every tilt of the cycle. If `level` is not NULL, it takes the place of K. */
-static enum outcome strip_prove(struct proof *proof, double r_low, double r_high, const double *level)
-{
-    if (dom_interrupted(proof->interrupt))
-        return OUTCOME_INTERRUPTED;
-    if (!upright_find(&proof->shape, r_low, r_high, REST, 0, &proof->box) ||
-        !upright_find(&proof->shape, r_high, r_high, REST, proof->box.n, &proof->point))
-        return level ? OUTCOME_LIMIT : OUTCOME_OPEN;
-    if (level)
-        proof->box.kinetic = proof->point.kinetic = dual_of(span_of(*level));
-    else if (proof->point.fuel.hi <= 0)
-        return OUTCOME_REFUTED;
-    /* A wide strip is given up early, since halving the strip is cheaper than using many boxes. */
-    size_t left = r_high - r_low > 1e-4 * r_high ? PER_WIDE_STRIP : PER_STRIP;
-    return cover_tilts(proof, 0, proof->box.growth.hit.hi, 0, &left);
-}
-
-/* Tries to prove that the train stops for all growths from r_low to r_high, because it has no fuel, or
- * because its kinetic energy is too small to reach the tilt proof->top or, if that exceeds theta_c, theta_c.
- * Returns false if the proof fails. */
-static bool stops_prove(struct proof *proof, double r_low, double r_high)
-{
-    if (dom_interrupted(proof->interrupt) ||
-        !upright_find(&proof->shape, r_low, r_high, REST, 0, &proof->box))
+    enum { BOXES_MOST = 200000, PER_STRIP = 400, PER_WIDE_STRIP = 64 };
+    struct upright *const box = &proof->box, *const point = &proof->point;
+    if (given_up(proof) || !upright_find(&proof->shape, r_low, r_high, REST, 0, box) ||
+        !upright_find(&proof->shape, r_high, r_high, REST, box->n, point))
         return false;
-    const double at = smaller(proof->top, proof->box.growth.hit.lo);
-    return proof->box.fuel.hi <= 0 ||
-           up(proof->box.kinetic.value.hi - climb_find(&proof->box, at, at, false).height.lo) < 0;
+    if (level)
+        box->kinetic = point->kinetic = dual_of(span_of(*level));
+    else if (point->fuel.hi <= 0)
+        return false;
+    /* A wide strip is given up early, since halving the strip is cheaper than using many boxes. */
+    int left = r_high - r_low > 1e-4 * r_high ? PER_WIDE_STRIP : PER_STRIP;
+    const double end = box->hit.hi;
+    /* The box begins at the part `from` of the tilts and is the part `share` of them; both are exact. */
+    double from = 0, share = 1;
+    while (from < 1) {
+        const double low = end * from, high = end * (from + share);
+        if (++proof->boxes > BOXES_MOST)
+            proof->gap = DOM_PROOF_BOXES;
+        if (left-- == 0 || given_up(proof))
+            return false;
+        const struct climb all = climb_find(box, low, high, true);
+        bool proved = down(box->kinetic.value.lo - all.height.value.hi) > 0;
+        /*
+         * If D is monotonic in the box, `at` is the end of the interval at which D is largest. A cycle ends
+         * when the head has the tilt theta_c, and the bounds on D hold only up to theta_c. So the tilt `at`
+         * may not exceed theta_c. The tilt `low` may always be used: if any tilt in the box belongs to the
+         * cycle, `low` does.
+         */
+        if (!proved) {
+            double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
+            at = smaller(at, larger(low, box->hit.lo));
+            const double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
+                         nearer = up(least_0(-all.by_tilt.lo) * up(at - low)),
+                         spread = PROOF_BOUND(MEAN_VALUE_TILT, larger(farther, nearer), 0),
+                         by_end =
+                             down(point->kinetic.value.lo - climb_find(point, at, at, false).height.value.hi);
+            proved = down(down(by_end - spread) - growth_loss(box, all)) > 0;
+            if (!proved && !(by_end - growth_loss(box, climb_find(box, at, at, true)) > 0))
+                return false;
+        }
+        share /= proved ? 1 : 2;
+        if (proved)
+            for (from += share; from < 1 && fmod(from, 2 * share) == 0;)
+                share *= 2;
+    }
+    return true;
 }
 
 /* Returns an estimate of the margin K - B at the growth r, where B is the height of the barrier, and sets
  * proof->top. These estimates prove nothing; they only tell which proof to try. Returns NaN if the train
  * cannot be computed, or after an interrupt. */
-static double margin_guess(struct proof *proof, double r)
+static double margin_guess(double r, void *context)
 {
     enum { SAMPLES = 48, HALVINGS = 25 }; /* these show tilts to 1e-9 of theta_c */
+    struct proof *const proof = context;
+    struct upright *const u = &proof->point;
+    double barrier = 0, low = 0, high = 0;
     proof->top = 0;
-    if (dom_interrupted(proof->interrupt) || !upright_find(&proof->shape, r, r, REST, 0, &proof->point))
+    if (given_up(proof) || !upright_find(&proof->shape, r, r, REST, 0, u))
         return NAN;
-    const struct upright *u = &proof->point;
-    const double kinetic = span_middle(u->kinetic.value), hit = u->growth.hit.lo;
-    double barrier = 0, low = 0, high = hit;
-    for (int k = 1; k <= SAMPLES + HALVINGS && !dom_interrupted(proof->interrupt); k++) {
+    const double step = u->hit.lo / SAMPLES;
+    for (int k = 1; k <= SAMPLES + HALVINGS && !given_up(proof); k++) {
         /* After the samples, find the maximum between the neighbours of the highest one, by bisection on the
          * slope of D. */
-        const bool sample = k <= SAMPLES;
-        const double at = sample ? hit * k / SAMPLES : 0.5 * (low + high);
-        const struct climb climb = climb_find(u, at, at, !sample);
-        if (span_middle(climb.height) > barrier) {
-            barrier = span_middle(climb.height);
+        const double at = k <= SAMPLES ? step * k : 0.5 * (low + high);
+        const struct climb climb = climb_find(u, at, at, k > SAMPLES);
+        if (span_middle(climb.height.value) > barrier) {
+            barrier = span_middle(climb.height.value);
             proof->top = at;
         }
-        if (!sample)
+        if (k > SAMPLES)
             *(span_middle(climb.by_tilt) > 0 ? &low : &high) = at;
         else if (k == SAMPLES) {
-            low = larger(proof->top - hit / SAMPLES, 0);
-            high = smaller(proof->top + hit / SAMPLES, hit);
+            low = larger(proof->top - step, 0);
+            high = smaller(proof->top + step, u->hit.lo);
         }
     }
-    return dom_interrupted(proof->interrupt) ? (double)NAN : (kinetic < -1 ? -1 : kinetic) - barrier;
+    return given_up(proof) ? (double)NAN : larger(span_middle(u->kinetic.value), -1) - barrier;
 }
 
-/* Estimates the growth between `low` and `high` at which the margin is 0, to the relative tolerance `tol`, by
- * the method of false position, and leaves proof->top there. The value at an end that stays twice is halved
- * (Illinois). */
-static double root_guess(struct proof *proof, double low, double high, double tol)
+/* Tries to prove that the train stops for all growths from r_low to r_high, because it has no fuel, or
+ * because its kinetic energy is too small to reach the top of the barrier or, if the estimate of the top
+ * exceeds theta_c, theta_c. Returns false if the proof fails. */
+static bool stops_prove(struct proof *proof, double r_low, double r_high)
 {
-    double at_low = margin_guess(proof, low), at_high = margin_guess(proof, high), root = high, before = low;
-    bool was_low = false;
-    for (int k = 0; k < 80 && fabs(root - before) > tol * high; k++) {
-        before = root;
-        root = low - at_low * (high - low) / (at_high - at_low);
-        if (!(root > low && root < high))
-            root = 0.5 * (low + high);
-        const double margin = margin_guess(proof, root);
-        const bool is_low = margin > 0;
-        if (isnan(margin) || fabs(margin) < REST)
-            break;
-        *(is_low ? &low : &high) = root;
-        *(is_low ? &at_low : &at_high) = margin;
-        if (k > 0 && is_low == was_low)
-            *(is_low ? &at_high : &at_low) /= 2;
-        was_low = is_low;
-    }
-    return root;
+    struct upright *const box = &proof->box;
+    margin_guess(r_high, proof);
+    if (given_up(proof) || !upright_find(&proof->shape, r_low, r_high, REST, 0, box))
+        return false;
+    const double at = smaller(proof->top, box->hit.lo);
+    return box->fuel.hi <= 0 ||
+           up(box->kinetic.value.hi - climb_find(box, at, at, false).height.value.lo) < 0;
 }
 
 /* ---- The smallest growth at which the train stops ---- */
@@ -199,50 +172,49 @@ static double root_guess(struct proof *proof, double low, double high, double to
  */
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
+static bool bracket_prove(struct proof *proof, double stop, struct dom_proof *found);
+
 /*
  * Tries to prove that the train keeps falling for all growths from proof->done to `end`, in strips of which
  * the first is `width` wide. After a success, proof->done is the end of the strip, and the next strip is
- * twice as wide. After a failure, the strip is halved, unless it is as narrow as `finest`, or `guess` is true
- * and the train seems to stop at the upper end of the strip. The range is then given up.
+ * twice as wide. After a failure, the strip is halved, unless it is as narrow as `finest`. If `found` is not
+ * NULL, and the train seems to stop at the upper end of a strip, the search ends with the growth at which it
+ * stops. Returns false if the range is given up.
  */
-static enum outcome range_prove(struct proof *proof, double end, double width, double finest, bool guess)
+static bool range_prove(struct proof *proof, double end, double width, double finest, struct dom_proof *found)
 {
     while (proof->done < end) {
-        proof->stop = smaller(proof->done + width, end);
-        const enum outcome outcome = strip_prove(proof, proof->done, proof->stop, NULL);
-        width = proof->stop - proof->done;
-        if (outcome == OUTCOME_PROVED) {
-            proof->done = proof->stop;
+        const double stop = smaller(proof->done + width, end);
+        width = stop - proof->done;
+        if (strip_prove(proof, proof->done, stop, NULL)) {
+            proof->done = stop;
             width *= 2;
             continue;
         }
-        if (outcome != OUTCOME_OPEN || width <= finest)
-            return outcome;
-        if (guess && proof->stop < end && margin_guess(proof, proof->stop) < 0)
-            return OUTCOME_REFUTED;
+        if (found && stop < end && margin_guess(stop, proof) < 0 && bracket_prove(proof, stop, found))
+            return true;
+        if (width <= finest || given_up(proof))
+            return false;
         width /= 2;
     }
-    return OUTCOME_PROVED;
+    return true;
 }
 
-/* Estimates the growth between proof->done and proof->stop at which the margin is 0 (the root). Tries to
- * prove that the train stops at a decimal number slightly above it, and keeps falling up to one slightly
- * below. */
-static enum outcome bracket_prove(struct proof *proof, struct dom_proof *found)
+/* Estimates the growth between proof->done and `stop` at which the margin is 0 (the root). Tries to prove
+ * that the train stops at a decimal number slightly above it, and keeps falling up to one slightly below. */
+static bool bracket_prove(struct proof *proof, double stop, struct dom_proof *found)
 {
     enum { ABOVE_MOST = 256, BELOW_MOST = 1024 };
-    const double root = root_guess(proof, proof->done, proof->stop, 2e-16);
-    double tol = proof->tol;
+    double root = proof->done, unit = 1;
+    int decimals = 0;
+    num_root(margin_guess, proof, proof->done, stop, 2e-16, &root);
+    for (; 1 / unit > proof->tol * root * (1 + 1e-9) && root * unit < 0x1p49; unit *= 10)
+        decimals++;
     /* With few decimal places, the number just above the root may lie beyond the next root, where the train
      * keeps falling again, or beyond 1/s. The number just below the root may lie below the first growth. So
      * try again with more decimal places. */
-    for (int finer = 0; finer < 9 && !dom_interrupted(proof->interrupt); finer++, tol /= 10) {
-        double unit = 1;
-        int decimals = 0;
-        for (; 1 / unit > tol * root * (1 + 1e-9) && root * unit < 0x1p49; unit *= 10)
-            decimals++;
-        double n = floor(root * unit);
-        const double least = n - BELOW_MOST;
+    for (; root * unit < 0x1p53; unit *= 10, decimals++) {
+        const double n = floor(root * unit);
         bool stops = false;
         /* The double r that is nearest to a decimal number may be a little smaller or larger than this
          * number. So the proof covers the whole interval between the two neighbours of r. */
@@ -253,95 +225,79 @@ static enum outcome bracket_prove(struct proof *proof, struct dom_proof *found)
         }
         if (!stops)
             continue;
-        const enum outcome outcome = range_prove(proof, nextafter(n / unit, INFINITY), INFINITY,
-                                                 larger(1e-3 / unit, LAST_STRIP * root), false);
-        while (n > least && nextafter(n / unit, INFINITY) > proof->done)
-            n--;
-        found->low = n / unit;
+        range_prove(proof, nextafter(n / unit, INFINITY), INFINITY, larger(1e-3 / unit, LAST_STRIP * root),
+                    NULL);
+        double below = floor(proof->done * unit);
+        below -= nextafter(below / unit, INFINITY) > proof->done;
+        if (given_up(proof) || n - below >= BELOW_MOST || below / unit < found->from)
+            return false;
+        found->low = below / unit;
         found->decimals = decimals;
-        if ((outcome != OUTCOME_PROVED && outcome != OUTCOME_OPEN) || n == least || found->low < found->from)
-            return outcome;
         found->ends = DOM_PROVED_BARRIER;
-        return OUTCOME_PROVED;
+        return true;
     }
-    return dom_interrupted(proof->interrupt) ? OUTCOME_INTERRUPTED : OUTCOME_OPEN;
+    return false;
 }
 
 /* A pair that stops at r = 1 may keep falling at larger growths. Returns a growth just above the smallest one
- * at which the margin seems to be 0, if the pair provably keeps falling there. Returns NaN otherwise. */
+ * at which the margin seems to be 0, if the pair provably keeps falling there. Returns 1 otherwise. */
 static double band_begin(struct proof *proof)
 {
     enum { SAMPLES = 400 };
     const double reach = 1 / proof->shape.s.hi;
-    double low = 1, r = 1;
-    int k = 0;
-    do {
+    double low = 1, r = 1, from = INFINITY;
+    for (int k = 1; k <= SAMPLES && !(margin_guess(r, proof) > 0) && !given_up(proof); k++) {
         low = r;
-        r = 1 + (reach - 1) * ++k / (SAMPLES + 1);
-    } while (k < SAMPLES && !(margin_guess(proof, r) > 0) && !dom_interrupted(proof->interrupt));
-    const double from = ceil(root_guess(proof, low, r, 1e-7) * 1e6) / 1e6;
-    return from < r && strip_prove(proof, from, from, NULL) == OUTCOME_PROVED ? from
-           : strip_prove(proof, r, r, NULL) == OUTCOME_PROVED                 ? r
-                                                                              : (double)NAN;
+        r = 1 + (reach - 1) * k / (SAMPLES + 1);
+    }
+    if (num_root(margin_guess, proof, low, r, 1e-7, &from) == NUM_OK)
+        from = ceil(from * 1e6) / 1e6;
+    return from < r && strip_prove(proof, from, from, NULL) ? from : strip_prove(proof, r, r, NULL) ? r : 1;
 }
 
-/* Tries to enclose the smallest growth at which the train stops, as dom_prove_rmax says. If the proof remains
- * incomplete (DOM_PROVED_PARTLY), the result is the reason. */
-static enum outcome limit_prove(struct proof *proof, struct dom_proof *found)
+/* Tries to enclose the smallest growth at which the train stops, as dom_prove_rmax says. */
+static void limit_prove(struct proof *proof, struct dom_proof *found)
 {
     const double end = up(1 / proof->shape.s.lo);
-    enum outcome outcome = strip_prove(proof, 1, 1, NULL);
     proof->done = 1;
-    if (outcome != OUTCOME_PROVED) {
-        margin_guess(proof, 1);
+    if (!strip_prove(proof, 1, 1, NULL)) {
         const bool stops = stops_prove(proof, 1, 1);
-        proof->done = stops && proof->shape.pair ? band_begin(proof) : 1;
-        if (dom_interrupted(proof->interrupt))
-            return OUTCOME_INTERRUPTED;
-        if (!(proof->done > 1)) {
+        if (stops && proof->shape.pair)
+            proof->done = band_begin(proof);
+        if (given_up(proof))
+            return;
+        if (proof->done == 1) {
             found->ends = stops ? DOM_PROVED_NONE : DOM_PROVED_PARTLY;
             found->high = stops ? 1 : INFINITY;
-            return outcome;
+            return;
         }
     }
     found->from = proof->done;
-    outcome = range_prove(proof, end, FIRST_STRIP, LAST_STRIP * proof->done, true);
-    for (int tries = 0; tries < BRACKETS_MOST && outcome == OUTCOME_REFUTED; tries++) {
-        const double width = proof->stop - proof->done;
-        outcome = bracket_prove(proof, found);
-        if (found->ends == DOM_PROVED_BARRIER)
-            return outcome;
-        if (outcome == OUTCOME_OPEN) /* the estimate was wrong */
-            outcome = range_prove(proof, end, width / 2, LAST_STRIP * proof->done, true);
-    }
+    range_prove(proof, end, FIRST_STRIP, LAST_STRIP * proof->done, found);
+    if (found->ends == DOM_PROVED_BARRIER)
+        return;
     found->low = proof->done;
     if (proof->done >= end) {
         found->ends = DOM_PROVED_REACH;
         found->low = down(1 / proof->shape.s.hi);
         found->high = end;
     }
-    return outcome;
 }
 
 /* ---- One growth ---- */
 
-static enum dom_proof_gap gap_of(enum outcome outcome)
-{
-    return outcome == OUTCOME_INTERRUPTED ? DOM_PROOF_INTERRUPTED
-           : outcome == OUTCOME_LIMIT     ? DOM_PROOF_BOXES
-                                          : DOM_PROOF_ROUNDING;
-}
-
 static void cycle_prove(struct proof *proof, double r, struct dom_proof_cycle *result)
 {
     const double low = larger(1, nextafter(r, 0)), high = nextafter(r, INFINITY);
+    if (given_up(proof))
+        return;
     if (span_mul(span_around(r), proof->shape.s).lo > 1) {
         result->verdict = DOM_PROVED_OUT_OF_REACH;
         return;
     }
-    margin_guess(proof, r);
+    margin_guess(r, proof);
     if (!upright_find(&proof->shape, low, high, REST, 0, &proof->box)) {
-        result->gap = DOM_PROOF_BOXES;
+        proof->gap = DOM_PROOF_BOXES;
         return;
     }
     const struct span fuel = proof->box.fuel, kinetic = proof->box.kinetic.value;
@@ -351,14 +307,12 @@ static void cycle_prove(struct proof *proof, double r, struct dom_proof_cycle *r
     }
     /* The barrier is the largest D, so the value of D at any single tilt is a lower bound. The upper bound is
      * a level that D provably never exceeds. */
-    const double at = smaller(proof->top, proof->box.growth.hit.lo);
-    struct span barrier = {least_0(climb_find(&proof->box, at, at, false).height.lo), INFINITY};
-    enum outcome outcome = OUTCOME_OPEN;
+    const double at = smaller(proof->top, proof->box.hit.lo);
+    struct span barrier = {least_0(climb_find(&proof->box, at, at, false).height.value.lo), INFINITY};
     for (double more = larger(proof->tol * (barrier.lo + least_0(kinetic.hi)), 1e-16);
-         more < 1 && (outcome == OUTCOME_OPEN || outcome == OUTCOME_REFUTED); more *= 4) {
+         more < 1 && isinf(barrier.hi) && !given_up(proof); more *= 4) {
         const double level = barrier.lo + more;
-        outcome = strip_prove(proof, low, high, &level);
-        if (outcome == OUTCOME_PROVED)
+        if (strip_prove(proof, low, high, &level))
             barrier.hi = up(level);
     }
     const struct span margin = span_sub(kinetic, barrier);
@@ -367,10 +321,8 @@ static void cycle_prove(struct proof *proof, double r, struct dom_proof_cycle *r
     result->margin = (struct dom_interval){margin.lo, margin.hi};
     if (margin.hi < 0)
         result->verdict = DOM_PROVED_STOPS;
-    else if (fuel.lo > 0 && (margin.lo >= 0 || strip_prove(proof, low, high, NULL) == OUTCOME_PROVED))
+    else if (fuel.lo > 0 && (margin.lo >= 0 || strip_prove(proof, low, high, NULL)))
         result->verdict = DOM_PROVED_GOES_ON;
-    else
-        result->gap = dom_interrupted(proof->interrupt) ? DOM_PROOF_INTERRUPTED : gap_of(outcome);
 }
 
 /* ---- Public functions ---- */
@@ -385,16 +337,16 @@ const char *dom_proof_gap_text(enum dom_proof_gap gap)
     return text[gap];
 }
 
-/* Checks the arguments and prepares a proof. If no proof can be attempted, sets *gap to the reason. The
- * caller frees proof->box.link, in which `point` has links, too. */
+/* Checks the arguments and prepares a proof. The caller frees proof->box.link, in which `point` has links,
+ * too. */
 static enum dom_status begin(struct proof *proof, const struct dom_train *train,
-                             const struct dom_compute *compute, bool pair, enum dom_proof_gap *gap)
+                             const struct dom_compute *compute, bool pair)
 {
     const struct dom_compute how = compute ? *compute : dom_compute_default();
     struct dom_train plain = *train;
     struct dom_angles angles;
     bool has_effect = false;
-    *proof = (struct proof){.box.link = NULL};
+    *proof = (struct proof){.tol = larger(how.tol, 1e-15), .interrupt = how.interrupt};
 /* Walls are allowed, since they do not affect any result of a proof. */
 #define SWITCH_OFF(effect, member, status)                                                                   \
     has_effect = has_effect || (DOM_EFFECT_##effect != DOM_EFFECT_walls && plain.member != 0);               \
@@ -408,14 +360,12 @@ static enum dom_status begin(struct proof *proof, const struct dom_train *train,
     if (!(how.tol > 0 && how.tol <= 0.1))
         return DOM_BAD_TOL;
     /* The interval arithmetic in span.h needs this rounding mode, but a caller may have changed the mode. */
-    *gap = has_effect ? DOM_PROOF_EFFECT : fegetround() != FE_TONEAREST ? DOM_PROOF_MODE : DOM_PROOF_NONE;
-    if (*gap != DOM_PROOF_NONE)
-        return DOM_OK;
+    proof->gap = has_effect                     ? DOM_PROOF_EFFECT
+                 : fegetround() != FE_TONEAREST ? DOM_PROOF_MODE
+                                                : DOM_PROOF_ROUNDING;
     proof->shape = shape_make(train->s, train->d, train->q);
     proof->shape.paper = train->fuel == DOM_FUEL_PAPER;
     proof->shape.pair = pair;
-    proof->tol = larger(how.tol, 1e-15);
-    proof->interrupt = how.interrupt;
     struct link *const links = proof->box.link = malloc((size_t)2 * (LINKS_MOST + 2) * sizeof *links);
     proof->point.link = links ? links + LINKS_MOST + 2 : NULL;
     return links ? DOM_OK : DOM_NO_MEMORY;
@@ -426,11 +376,10 @@ static enum dom_status prove_limit(const struct dom_train *train, const struct d
 {
     struct proof proof;
     *result = (struct dom_proof){.ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY};
-    const enum dom_status status = begin(&proof, train, compute, pair, &result->gap);
-    if (status == DOM_OK && result->gap == DOM_PROOF_NONE) {
-        const enum outcome outcome = limit_prove(&proof, result);
-        result->gap = result->ends == DOM_PROVED_PARTLY ? gap_of(outcome) : DOM_PROOF_NONE;
-    }
+    const enum dom_status status = begin(&proof, train, compute, pair);
+    if (status == DOM_OK)
+        limit_prove(&proof, result);
+    result->gap = result->ends == DOM_PROVED_PARTLY ? proof.gap : DOM_PROOF_NONE;
     free(proof.box.link);
     return status;
 }
@@ -454,9 +403,10 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
     struct proof proof;
     *result = (struct dom_proof_cycle){
         .verdict = DOM_PROVED_NOTHING, .kinetic = none, .barrier = none, .margin = none};
-    const enum dom_status status = begin(&proof, train, compute, false, &result->gap);
-    if (status == DOM_OK && result->gap == DOM_PROOF_NONE)
+    const enum dom_status status = begin(&proof, train, compute, false);
+    if (status == DOM_OK)
         cycle_prove(&proof, train->r, result);
+    result->gap = result->verdict == DOM_PROVED_NOTHING ? proof.gap : DOM_PROOF_NONE;
     free(proof.box.link);
     return status;
 }

@@ -85,13 +85,13 @@ SPAN double larger(double a, double b)
     return a > b ? a : b;
 }
 
-static inline struct span span_of(double x)
+SPAN struct span span_of(double x)
 {
     return (struct span){x, x};
 }
 
 /* Returns an interval that contains all numbers that round to x. */
-static inline struct span span_around(double x)
+SPAN struct span span_around(double x)
 {
     return (struct span){down(x), up(x)};
 }
@@ -106,7 +106,7 @@ SPAN struct span span_sub(struct span a, struct span b)
     return (struct span){down(a.lo - b.hi), up(a.hi - b.lo)};
 }
 
-static inline struct span span_negate(struct span a)
+SPAN struct span span_negate(struct span a)
 {
     return (struct span){-a.hi, -a.lo};
 }
@@ -168,29 +168,29 @@ struct dual {
 };
 
 /* Returns a number that does not depend on r. */
-static inline struct dual dual_of(struct span a)
+SPAN struct dual dual_of(struct span a)
 {
     return (struct dual){a, {0, 0}};
 }
 
-static inline struct dual dual_add(struct dual a, struct dual b)
+SPAN struct dual dual_add(struct dual a, struct dual b)
 {
     return (struct dual){span_add(a.value, b.value), span_add(a.by_r, b.by_r)};
 }
 
-static inline struct dual dual_sub(struct dual a, struct dual b)
+SPAN struct dual dual_sub(struct dual a, struct dual b)
 {
     return (struct dual){span_sub(a.value, b.value), span_sub(a.by_r, b.by_r)};
 }
 
-static inline struct dual dual_mul(struct dual a, struct dual b)
+SPAN struct dual dual_mul(struct dual a, struct dual b)
 {
     return (struct dual){span_mul(a.value, b.value),
                          span_add(span_mul(a.value, b.by_r), span_mul(a.by_r, b.value))};
 }
 
 /* Returns a / k, for k > 0. */
-static inline struct dual dual_over(struct dual a, struct dual k)
+SPAN struct dual dual_over(struct dual a, struct dual k)
 {
     const struct span ratio = span_over(a.value, k.value);
     return (struct dual){ratio, span_over(span_sub(a.by_r, span_mul(ratio, k.by_r)), k.value)};
