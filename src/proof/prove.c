@@ -37,31 +37,28 @@ enum { ALL_DIGITS = 17 };
 /* Returns a cell that shows `decimals` digits after the decimal point, or all digits if `decimals` is 0. */
 static struct cell cell_proved(double value, int decimals)
 {
+    int before = value >= 1 && isfinite(value) ? (int)log10(value) + 1 : 0;
     struct cell cell = cell_real(value);
-    cell.digits = decimals == 0                   ? ALL_DIGITS
-                  : value >= 1 && isfinite(value) ? decimals + (int)log10(value) + 1
-                                                  : decimals;
+    cell.digits = decimals == 0 ? ALL_DIGITS : before + decimals;
     return cell;
 }
 
+/* Adds the row of the answer. `reason` may be NULL; the gap of an incomplete proof takes its place. */
 static void prove_row(struct answer *a, double s, enum what what, struct cell low, struct cell high,
-                      const char *result, const char *reason)
+                      const char *result, enum dom_proof_gap gap, const char *reason)
 {
+    char text[ANSWER_REASON];
+    snprintf(text, sizeof text, "not proved: %s", dom_proof_gap_text(gap));
     answer_row(a, ROW(cell_real(s), cell_word(prove_names(NULL, (int)what)), low, high, cell_word(result)),
-               reason);
-}
-
-/* Writes into `reason` why a proof is incomplete and returns `reason`. Returns NULL for a complete proof. */
-static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON])
-{
-    snprintf(reason, ANSWER_REASON, "not proved: %s", dom_proof_gap_text(gap));
-    return gap == DOM_PROOF_NONE ? NULL : reason;
+               gap == DOM_PROOF_NONE ? reason : text);
 }
 
 static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
     const char *falls = pair ? "the first domino topples the next one even if it only just tips over"
-                             : "the train keeps falling";
+                             : "the train keeps falling",
+               *stops = pair ? "the first domino does not topple the next one if it only just tips over"
+                             : "the train stops";
     /* The 12 printed digits may be rounded up, which would claim more than is proved. */
     double low = p->low * (1 - 6e-12);
     if (p->ends == DOM_PROVED_BARRIER)
@@ -70,9 +67,7 @@ static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
     else if (p->ends == DOM_PROVED_REACH)
         answer_say(a, "Proved: for every growth from %.12g up to 1/s %s.", p->from, falls);
     else if (p->ends == DOM_PROVED_NONE)
-        answer_say(a, "Proved: at growth 1 %s.",
-                   pair ? "the first domino does not topple the next one if it only just tips over"
-                        : "the train stops");
+        answer_say(a, "Proved: at growth 1 %s.", stops);
     else if (low > p->from)
         answer_say(a, "Only this is proved: for every growth from %.12g to %.12g %s.", p->from, low, falls);
     else if (p->low >= p->from)
@@ -91,7 +86,6 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
     struct dom_train train = train_in_double(&query->scene->train);
     struct dom_compute compute = proof_compute(query);
     struct dom_proof proof = {.low = DOM_NAN};
-    char reason[ANSWER_REASON];
     train.s = s;
     if (!query_status(query, problem,
                       (what == PROVE_PAIR ? dom_prove_pair : dom_prove_rmax)(&train, &compute, &proof)))
@@ -100,7 +94,7 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
     answer_set_verdict(a, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
     prove_row(a, s, what, cell_proved(proof.low, decimals),
               cell_proved(proof.ends == DOM_PROVED_NONE ? DOM_NAN : proof.high, decimals), result[proof.ends],
-              gap_reason(proof.gap, reason));
+              proof.gap, NULL);
     say_limit(a, &proof, what == PROVE_PAIR);
     return true;
 }
@@ -131,13 +125,12 @@ static bool prove_cycle(const struct query *query, struct answer *a, struct prob
     struct dom_train train = train_in_double(&query->scene->train);
     struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
-    char reason[ANSWER_REASON];
     if (!query_status(query, problem, dom_prove_cycle(&train, &compute, &proof)))
         return false;
     struct dom_interval range = what == PROVE_BARRIER ? proof.barrier : proof.margin;
     answer_set_verdict(a, proof.verdict == DOM_PROVED_GOES_ON);
     prove_row(a, train.s, what, cell_proved(range.low, 0), cell_proved(range.high, 0),
-              cycle_verdicts[proof.verdict].result, gap_reason(proof.gap, reason));
+              cycle_verdicts[proof.verdict].result, proof.gap, NULL);
     if (what == PROVE_BARRIER && isfinite(range.high))
         answer_say(a, "Proved: the barrier is between these two bounds, in units of the head's m g h/2.");
     say_cycle(query, a, &proof);
@@ -152,27 +145,25 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
     struct start start;
     char ends[START_TEXT];
     double least, most;
-    enum dom_status status = dom_prove_count((double)query->scene->scale.h, height, train.r, &least, &most);
-    if (status == DOM_OK)
-        status = dom_prove_cycle(&train, &compute, &proof);
-    if (status != DOM_OK)
-        return query_status(query, problem, status);
+    if (!query_status(query, problem,
+                      dom_prove_count((double)query->scene->scale.h, height, train.r, &least, &most)) ||
+        !query_status(query, problem, dom_prove_cycle(&train, &compute, &proof)))
+        return false;
     bool is_known = least == most, is_enough = is_known && isfinite(least),
          goes_on = proof.verdict == DOM_PROVED_GOES_ON;
     if (!start_run(query, &query->scene->train, (domq_real)most + 1, true, &start, problem))
         return false;
-    if (!start.falls)
-        start_problem(query, &start, ends);
     answer_set_verdict(a, is_enough && goes_on && start.falls);
     prove_row(a, train.s, PROVE_COUNT, cell_count(least), cell_count(most),
               !is_known || proof.verdict == DOM_PROVED_NOTHING ? "not proved"
               : !goes_on                                       ? "does not"
               : start.falls                                    ? "goes on"
                                                                : "no start",
+              proof.gap,
               !is_known
                   ? "not proved: there are too many dominoes, or the last digit of a height or of r matters"
               : !is_enough ? "with r = 1 all dominoes are equally tall, so none of them reaches this height"
-              : goes_on && !start.falls ? ends
+              : goes_on && !start.falls ? start_problem(query, &start, ends)
                                         : NULL);
     if (is_enough)
         answer_say(a, "Proved: %.0f dominoes are enough at growth %.12g, and fewer are not.", least, train.r);

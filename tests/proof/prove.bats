@@ -58,7 +58,9 @@ root=$BATS_TEST_DIRNAME/../..
     row=$(json 'effect friction 0.1; prove rmax 0.4')
     same result 'not proved' "$(values result <<<"$row")"
     same low null "$(values low <<<"$row")"
-    same reason 'not proved: there is no proof for trains with effects that change their motion' "$(values reason <<<"$row")"
+    for row in "$row" "$(json 'effect friction 0.1; prove count 112 m')"; do
+        same reason 'not proved: there is no proof for trains with effects that change their motion' "$(values reason <<<"$row")"
+    done
     # The verdict at an r that differs from r_max only by rounding.
     same result 'not proved' "$(json 'set d 7/48; set r 1.6442290395351491; prove verdict' | values result)"
     for line in 'prove rmax 2' 'prove nothing' 'prove' 'prove count' 'prove verdict 3' 'prove rmax 0.2 m'; do

@@ -150,11 +150,6 @@ SPAN struct span span_sqrt(struct span a)
     return (struct span){least_0(down(sqrt(least_0(a.lo)))), up(sqrt(a.hi))};
 }
 
-static inline bool span_finite(struct span a)
-{
-    return isfinite(a.lo) && isfinite(a.hi) && a.lo <= a.hi;
-}
-
 static inline double span_middle(struct span a)
 {
     return 0.5 * a.lo + 0.5 * a.hi;
