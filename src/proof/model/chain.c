@@ -254,15 +254,33 @@ static struct dual kinetic_of_train(const struct upright *t, struct dual fuel, s
     return E.value.lo > 0 ? dual_over(fuel, E) : (struct dual){everything, everything};
 }
 
+/* Finds P, T and K. The arguments are the sums P_n, T_n, term n of T, and v of domino n while the head is
+ * upright. The paper's closed form of the fuel, P = 1 - h(theta_last), has no remainder. */
+static void energies_of_train(struct upright *t, struct dual fuel, struct dual T, double term, struct span v)
+{
+    t->kinetic = kinetic_of_train(t, fuel, T);
+    /* For i >= n, Y_i <= 1 and x_i >= x_n, so dF/dtheta = 1 - r L x_i / Y_i <= p = 1 - r L x_n, and from
+     * term n on, each term of T is at most p^2 r^-(q+1) times the term before. */
+    const double sine = least_0(tilt_sine(v).lo),
+                 p = PROOF_BOUND(CONTRACTION, least_0(up(1 - down(t->low.rL.lo * sine))), 0),
+                 ratio = up(up(p * p) * t->inertia.value.hi), T_rest = up(term / least_0(down(1 - ratio)));
+    if (!t->shape->paper)
+        fuel.value.hi = PROOF_BOUND(REST_OF_FUEL, up(fuel.value.hi + t->rest), fuel.value.hi);
+    T.value.hi = PROOF_BOUND(REST_OF_T, up(T.value.hi + T_rest), T.value.hi);
+    t->kinetic.value = kinetic_of_train(t, fuel, T).value;
+    t->fuel = fuel.value;
+    t->T = T.value;
+}
+
 /*
- * Finds the kinetic energy K for a train of two dominoes, as in the paper's section "Two dominoes". Domino 1
- * tips over its edge from rest and releases the energy h(theta_u) - h(theta_c) before it hits the head. The
- * unit of this energy is m g h / 2 of domino 1. This energy times f is the kinetic energy of the pair after
- * the hit, in the unit m g h / 2 of the head:
+ * Finds the fuel and the kinetic energy K for a train of two dominoes, as in the paper's section "Two
+ * dominoes". Domino 1 tips over its edge from rest and releases the energy h(theta_u) - h(theta_c) before it
+ * hits the head. The unit of this energy is m g h / 2 of domino 1. This energy times f is the kinetic energy
+ * of the pair after the hit, in the unit m g h / 2 of the head:
  *
  *     f = r k^2/(1 + k),   k = r^(-(q+1)).
  */
-static void kinetic_of_pair(struct upright *t)
+static void energies_of_pair(struct upright *t)
 {
     const struct span top = t->shape->v_top, hit = t->v_hit;
     const struct dual k = t->inertia, f = dual_mul((struct dual){t->r, one},
@@ -290,8 +308,8 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
     *t = growth_make(shape, r_low, r_high);
     t->link = link;
     t->rest = INFINITY;
-    /* F(pi/2) is the largest tilt that any follower reaches: theta_f if followers detach, and theta_inf
-     * otherwise. */
+    /* F(pi/2) is theta_last, the largest tilt that any follower reaches: theta_f if followers detach, and
+     * theta_inf otherwise. */
     contact = contact_find(t, &last, false);
     last = chain_next(t, &last, &contact);
     const struct dual g_last = energy_of(shape, &last);
@@ -333,25 +351,11 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         enough = t->rest <= rest_most || i == LINKS_MOST ||
                  (domino.v.lo < v_before * (1 + grows) && t->rest > 0.98 * rest_before);
     } while (n > 0 ? t->n < n : !no_more && (shape->pair || !(enough && domino.v.lo > shape->v_top.hi)));
-    if (shape->pair) {
-        kinetic_of_pair(t);
-        return true;
-    }
-    if (shape->paper) /* the paper's closed form of the fuel, P = 1 - h(theta_last), has no remainder */
-        fuel = dual_sub(dual_of(span_of(0)), g_last);
-    t->kinetic = kinetic_of_train(t, fuel, T);
-    /* For i >= n, Y_i <= 1 and x_i >= x_n, so dF/dtheta = 1 - r L x_i / Y_i <= p = 1 - r L x_n, and from
-     * term n on, each term of T is at most p^2 r^-(q+1) times the term before. */
-    const double sine = least_0(tilt_sine(domino.v).lo),
-                 p = PROOF_BOUND(CONTRACTION, least_0(up(1 - down(t->low.rL.lo * sine))), 0),
-                 ratio = up(up(p * p) * t->inertia.value.hi);
-    if (!shape->paper)
-        fuel.value.hi = PROOF_BOUND(REST_OF_FUEL, up(fuel.value.hi + t->rest), fuel.value.hi);
-    T.value.hi =
-        PROOF_BOUND(REST_OF_T, up(T.value.hi + up(term.value.hi / least_0(down(1 - ratio)))), T.value.hi);
-    t->kinetic.value = kinetic_of_train(t, fuel, T).value;
-    t->fuel = fuel.value;
-    t->T = T.value;
+    if (shape->pair)
+        energies_of_pair(t);
+    else
+        energies_of_train(t, shape->paper ? dual_sub(dual_of(span_of(0)), g_last) : fuel, T, term.value.hi,
+                          domino.v);
     return true;
 }
 
