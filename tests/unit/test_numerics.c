@@ -69,30 +69,7 @@ TEST(failures_are_reported)
     double x = -7;
     assert_int_equal(num_root(cubic, NULL, 2, 3, 0, &x), NUM_NOT_BRACKETED);
     assert_int_equal(num_root(nan_inside, NULL, 0, 1, 0, &x), NUM_NOT_FINITE);
-    assert_int_equal(num_maximum(root_of_sine, NULL, 0, 0.5, 1, 0, &x), NUM_NOT_BRACKETED);
-    assert_int_equal(num_maximum(nan_inside, NULL, 0, 0.75, 0.8, 0, &x), NUM_NOT_BRACKETED);
     assert_near("untouched", x, -7, 0);
-}
-
-static double parabola(double x, void *c)
-{
-    (void)c;
-    return -(x - 0.44) * (x - 0.44) + 2;
-}
-
-static double kink(double x, void *c)
-{
-    (void)c;
-    return x < 0.7 ? x : 1.4 - x;
-}
-
-TEST(maxima)
-{
-    double x = DOMQ_NAN;
-    assert_int_equal(num_maximum(parabola, NULL, 0.39, 0.43, 0.48, 1e-12, &x), NUM_OK);
-    assert_near("smooth top", x, 0.44, 1e-7);
-    assert_int_equal(num_maximum(kink, NULL, 0, 0.6, 1.3, 1e-14, &x), NUM_OK);
-    assert_near("kink", x, 0.7, 1e-13);
 }
 
 /* ---- Linear equations whose G and v are known in closed form ---- */

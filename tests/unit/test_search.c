@@ -125,6 +125,7 @@ TEST(no_separation_is_better)
         {0.0585, 4, 0.27, 4e-5, 0.02, 0, 0, false},
         {0.052, 1, 0.52, 3e-6, 0, 0, 0, false},
         {0.16, 3, 0, 9e-9, 0, 0, 0, false},
+        {0.034825971307705643, 1.6536063293099532, 0.2, 0, 0, 0.12789450551568, 0, false}, /* a kink */
         {0.1, 4, 0, 0.01, -0.02, 0, 0, false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -161,7 +162,7 @@ TEST(the_best_separation_in_quad_begins_near)
         int mu, rho;        /* in percent */
         double first, rest; /* the first 12 digits of s, and what follows them */
         size_t most;
-    } cases[] = {{20, 0, 538644284488, 7.46838654970e-14, 2000000},
+    } cases[] = {{20, 0, 538644284488, 7.46838654970e-14, 700000},
                  {0, 1, 514185281824, 5.18853554156e-13, 200000}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct setup train = train_of(1, 0, 4, 0, IN_QUAD);

@@ -12,18 +12,24 @@
 /* The ratio of one sample of s to the next larger one. */
 #define BEST_RATIO ((real)0.9)
 /* Sampling ends after this many successive samples without a larger r_max, or at BEST_LOWEST. */
-enum { BEST_PATIENCE = 16, BEST_MOST = 140 };
+enum { BEST_PATIENCE = 16, BEST_MOST = 140, KINK_STEPS = 32 };
 #define BEST_LOWEST ((real)1e-6)
 /* Intervals of s are halved down to this width, relative to s. Until an r_max above 1 is found, they are
  * halved down to BEST_FIRST. */
 #define BEST_FINEST ((real)1e-3)
 #define BEST_FIRST  fmax((real)1e-6, 64 * REAL_EPSILON)
 
+/* Where r_max is below this fraction of the largest one, a bound on it is enough: no r_max up to the next
+ * sample can then be larger. */
+#define BEST_FAR ((real)0.8)
+
 struct best {
     struct growth *g;
     real s, r_max;     /* the best separation so far, and r_max there */
     struct limit last; /* of the last separation that was tried */
     real finer;        /* slope_step is multiplied by this factor */
+    real low;          /* the growth at the bottom of the dip at the best separation, or infinity */
+    real stops;        /* a growth at which another train stopped in a dip, or infinity */
 };
 
 /* Returns r_max at s, or 0 if there is no r_max. After an error, returns NaN. At an open dip the result is
@@ -42,8 +48,43 @@ static real rmax_at(real s, void *context)
     if (r_max > b->r_max) {
         b->s = s;
         b->r_max = r_max;
+        b->low = limit->low;
     }
     return r_max;
+}
+
+/* Returns the margin at s and r, as a fraction of the energies, or NaN. */
+static real margin_beside(struct best *b, real s, real r)
+{
+    struct growth *g = b->g;
+    if (g->status != DOM_OK || !(r * s < g->geometry.span))
+        return REAL_NAN;
+    g->s = s;
+    const struct margin m = margin_signed(g, MARGIN_SIGN, r, MARGIN_ROUGH);
+    if (g->status != DOM_INTERRUPTED && g->status != DOM_TOO_LONG)
+        g->status = DOM_OK;
+    return margin_value(&m) / (fabs(m.kinetic) + barrier_most(&g->geometry));
+}
+
+/* Returns r_max at s, or an upper bound on it if that is at most BEST_FAR b->r_max. One margin is enough for
+ * such a bound: a train that stops at a growth has a smaller r_max. Neighbours mostly stop in the same dip.
+ */
+static real rmax_or_bound(struct best *b, real s)
+{
+    const real most = BEST_FAR * b->r_max, tried[] = {fmin(b->stops, most), most};
+    for (int k = 0; k < 2 && most > 1; k++)
+        if (margin_beside(b, s, tried[k]) < 0)
+            return tried[k];
+    const real r = rmax_at(s, b);
+    real lowest = 0;
+    for (real by = r; r > 1 && r + by < most && by > r / 100; by /= 2) {
+        const real margin = margin_beside(b, s, r + by);
+        if (margin < lowest) {
+            lowest = margin;
+            b->stops = r + by;
+        }
+    }
+    return r;
 }
 
 /* A point of the curve r_max(s). */
@@ -66,15 +107,15 @@ static real highest_near(const struct point *at, const struct point *beyond, rea
 static void best_between(struct best *b, const struct point *before, const struct point *lo,
                          const struct point *hi, const struct point *after)
 {
-    const real width = hi->s - lo->s,
-               highest = fmax(highest_near(lo, before, width), highest_near(hi, after, width));
+    const real width = hi->s - lo->s, reach = b->g->geometry.span / lo->s,
+               highest = fmin(fmax(highest_near(lo, before, width), highest_near(hi, after, width)), reach);
     if (b->g->status != DOM_OK || width <= (b->r_max > 1 ? BEST_FINEST : BEST_FIRST) * hi->s ||
         !(highest > b->r_max))
         return;
     const real s = (lo->s + hi->s) / 2;
-    const struct point middle = {s, rmax_at(s, b)};
-    best_between(b, lo, &middle, hi, after);
+    const struct point middle = {s, rmax_or_bound(b, s)};
     best_between(b, before, lo, &middle, hi);
+    best_between(b, lo, &middle, hi, after);
 }
 
 /* Samples r_max(s), from large separations down. */
@@ -86,7 +127,7 @@ static void best_sample(struct best *b)
     for (real s = span; n < BEST_MOST && s > BEST_LOWEST && lower < BEST_PATIENCE && b->g->status == DOM_OK;
          s *= BEST_RATIO, n++) {
         const real before = b->r_max;
-        at[n] = (struct point){s, rmax_at(s, b)};
+        at[n] = (struct point){s, rmax_or_bound(b, s)};
         lower = b->r_max > before || b->r_max == 0 ? 0 : lower + 1;
     }
     for (int k = 0; k + 1 < n; k++)
@@ -125,7 +166,8 @@ static real margin_slope(struct growth *g, real s, real r, real h)
 
 /* Returns d margin / ds at r_max(s), which has the sign of d r_max / ds. If r_max is limited by the reach,
  * returns -1, because the reach decreases with s. Beyond a jump, the sign points back to the best
- * separation. Near a jump, the size of the result is the depth of the dip, which is 0 at the jump. */
+ * separation. Near a jump, the size is the scaled margin at the dip, which is 0 at the jump. Farther beyond,
+ * the size is the margin at the growth of the best dip. */
 static real best_slope(real s, void *context)
 {
     struct best *b = context;
@@ -133,10 +175,13 @@ static real best_slope(real s, void *context)
     const real r = rmax_at(s, b), h = r > 0 ? slope_step(g->geometry.span, s, r) * b->finer : 0;
     if (g->status != DOM_OK)
         return REAL_NAN;
-    const real slope = b->last.ends == DOM_END_BARRIER && s + h > s ? margin_slope(g, s, r, h) : -1;
-    const bool rises = r >= b->r_max * (1 - BEST_JUMP) ? slope > 0 : s < b->s;
-    const real size = fmin(fabs(slope), 1), dip = fabs(b->last.dip);
-    return (rises ? 1 : -1) * (dip < BEST_DIP ? dip : size);
+    const bool beyond = r < b->r_max * (1 - BEST_JUMP), in_dip = beyond && isfinite(b->low);
+    real slope = -1, size = fabs(b->last.dip);
+    if (!in_dip && b->last.ends == DOM_END_BARRIER && s + h > s)
+        slope = margin_slope(g, s, r, h);
+    if (!(size < BEST_DIP))
+        size = in_dip ? fabs(margin_beside(b, s, b->low)) : fmin(fabs(slope), 1);
+    return ((beyond ? b->s > s : slope > 0) ? 1 : -1) * fmax(size, REAL_EPSILON);
 }
 
 /* Sets b->finer to the factor at which the estimated error of the nine-point rule is smallest. A smaller step
@@ -164,24 +209,37 @@ static void best_step(struct best *b)
     }
 }
 
-/* Close to a kink of r_max(s), the nine-point rule mixes the slopes on both sides. There, finds the maximum
- * from r_max alone, within `width` of b->s. */
+/*
+ * Close to a kink of r_max(s), the nine-point rule mixes the slopes on both sides. There, finds the maximum
+ * from r_max alone, within `width` of b->s. It is where two lines intersect, each through two separations on
+ * one side. The lines are then drawn again, as close to the kink as the last ones were wrong.
+ */
 static enum dom_status best_kink(struct best *b, real width, bool *found)
 {
-    const real s = b->s, lo = s - width, hi = fmin(s + width, b->g->geometry.span), r = b->r_max,
-               noise = 64 * REAL_EPSILON * r;
-    const real far[] = {r - rmax_at(lo, b), r - rmax_at(hi, b)},
-               near[] = {r - rmax_at((lo + s) / 2, b), r - rmax_at((hi + s) / 2, b)};
-    bool kink = b->r_max > r + noise;
-    for (int k = 0; k < 2; k++) /* next to a smooth maximum, r_max falls with the square of the distance */
-        kink = kink || (far[k] > noise && near[k] > (real)0.4 * far[k]);
+    const real noise = 64 * REAL_EPSILON * b->r_max;
     *found = false;
-    if (b->g->status != DOM_OK || !kink || !(b->s > lo && b->s < hi))
-        return b->g->status;
-    real top;
-    const enum num_status solver = num_maximum(rmax_at, b, lo, b->s, hi, b->g->geometry.tol / 8, &top);
-    *found = solver == NUM_OK;
-    return solver == NUM_NOT_BRACKETED ? b->g->status : model_status(b->g->status, solver);
+    for (int k = 0; k < KINK_STEPS && b->g->status == DOM_OK; k++) {
+        const real s = b->s, r = b->r_max, right = fmin(width, b->g->geometry.span - s),
+                   far[] = {r - rmax_at(s - width, b), r - rmax_at(s + right, b)},
+                   near[] = {r - rmax_at(s - width / 2, b), r - rmax_at(s + right / 2, b)};
+        if (b->r_max > r + noise) /* another separation is nearer to the kink */
+            continue;
+        /* next to a smooth maximum, r_max falls with the square of the distance */
+        *found = (far[0] > noise && near[0] > (real)0.4 * far[0]) ||
+                 (far[1] > noise && near[1] > (real)0.4 * far[1]);
+        const real up = (far[0] - near[0]) * 2 / width, down = (far[1] - near[1]) * 2 / right,
+                   flat = fmin(up, down);
+        if (!*found || !(flat > 0))
+            break;
+        /* the heights of the lines at s, above r, and the distance of the intersection from s */
+        const real left_line = far[0] - 2 * near[0], right_line = far[1] - 2 * near[1],
+                   by = (right_line - left_line) / (up + down);
+        const real wrong = fabs(left_line + up * by - (rmax_at(s + by, b) - r));
+        width = fmin(width / 4, 16 * wrong / flat);
+        if (width <= fmax(b->g->geometry.tol / 8 * s, 4 * noise / flat))
+            break;
+    }
+    return b->g->status;
 }
 
 /* Finds the maximum of r_max(s) near b->s, within the distance `width`, relative to s. If there is none,
@@ -198,14 +256,11 @@ static enum dom_status best_top(struct best *b, real width, bool *found)
         const enum num_status solver =
             num_root_between(best_slope, b, lo, up, hi, down, g->geometry.tol / 8, &s);
         g->status = model_status(g->status, solver);
-        /* At a jump, the dip is open. Step back to the nearest separation whose train certainly passes it. */
-        real r = rmax_at(s, b), step = b->s > s ? 2 * REAL_EPSILON * s : -2 * REAL_EPSILON * s;
-        for (; r < b->r_max * (1 - BEST_JUMP) && fabs(step) < fabs(b->s - s); step *= 2)
-            r = rmax_at(s + step, b);
+        const real r = rmax_at(s, b);
         /* A smooth maximum is flat: the errors of r_max decide which of the separations near it has the
          * largest r_max. The root of the slope has more digits. */
         const real error = fmax(g->geometry.tol, 64 * REAL_EPSILON);
-        if (g->status == DOM_OK && (r = rmax_at(s, b)) >= b->r_max * (1 - error)) {
+        if (g->status == DOM_OK && r >= b->r_max * (1 - error)) {
             b->s = s;
             b->r_max = r;
         }
@@ -287,7 +342,7 @@ enum dom_status limit_best(const struct dom_train *train, const struct dom_compu
                            struct dom_best *best)
 {
     struct growth g;
-    struct best b = {.g = &g, .finer = 1};
+    struct best b = {.g = &g, .finer = 1, .low = (real)INFINITY, .stops = (real)INFINITY};
     growth_begin(train, compute, false, near, &g);
     enum dom_status status = g.status == DOM_OK ? best_find(&b) : g.status;
     if (status == DOM_OK)

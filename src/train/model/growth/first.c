@@ -45,30 +45,20 @@ enum { HALVES = 17, LOOK_EVERY = 4 };
 /* The largest relative tolerance of samples. Larger errors would look like curvature of the margin. */
 #define SAMPLE_TOL ((real)1e-3)
 
-/* A place where the scaled margin, minus `value`, is 0: the known root (power 1), or a minimum (power 2). If
- * none is known, `power` is 0. */
-struct zero {
-    real r, value;
-    int power;
-};
-
 struct first {
     struct growth *g;
     real sign, from;    /* 1 if the margin is >= 0 at the start, otherwise -1; x of the start */
     real unit;          /* barrier_most */
     struct limit limit; /* r_max is infinite while no sign change is known */
     struct margin at;   /* the first known root; its growth is limit.r_max */
-    struct zero root;
-    real falls; /* scaled_value at this root */
-    real step;  /* of the difference quotient in scaled_slope */
+    real falls;         /* scaled_value at this root, or 0 if none is known */
+    real step;          /* of the difference quotient in scaled_slope */
 };
 
-/* An interval between two samples, with the samples before and after it if there are any, and the minimum
- * that has been found in it or near it. */
+/* An interval between two samples, with the samples before and after it if there are any. */
 struct stretch {
     const struct margin *before, *lo, *hi, *after;
-    const struct zero *dip;
-    int halves;
+    int halves; /* how often it may still be halved */
 };
 
 /* Returns true if the margin has its initial sign. A value within its error of 0 does not count as a change:
@@ -89,26 +79,25 @@ static real scaled(const struct first *s, const struct margin *m, real barrier)
     return s->sign * (m->kinetic - (m->is_bound ? barrier : m->barrier)) / (fabs(m->kinetic) + s->unit);
 }
 
-/* Divides the scaled margin by a known zero, so that only the others are left. */
-static real scaled_value(const struct first *s, const struct margin *m, real barrier, const struct zero *zero)
+/* If `divided` is true, divides the scaled margin by its known root, so that only its other roots are left.
+ */
+static real scaled_value(const struct first *s, const struct margin *m, real barrier, bool divided)
 {
-    const real value = scaled(s, m, barrier) - zero->value, distance = x_apart(s->g, m->r, zero->r);
-    if (zero->power == 1)
-        return distance == 0 ? s->falls : value / distance;
-    return zero->power == 0 ? value : value / (distance * distance);
+    const real value = scaled(s, m, barrier), distance = divided ? x_apart(s->g, m->r, s->at.r) : 1;
+    return distance == 0 ? s->falls : value / distance;
 }
 
 /* Returns f w^2 of a third sample and the two ends of an interval of width w, where f is a second divided
  * difference of the scaled value. Sets ends[] to the values at the ends. */
-static real bend_of(const struct first *s, const struct stretch *in, const struct margin *third,
-                    const struct zero *zero, real ends[2])
+static real bend_of(const struct first *s, const struct stretch *in, const struct margin *third, bool divided,
+                    real ends[2])
 {
     /* a mixture of upper bounds and true barriers would look like curvature */
     const real barrier = in->hi->is_bound ? third->barrier : in->hi->barrier,
-               at_third = scaled_value(s, third, barrier, zero), width = x_apart(s->g, in->lo->r, in->hi->r),
-               offset = x_apart(s->g, in->lo->r, third->r);
-    ends[0] = scaled_value(s, in->lo, barrier, zero);
-    ends[1] = scaled_value(s, in->hi, barrier, zero);
+               at_third = scaled_value(s, third, barrier, divided),
+               width = x_apart(s->g, in->lo->r, in->hi->r), offset = x_apart(s->g, in->lo->r, third->r);
+    ends[0] = scaled_value(s, in->lo, barrier, divided);
+    ends[1] = scaled_value(s, in->hi, barrier, divided);
     return (ends[1] - ends[0] - (at_third - ends[0]) / offset * width) * width / (width - offset);
 }
 
@@ -118,9 +107,9 @@ static bool is_high(const struct first *s, const struct margin *m)
     return s->sign > 0 && m->kinetic > SAFETY * s->unit;
 }
 
-/* Returns true if the interval has no sign change, apart from the known zero. The third samples on both sides
+/* Returns true if the interval has no sign change, apart from the known root. The third samples on both sides
  * must agree. */
-static bool is_clear(const struct first *s, const struct stretch *in, const struct zero *zero)
+static bool is_clear(const struct first *s, const struct stretch *in)
 {
     if (is_high(s, in->lo) && is_high(s, in->hi))
         return true;
@@ -134,7 +123,7 @@ static bool is_clear(const struct first *s, const struct stretch *in, const stru
     for (int k = 0; k < 2 && clear; k++)
         if (third[k]) {
             real ends[2];
-            const real bend = bend_of(s, in, third[k], zero, ends);
+            const real bend = bend_of(s, in, third[k], s->falls != 0, ends);
             clear = fmin(ends[0], ends[1]) > SAFETY * fabs(bend);
         }
     return clear;
@@ -158,40 +147,13 @@ static real scaled_slope(real x, void *context)
  * two thirds of the work. */
 static bool is_steep(const struct first *s, const struct stretch *in)
 {
-    static const struct zero none = {.power = 0};
     const struct margin *m = in->hi, *third[] = {in->before, in->after};
     real ends[2] = {0},
          least = 8 * SAMPLE_TOL * (fabs(m->kinetic) + m->barrier) / (fabs(m->kinetic) + s->unit);
     for (int k = 0; k < 2; k++)
         if (third[k])
-            least = fmax(least, 2 * fabs(bend_of(s, in, third[k], &none, ends)));
+            least = fmax(least, 2 * fabs(bend_of(s, in, third[k], false, ends)));
     return fabs(ends[1] - ends[0]) > least;
-}
-
-/* Looks for a minimum of the scaled margin inside the interval. */
-static enum dom_status find_minimum(struct first *s, const struct stretch *in, struct margin *minimum,
-                                    struct zero *dip, bool *found)
-{
-    const real lo = x_of(s->g, in->lo->r), hi = x_of(s->g, in->hi->r);
-    *found = false;
-    if ((in->dip && in->dip->r >= in->lo->r && in->dip->r <= in->hi->r) ||
-        is_steep(s, in)) /* known, or there is none */
-        return DOM_OK;
-    s->step = fmin(cbrt(REAL_EPSILON) / 8, (hi - lo) / 256);
-    const real at_lo = scaled_slope(lo, s), at_hi = at_lo < 0 ? scaled_slope(hi, s) : 0;
-    if (s->g->status != DOM_OK || !(at_lo < 0 && at_hi > 0))
-        return s->g->status;
-    /* near the minimum, the margin changes with the square of the distance */
-    const real tol = sqrt(REAL_EPSILON) * (hi - lo) / fabs(lo);
-    real x;
-    const enum num_status solver = num_root_between(scaled_slope, s, lo, at_lo, hi, at_hi, tol, &x);
-    const enum dom_status status = model_status(s->g->status, solver);
-    if (status != DOM_OK)
-        return status;
-    *minimum = margin_within(s->g, r_of(s->g, x), 0);
-    *dip = (struct zero){minimum->r, scaled(s, minimum, 0), 2};
-    *found = s->g->status == DOM_OK;
-    return s->g->status;
 }
 
 /* Takes note of the root in s->limit. Converts its slope from r to x, and to the unit of `scaled`. */
@@ -199,20 +161,18 @@ static void keep_root(struct first *s)
 {
     const struct limit *root = &s->limit;
     s->at = (struct margin){.r = root->r_max, .kinetic = root->barrier, .barrier = root->barrier};
-    s->root = (struct zero){.r = root->r_max, .power = 1};
     s->falls = scaled(s, &root->beside, 0) / x_apart(s->g, root->beside.r, root->r_max);
 }
 
 /* Finds a root between lo and hi, where the margin has opposite signs. */
-static enum dom_status find_root(struct first *s, const struct margin *lo, const struct margin *hi)
+static void find_root(struct first *s, const struct margin *lo, const struct margin *hi)
 {
     struct growth *g = s->g;
     const real tol = g->geometry.tol;
     const bool shallow = fabs(scaled(s, hi, hi->barrier)) < SAMPLE_TOL;
-    enum dom_status status = DOM_OK;
     g->geometry.tol = shallow && g->geometry.conservative ? margin_finest(g) : tol;
     if (margin_value(lo) >= 0) {
-        status = root_between(g, lo, hi, !shallow, &s->limit);
+        g->status = root_between(g, lo, hi, !shallow, &s->limit);
     } else { /* it is 0 within its error */
         s->limit.r_max = lo->r;
         s->limit.barrier = lo->barrier;
@@ -220,92 +180,83 @@ static enum dom_status find_root(struct first *s, const struct margin *lo, const
     }
     g->geometry.tol = tol;
     keep_root(s);
-    return status;
 }
 
-static enum dom_status search_stretch(struct first *s, const struct stretch *in);
+/* Takes note of a minimum. Its sign decides: if it is beyond 0, the sign changes before it. */
+static void keep_minimum(struct first *s, const struct margin *lo, const struct margin *minimum)
+{
+    const real value = scaled(s, minimum, 0),
+               error = margin_error(s->g, minimum, margin_finest(s->g)) / (fabs(minimum->kinetic) + s->unit);
+    if (fabs(value) < fabs(s->limit.dip)) {
+        s->limit.dip = value;
+        s->limit.low = minimum->r;
+    }
+    if (fabs(value) <= error)
+        s->limit.open = fmin(s->limit.open, minimum->r);
+    else if (value < 0 && s->sign < 0)
+        s->limit.r_max = minimum->r;
+    else if (value < 0) {
+        const struct margin before = margin_within(s->g, lo->r, 0);
+        if (s->g->status == DOM_OK)
+            find_root(s, &before, minimum);
+    }
+}
+
+/* Looks for a minimum of the scaled margin inside the interval. Returns true if there is one. */
+static bool find_minimum(struct first *s, const struct stretch *in)
+{
+    struct growth *g = s->g;
+    const real lo = x_of(g, in->lo->r), hi = x_of(g, in->hi->r);
+    if (is_steep(s, in))
+        return false;
+    s->step = fmin(cbrt(REAL_EPSILON) / 8, (hi - lo) / 256);
+    const real at_lo = scaled_slope(lo, s), at_hi = at_lo < 0 ? scaled_slope(hi, s) : 0;
+    if (g->status != DOM_OK || !(at_lo < 0 && at_hi > 0))
+        return false;
+    /* near the minimum, the margin changes with the square of the distance */
+    const real tol = sqrt(REAL_EPSILON) * (hi - lo) / fabs(lo);
+    real x = lo;
+    g->status = model_status(g->status, num_root_between(scaled_slope, s, lo, at_lo, hi, at_hi, tol, &x));
+    const struct margin minimum = g->status == DOM_OK ? margin_within(g, r_of(g, x), 0) : *in->lo;
+    if (g->status == DOM_OK)
+        keep_minimum(s, in->lo, &minimum);
+    return true;
+}
+
+static void search_stretch(struct first *s, const struct stretch *in);
 
 /* Searches the two halves of an interval. */
-static enum dom_status search_halves(struct first *s, const struct stretch *in)
+static void search_halves(struct first *s, const struct stretch *in)
 {
     const real r = r_of(s->g, (x_of(s->g, in->lo->r) + x_of(s->g, in->hi->r)) / 2);
-    const struct margin middle =
-        in->dip ? margin_within(s->g, r, 0) : margin_signed(s->g, MARGIN_SIGN, r, MARGIN_ROUGH);
-    if (s->g->status != DOM_OK ||
-        (in->dip && is_clear(s, &(struct stretch){.lo = in->lo, .hi = in->hi, .after = &middle}, in->dip)))
-        return s->g->status;
-    const enum dom_status status =
-        search_stretch(s, &(struct stretch){in->before, in->lo, &middle, in->hi, in->dip, in->halves - 1});
-    return status == DOM_OK ? search_stretch(s, &(struct stretch){in->lo, &middle, in->hi, in->after, in->dip,
-                                                                  in->halves - 1})
-                            : status;
-}
-
-/* Searches an interval that has a minimum. */
-static enum dom_status search_dip(struct first *s, const struct stretch *in, const struct margin *minimum,
-                                  const struct zero *dip)
-{
-    const real error = margin_error(s->g, minimum, margin_finest(s->g)) / (fabs(minimum->kinetic) + s->unit);
-    if (fabs(dip->value) < fabs(s->limit.dip))
-        s->limit.dip = dip->value;
-    if (fabs(dip->value) <= error)
-        s->limit.open = fmin(s->limit.open, minimum->r);
-    if (dip->value < -error && s->sign < 0) {
-        s->limit.r_max = minimum->r;
-        return DOM_OK;
-    }
-    const struct margin lo = margin_within(s->g, in->lo->r, 0);
-    if (s->g->status == DOM_OK && dip->value < -error)
-        s->g->status = find_root(s, &lo, minimum);
-    if (s->g->status != DOM_OK || in->halves <= 0)
-        return s->g->status;
-    const struct margin hi = margin_within(s->g, in->hi->r, 0);
-    return s->g->status == DOM_OK ? search_halves(s, &(struct stretch){NULL, &lo, &hi, NULL, dip, in->halves})
-                                  : s->g->status;
+    const struct margin middle = margin_signed(s->g, MARGIN_SIGN, r, MARGIN_ROUGH);
+    search_stretch(s, &(struct stretch){in->before, in->lo, &middle, in->hi, in->halves - 1});
+    search_stretch(s, &(struct stretch){in->lo, &middle, in->hi, in->after, in->halves - 1});
 }
 
 /* Looks for the first sign change in an interval. Ignores sign changes beyond the known root. At `lo` the
  * margin has its initial sign. */
-static enum dom_status search_stretch(struct first *s, const struct stretch *in)
+static void search_stretch(struct first *s, const struct stretch *in)
 {
-    enum dom_status status = DOM_OK;
-    if (in->lo->r >= s->limit.r_max)
-        return DOM_OK;
+    if (s->g->status != DOM_OK || in->lo->r >= s->limit.r_max)
+        return;
     const bool changes = !sign_kept(s, in->hi) && in->hi->r < s->limit.r_max,
                finest = in->halves <= 0 || in->hi->r - in->lo->r <= 64 * REAL_EPSILON * in->hi->r;
     /* find any root first; the bisection below looks for earlier ones */
     if (changes && s->sign > 0) {
         s->g->hard = false;
-        status = find_root(s, in->lo, in->hi);
+        find_root(s, in->lo, in->hi);
         const struct margin root = s->at;
-        const struct stretch below = {in->before, in->lo, &root, NULL, NULL, in->halves};
-        if (status != DOM_OK)
-            return status;
+        const struct stretch below = {in->before, in->lo, &root, NULL, in->halves};
         /* Where a root is hard to find, three samples do not show how the margin is curved. */
-        return s->g->hard && !finest ? search_halves(s, &below) : search_stretch(s, &below);
+        (s->g->hard && !finest ? search_halves : search_stretch)(s, &below);
+        return;
     }
     if (changes && finest)
         s->limit.r_max = in->hi->r;
-    if (status != DOM_OK || is_clear(s, in, &s->root) || (in->dip && is_clear(s, in, in->dip)))
-        return status;
-    if (in->halves < HALVES && (finest || (HALVES - in->halves) % LOOK_EVERY == 0)) {
-        struct margin minimum, lo = *in->lo, hi = *in->hi;
-        struct zero dip;
-        bool found;
-        /* the bound on the barrier may hide that the margin is large */
-        if (lo.is_bound)
-            lo = margin_signed(s->g, MARGIN_SURE, lo.r, MARGIN_ROUGH);
-        if (hi.is_bound && s->g->status == DOM_OK)
-            hi = margin_signed(s->g, MARGIN_SURE, hi.r, MARGIN_ROUGH);
-        if (s->g->status != DOM_OK)
-            return s->g->status;
-        if (in->lo->is_bound || in->hi->is_bound)
-            return search_stretch(s, &(struct stretch){in->before, &lo, &hi, in->after, in->dip, in->halves});
-        status = find_minimum(s, in, &minimum, &dip, &found);
-        if (status != DOM_OK || found)
-            return found ? search_dip(s, in, &minimum, &dip) : status;
-    }
-    return finest ? DOM_OK : search_halves(s, in);
+    const bool look = in->halves < HALVES && (finest || (HALVES - in->halves) % LOOK_EVERY == 0);
+    if (!is_clear(s, in) && !(look && find_minimum(s, in)) && !finest)
+        search_halves(s, in);
 }
 
 KERNEL enum dom_status first_change(struct growth *g, const struct margin *from, struct limit *limit)
@@ -314,8 +265,9 @@ KERNEL enum dom_status first_change(struct growth *g, const struct margin *from,
                       .sign = margin_value(from) >= 0 ? 1 : -1,
                       .from = x_of(g, from->r),
                       .unit = barrier_most(&g->geometry),
-                      .limit = {.r_max = (real)INFINITY, .open = (real)INFINITY, .dip = (real)INFINITY}};
+                      .limit = no_limit};
     struct margin sample[SAMPLES_MOST] = {*from};
+    s.limit.r_max = (real)INFINITY;
     const real tol = g->geometry.tol, reach = g->geometry.span / g->s, near = NEAR_REACH * reach,
                first = fmin(fmax(sqrt(g->s * (g->s + 2 * g->geometry.d)) / 2, SAMPLE_LEAST), SAMPLE_MOST);
     int n = 1;
@@ -337,10 +289,9 @@ KERNEL enum dom_status first_change(struct growth *g, const struct margin *from,
     /* An interval that ends in a known root is searched first: earlier roots make the later ones irrelevant,
      * but the known root helps to show that there are none. */
     for (int i = n - 1; g->status == DOM_OK && i > 0; i--)
-        g->status = search_stretch(
-            &s,
-            &(struct stretch){i > 2 || (i > 1 && !is_high(&s, &sample[1])) ? &sample[i - 2] : NULL,
-                              &sample[i - 1], &sample[i], i + 1 < n ? &sample[i + 1] : NULL, NULL, HALVES});
+        search_stretch(
+            &s, &(struct stretch){i > 2 || (i > 1 && !is_high(&s, &sample[1])) ? &sample[i - 2] : NULL,
+                                  &sample[i - 1], &sample[i], i + 1 < n ? &sample[i + 1] : NULL, HALVES});
     g->geometry.tol = tol;
     *limit = s.limit;
     limit->ends = isfinite(limit->r_max) ? DOM_END_BARRIER : DOM_END_REACH;

@@ -87,11 +87,15 @@ struct limit {
     /* The first growth below r_max at which the margin touches 0 within its rounding errors. Infinity if
      * there is none. */
     real open;
-    real dip; /* the scaled margin at the minimum that is closest to 0; infinity if none was found */
+    /* the scaled margin at the minimum that is closest to 0, and its growth; infinity if none was found */
+    real dip, low;
 };
 
-static const struct limit no_limit = {
-    .r_max = REAL_NAN, .ends = DOM_END_NONE, .open = (real)INFINITY, .dip = (real)INFINITY};
+static const struct limit no_limit = {.r_max = REAL_NAN,
+                                      .ends = DOM_END_NONE,
+                                      .open = (real)INFINITY,
+                                      .dip = (real)INFINITY,
+                                      .low = (real)INFINITY};
 
 /* Finds a root of the margin between lo and hi, where the margin has opposite signs, and sets r_max, barrier
  * and beside of *limit. If `follow` is true, first follows one maximum of H from growth to growth. */

@@ -52,33 +52,3 @@ KERNEL enum num_status num_root_between(num_function *f, void *context, real lo,
     }
     return NUM_NOT_CONVERGED;
 }
-
-KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real middle, real hi, real tol,
-                                   real *x)
-{
-    const real golden = (3 - sqrt((real)5)) / 2;
-    real top = f(middle, context), low = f(lo, context), high = f(hi, context);
-    if (!isfinite(top) || !isfinite(low) || !isfinite(high))
-        return NUM_NOT_FINITE;
-    if (!(lo < middle && middle < hi && top > low && top > high))
-        return NUM_NOT_BRACKETED;
-    for (int i = 0; i < ITERATIONS_MAX; i++) {
-        if (hi - lo <= fmax(tol, 4 * REAL_EPSILON) * fabs(middle)) {
-            *x = middle;
-            return NUM_OK;
-        }
-        bool right = hi - middle > middle - lo;
-        real probe = right ? middle + golden * (hi - middle) : middle - golden * (middle - lo);
-        real value = f(probe, context);
-        if (!isfinite(value))
-            return NUM_NOT_FINITE;
-        if (value > top) {
-            *(right ? &lo : &hi) = middle;
-            middle = probe;
-            top = value;
-        } else {
-            *(right ? &hi : &lo) = probe;
-        }
-    }
-    return NUM_NOT_CONVERGED;
-}

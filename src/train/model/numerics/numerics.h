@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Roots, maxima and linear differential equations in the arithmetic of the kernels. Nothing here
- * depends on dominoes. A num_function that cannot be evaluated returns NaN, which ends a search with
- * NUM_NOT_FINITE.
+ * Roots and linear differential equations in the arithmetic of the kernels. Nothing here depends on dominoes.
+ * A num_function that cannot be evaluated returns NaN, which ends a search with NUM_NOT_FINITE.
  *
  * GSL's functions compute only in double. In benchmarks they also took more evaluations: Brent's method for
  * roots, and rk8pd for the equation of motion.
@@ -26,14 +25,6 @@ KERNEL_SHARED enum num_status num_root(num_function *f, void *context, real lo, 
  * signs. */
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x);
-
-/*
- * Finds the x between lo and hi at which f has a maximum, by golden section, to the relative tolerance tol.
- * f(middle) must be larger than f(lo) and f(hi). Near a smooth maximum f hardly changes, so x is precise only
- * to the square root of the unit roundoff. A kink or a jump is found to the full tolerance.
- */
-KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real middle, real hi, real tol,
-                                   real *x);
 
 /* ---- Linear differential equations ---- */
 
