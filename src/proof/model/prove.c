@@ -207,7 +207,8 @@ static bool bracket_prove(struct proof *proof, double stop, struct dom_proof *fo
     enum { ABOVE_MOST = 256, BELOW_MOST = 1024 };
     double root = proof->done, unit = 1;
     int decimals = 0;
-    num_root(margin_guess, proof, proof->done, stop, 2e-16, &root);
+    if (num_root(margin_guess, proof, proof->done, stop, 2e-16, &root) == NUM_NOT_FINITE)
+        return false;
     for (; 1 / unit > proof->tol * root * (1 + 1e-9) && root * unit < 0x1p49; unit *= 10)
         decimals++;
     /* With few decimal places, the number just above the root may lie beyond the next root, where the train

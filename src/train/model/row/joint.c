@@ -192,7 +192,7 @@ KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struc
     const struct dom_train effects_given = {DOM_DYNAMICS(OF_ROW).q = 4};
     const dom_real push = given->push, tol = compute_or_default(compute).tol;
 #undef OF_ROW
-    const size_t count = given->count;
+    size_t count = given->count;
     *row = (struct row){.given = *given, .compute = compute_or_default(compute)};
     if (!row->compute.work)
         row->compute.work = &row->work;
@@ -214,6 +214,9 @@ KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struc
     row->geometry = status == DOM_OK ? malloc(count * sizeof *row->geometry) : NULL;
     if (!row->geometry)
         return status == DOM_OK ? DOM_NO_MEMORY : status;
+    /* A run fills in the equal dominoes at the end when it needs them, if at all. */
+    while (count > 1 && row_repeats(given, count - 1))
+        count--;
     for (; row->made < count && status == DOM_OK; row->made++) {
         if (row->made % CHECK_EVERY == 0 && dom_interrupted(row->compute.interrupt))
             return DOM_INTERRUPTED;

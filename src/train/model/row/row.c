@@ -315,8 +315,6 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
         const struct run before = *run;
         const bool last = k + 1 == count, tips = k == 0 && isnan(row->given.push);
         enum dom_status status = dom_interrupted(row->compute.interrupt) ? DOM_INTERRUPTED : DOM_OK;
-        for (; row->made <= (last ? k : k + 1) && status == DOM_OK; row->made++)
-            status = row_geometry(row, row->made);
         if (status != DOM_OK)
             return status;
         alike = k > 0 && row_repeats(&row->given, k) ? alike + 1 : 1;
@@ -331,6 +329,19 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
             ends = visit && !visit(&fall, context);
             continue;
         }
+        /* After steady heads, leaves out the geometry of the dominoes that no later sum along the chain
+         * visits: the last one that was filled in equals them, and takes the place of all of them. */
+        const size_t visited = row->compute.work->longest + STEADY_MORE;
+        if (k > row->made + visited) {
+            struct geometry *all = &row->geometry[k - visited];
+            *all = row->geometry[row->made - 1];
+            all->follower = all;
+            row->made = k - visited + 1;
+        }
+        for (; row->made <= (last ? k : k + 1) && status == DOM_OK; row->made++)
+            status = row_geometry(row, row->made);
+        if (status != DOM_OK)
+            return status;
         const bool passes = options->passes && options->passes(run, k, &at);
         if (!passes && options->begins)
             options->begins(run, k);
