@@ -298,7 +298,7 @@ static const struct command row_commands[] = {
     {.name = "insert",
      .synonyms = "add append extend more copy",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT},
-                  {.name = "height",
+                  {.name = "SIZE",
                    .kind = ARGUMENT_CHOICE,
                    .noun = "size",
                    .optional = true,

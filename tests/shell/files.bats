@@ -4,7 +4,7 @@
 
 load common
 
-# bats test_tags=rows,planning,sweeps
+# bats test_tags=rows,planning,sweeps,landmarks
 @test "'> FILE' and '>> FILE' after any command" {
     while IFS='|' read -r call _; do
         case $call in design*) continue ;; esac # a file gets the designed row: see plan.bats

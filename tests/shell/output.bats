@@ -73,12 +73,12 @@ null_of() { # COMMANDS SELECTION KEY REASON
     [[ $said =~ ^null\|.*$4 ]] || same "$1" "null|$4" "$said"
 }
 
-# bats test_tags=rows,chance,pictures,sweeps,explain,planning
+# bats test_tags=rows,chance,pictures,sweeps,explain,planning,landmarks
 @test "every command answers with its keys, with -e, -f, '#!' and from standard input" {
     for way in -e stdin -f '#!'; do answers_in "$way"; done
 }
 
-# bats test_tags=rows,chance,sweeps,planning
+# bats test_tags=rows,chance,sweeps,planning,landmarks
 @test "in tables, the labels of every command are its keys" {
     while IFS='|' read -r call expected; do
         answer=$("$DOMINO" -e "$call")
