@@ -224,12 +224,12 @@ static enum dom_status best_kink(struct best *b, real width, bool *found)
                    near[] = {r - rmax_at(s - width / 2, b), r - rmax_at(s + right / 2, b)};
         if (b->r_max > r + noise) /* another separation is nearer to the kink */
             continue;
-        /* next to a smooth maximum, r_max falls with the square of the distance */
-        *found = (far[0] > noise && near[0] > (real)0.4 * far[0]) ||
-                 (far[1] > noise && near[1] > (real)0.4 * far[1]);
         const real up = (far[0] - near[0]) * 2 / width, down = (far[1] - near[1]) * 2 / right,
                    flat = fmin(up, down);
-        if (!*found || !(flat > 0))
+        /* next to a smooth maximum, r_max falls with the square of the distance */
+        *found = flat > 0 && ((far[0] > noise && near[0] > (real)0.4 * far[0]) ||
+                              (far[1] > noise && near[1] > (real)0.4 * far[1]));
+        if (!*found)
             break;
         /* the heights of the lines at s, above r, and the distance of the intersection from s */
         const real left_line = far[0] - 2 * near[0], right_line = far[1] - 2 * near[1],

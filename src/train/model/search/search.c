@@ -67,6 +67,10 @@ bool row_has_spare(const struct dom_row *row, const struct dom_compute *compute,
 
 #define PUSH_TOL 1e-5
 
+/* The first push that is tried, as a fraction of sqrt(g / h). The next ones are twice as strong: a push that
+ * is too weak for domino 1 costs next to nothing. */
+#define PUSH_FIRST 1e-3
+
 struct pushed {
     struct dom_row row;
     struct dom_compute compute;
@@ -84,21 +88,6 @@ static bool falls_pushed(double push, double *spare, void *context)
     return falls;
 }
 
-/*
- * Returns the angular velocity omega that is just enough to tip the first domino over its edge, if the domino
- * is a solid block with sharp edges that stands upright on a level floor. The kinetic energy must lift the
- * centre of mass to its highest point above the edge:
- *
- *     I omega^2 / 2 = m g (sqrt(h^2 + d^2) - h) / 2.
- *
- * Here I is the moment of inertia about the edge, m is the mass, h is the height, and d is the thickness.
- */
-static double push_over_edge(const struct dom_row *row)
-{
-    double h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
-    return sqrt(3 * row->g * d * d / ((reach + h) * reach * reach));
-}
-
 enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom_compute *compute,
                                      double strongest, double *push)
 {
@@ -110,7 +99,8 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
     if (falls)
         found = row->push;
     else if (p.status == DOM_OK) {
-        double bad = isnan(row->push) ? 0 : row->push, good = fmax(push_over_edge(row), bad) / 2;
+        double bad = isnan(row->push) ? 0 : row->push,
+               good = fmax(PUSH_FIRST * sqrt(row->g / row->domino[0].height), bad);
         do {
             good = fmin(2 * good, strongest);
             falls = falls_pushed(good, &spare, &p);
