@@ -52,9 +52,10 @@ void features_register(const struct feature *const *list)
         if ((*f)->engine)
             row_engine = (*f)->engine;
         for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++) {
-            size_t at = count; /* after the last group with the same word */
-            for (size_t k = count; k > 0 && at == count; k--)
-                at = strcmp(groups[k - 1].word, g->word) == 0 ? k : at;
+            size_t at = count; /* after the last group with the same word, or at the end */
+            while (at > 0 && strcmp(groups[at - 1].word, g->word) != 0)
+                at--;
+            at = at > 0 ? at : count;
             memmove(&groups[at + 1], &groups[at], (count++ - at) * sizeof *groups);
             groups[at] = *g;
         }
