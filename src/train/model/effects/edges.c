@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Rounded edges. The equations of one contact are in geometry/rounded.c, and the sums over the chain are in
- * geometry/pass.c. A domino with rounded edges rolls, so its moment of inertia depends on its tilt. Let
+ * geometry/chain.c. A domino with rounded edges rolls, so its moment of inertia depends on its tilt. Let
  * I(theta) be the moment of inertia at the tilt theta. Then the inertia J of the chain, and the angular
  * velocity omega(0) of the head after the collision, follow from
  *

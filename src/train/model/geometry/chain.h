@@ -229,7 +229,7 @@ struct series {
 
 struct sum_state {
     struct series J, H1, dH;
-    real left;
+    real H2, left;
 };
 
 /* Adds a term by Fast2Sum, which needs the larger number first. */
@@ -284,26 +284,17 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
  */
 KERNEL void far_make(struct geometry *geometry, int passes);
 
-/* The far tail: a domino with its tilts in two chains, the tangent of half the angle between them and the
- * members of its struct link in chain a, and all dominoes behind it. dH, H1, J and H2 are their terms in the
- * sums. */
-struct far_tail {
-    struct tilt a, b;
-    real t, weight, inertia, slope, second_derivative;
-    real dH, H1, J, H2;
-};
+/* Finds the terms of the far tail in `sum`: those of a domino of chain a and all dominoes behind it. In chain
+ * b the domino has the tilt b, and t is the tangent of half the angle between its two tilts. Returns 0. If
+ * the series are not accurate enough here, returns the value of 1 - cos theta from which on they probably
+ * are. */
+KERNEL real far_find(struct link a, struct tilt b, real t, struct sum_state sum, struct sums *tail);
 
-/* Finds the terms, which are to be added to `sum`. Returns 0. If the series are not accurate enough at these
- * tilts, returns the value of 1 - cos theta from which on they probably are. */
-KERNEL real far_find(const struct geometry *geometry, struct far_tail *tail, struct sum_state sum);
-
-/* Finds J and H1. If `sign` is true, only the sign of H1 is reliable, and the pass ends early. */
-KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, bool sign,
-                                 struct sums *sums);
-
-/* The passes that compare two chains: one whose head is at the tilt `head`, and one with its head at `from`.
- * Each pass computes J and dH = H(head) - H(from). */
 enum pass {
+    PASS_SIGN, /* only the sign of H1; ends early */
+    PASS_SUMS, /* J and H1 */
+    /* The others compare two chains: one whose head is at the tilt `head`, and one with its head at `from`.
+     * Each computes J and dH = H(head) - H(from). */
     PASS_PLAIN,             /* also H1 */
     PASS_SECOND_DERIVATIVE, /* also H1 and H2 */
     PASS_PUSHES,            /* also H1; tries to prove that all contacts push */
@@ -321,6 +312,10 @@ KERNEL_SHARED enum dom_status chain_change(const struct geometry *geometry, stru
  * they are close, computing t from the two tilts would be inaccurate. */
 KERNEL enum dom_status chain_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
                                        real t, enum pass pass, struct sums *sums);
+
+/* Does PASS_SIGN or PASS_SUMS. */
+KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, bool sign,
+                                 struct sums *sums);
 
 /* The equation of motion at one tilt of the head: (A/2) dw/dtheta + B w = C. Without friction, A is J
  * and C is -H1/2; without drag, too, B is half of dJ/dtheta. */

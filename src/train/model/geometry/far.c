@@ -160,11 +160,13 @@ static real far_excess(const struct series *s, real tail, real rest, real tol)
     return fabs(rest) / (TAIL_SHARE * fmax(tol * fabs(s->sum + tail), ROUNDOFF * (s->size + fabs(tail))));
 }
 
-KERNEL real far_find(const struct geometry *geometry, struct far_tail *tail, struct sum_state sum)
+KERNEL real far_find(struct link a, struct tilt b, real t, struct sum_state sum, struct sums *tail)
 {
+    const struct geometry *geometry = a.geometry;
     const struct far *far = &geometry->far;
-    const real z_a = tan_half_between(tail->a, geometry->inf), z_b = tan_half_between(tail->b, geometry->inf),
-               z = fmax(fabs(z_a), fabs(z_b)), one = 1 + z_a * z_a, slope = tail->slope, tol = geometry->tol;
+    const real z_a = tan_half_between(a.tilt, geometry->inf), z_b = tan_half_between(b, geometry->inf),
+               z = fmax(fabs(z_a), fabs(z_b)), one = 1 + z_a * z_a, slope = a.slope, tol = geometry->tol,
+               inertia = a.inertia * slope * slope;
     real difference = 0, part = 1, power = 1; /* `part` is (z_a^k - z_b^k) / (z_a - z_b) */
     for (int k = 1; k <= far->order; k++) {
         difference += far->H[k] * part;
@@ -178,15 +180,14 @@ KERNEL real far_find(const struct geometry *geometry, struct far_tail *tail, str
         H = H * z_a + far->H[k];
         J = J * z_a + far->J[k];
     }
-    tail->dH = -tail->weight * tail->t * (1 + z_a * z_b) * difference;
-    tail->H1 = -tail->weight * slope * first * one / 2;
-    tail->H2 = tail->weight * one / 2 *
-               (slope * slope * (one * second + z_a * first) - tail->second_derivative * first);
-    tail->J = tail->inertia * slope * slope * one * one * J;
-    const real share = far_share(far, z), rest_H = tail->weight * far->rest_H * share,
-               rest_J = tail->inertia * slope * slope * far->rest_J * share;
-    real excess =
-        fmax(far_excess(&sum.dH, tail->dH, rest_H * tail->t, tol), far_excess(&sum.J, tail->J, rest_J, tol));
+    *tail = (struct sums){.J = inertia * one * one * J,
+                          .H1 = -a.weight * slope * first * one / 2,
+                          .H2 = a.weight * one / 2 *
+                                (slope * slope * (one * second + z_a * first) - a.second_derivative * first),
+                          .dH = -a.weight * t * (1 + z_a * z_b) * difference};
+    const real share = far_share(far, z), rest_H = a.weight * far->rest_H * share;
+    real excess = fmax(far_excess(&sum.dH, tail->dH, rest_H * t, tol),
+                       far_excess(&sum.J, tail->J, inertia * far->rest_J * share, tol));
     if (sum.H1.size > 0) /* H1 is needed */
         excess = fmax(excess, far_excess(&sum.H1, tail->H1, rest_H * slope / 2, tol));
     return excess > 1 ? far_from(geometry, z * pow(2 * excess, -far->power)) : 0;
