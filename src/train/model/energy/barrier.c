@@ -171,7 +171,7 @@ KERNEL bool barrier_single(const struct geometry *geometry)
     const struct rounded *of = &geometry->rounded;
     const real c = (geometry->rL + (geometry->r + 1) * of->rho) / of->tall / geometry->c.y,
                w = geometry->weight, sum = w / (1 - w),
-               bends = -geometry_height_slope(geometry, geometry->f) * c * sum,
+               bends = -geometry_lift(geometry, geometry->f) * c * sum,
                least = fmin(geometry->h.y, geometry_height(geometry, geometry->f));
     return of->roll == 0 && geometry->conservative && !geometry->follower &&
            bends + fmax(bends - least, 0) * sum < geometry->h.y;

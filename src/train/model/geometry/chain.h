@@ -41,20 +41,15 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
 /*
  * Returns the follower's tilt, by equation (31; A6) in its corrected form: y' = Y y - X x. In a train,
  * X >= 0, so the formula for v' = 1 - y' only adds terms of one sign, and no digits cancel. x' and y' are
- * computed from v', so they stay the sine and cosine of one angle, even far down a long train.
+ * computed from v', so they stay the sine and cosine of one angle, even far down a long train. In a row, a
+ * leader may lean backwards, and its follower, too: the formula x' = Y x + X y keeps the sign of the tilt.
  */
 KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {
+    if (t.x < 0)
+        return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);
     real v = contact.X * contact.X / (1 + contact.Y) + (contact.Y * t.v + contact.X * t.x);
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
-}
-
-/* Like tilt_follower, but for a leader that may lean backwards. The follower may then lean backwards, too.
- * The square root in tilt_follower would lose the sign of the follower's tilt, but the formula x' = Y x + X y
- * keeps it. */
-KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
-{
-    return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);
 }
 
 /* A domino of a chain. */
@@ -143,7 +138,6 @@ KERNEL_LOOP void link_bend(struct link *k, const bool rolls)
 KERNEL_LOOP void link_next(struct link *k, const bool rolls, const bool bends)
 {
     const struct geometry *geometry = k->geometry;
-    const struct tilt leader = k->tilt;
     if (rolls || bends) /* (35; A11) */
         k->second_derivative = k->contact.slope * k->second_derivative + k->curve * k->slope * k->slope;
     k->slope *= k->contact.slope; /* (35; A11) */
@@ -156,12 +150,9 @@ KERNEL_LOOP void link_next(struct link *k, const bool rolls, const bool bends)
         return;
     }
     k->i++;
-    k->tilt = tilt_follower(leader, k->contact); /* (31; A6) */
-    if (geometry->follower) {
-        if (leader.x < 0)
-            k->tilt = tilt_follower_back(leader, k->contact);
+    k->tilt = tilt_follower(k->tilt, k->contact); /* (31; A6) */
+    if (geometry->follower)
         k->geometry = geometry->follower;
-    }
     k->leads = link_leads(k);
     if (k->leads)
         k->contact = geometry_contact(k->geometry, k->tilt);

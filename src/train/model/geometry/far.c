@@ -102,7 +102,7 @@ KERNEL void far_make(struct geometry *geometry, int passes)
                slope = 1 - off;
     /* The first domino of the tail has the energy h = a cos u + b sin u with u = 2 atan z, which is a + 2 b z
      * - 2 a z^2 - ..., and the inertia (1 + z^2)^(-2) = 1 - 2 z^2 + 3 z^4 - ... */
-    H[1] = -2 * geometry_height_slope(geometry, geometry->inf);
+    H[1] = -2 * geometry_lift(geometry, geometry->inf);
     H[2] = -2 * geometry_height(geometry, geometry->inf);
     for (int k = 0; k <= n; k++) {
         if (k > 2)

@@ -118,22 +118,16 @@ struct geometry {
 
 #define CHAIN_ENDLESS SIZE_MAX
 
-/* Returns dh/dtheta of one domino with sharp edges. It is 0 at theta_u. */
-KERNEL_LOOP real geometry_height_slope(const struct geometry *geometry, struct tilt t)
-{
-    return geometry->h.x * t.y - geometry->h.y * t.x;
-}
-
 /* Returns -d2h/dtheta2 of one domino. With sharp edges, this is also the potential energy h(theta) itself. */
 KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.y * t.y + geometry->h.x * t.x;
 }
 
-/* Returns dh/dtheta of one domino with sharp or rounded edges. */
-KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
+/* Returns dh/dtheta of one domino. It is 0 at theta_u. */
+KERNEL_LOOP real geometry_lift(const struct geometry *geometry, struct tilt t)
 {
-    return geometry_height_slope(geometry, t) + geometry->rounded.roll;
+    return geometry->h.x * t.y - geometry->h.y * t.x + geometry->rounded.roll;
 }
 
 /* These two functions return i(theta) of struct rounded, and its derivative. */

@@ -101,12 +101,6 @@ static real sine_excess(struct tilt t, real theta)
     return sum;
 }
 
-/* Returns the factor of rho - rho_1 in the contact equation. */
-static real unequal(struct tilt t, real theta)
-{
-    return t.v - t.x + theta * t.y;
-}
-
 static struct tilt tilt_of(real theta)
 {
     return tilt_make(sin(theta), cos(theta));
@@ -121,13 +115,19 @@ static real tilt_theta(struct tilt t)
 /* If G is at least this fraction of l + c, the turn is near pi/2, and turn_near_reach finds it. */
 #define TURN_NEAR ((real)15 / 16)
 
+/* Returns the right side of the contact equation. */
+static real rounded_gap(const struct geometry *geometry, struct tilt leader, real theta)
+{
+    return geometry->s - geometry->L * leader.v +
+           (geometry->rounded.rho - geometry->rounded.rho_1) * (leader.v - leader.x + theta * leader.y);
+}
+
 static void rounded_turn(struct link *k)
 {
     const struct geometry *geometry = k->geometry;
     const struct rounded *of = &geometry->rounded;
     const struct tilt leader = k->tilt;
-    const real c = of->rho_1 * leader.y,
-               G = geometry->s - geometry->L * leader.v + (of->rho - of->rho_1) * unequal(leader, k->theta);
+    const real c = of->rho_1 * leader.y, G = rounded_gap(geometry, leader, k->theta);
     if (G < TURN_NEAR * (of->tall_1 + c)) {
         k->turn = turn_solve(of->tall_1, c, G);
         return;
@@ -215,32 +215,9 @@ KERNEL_SHARED struct arms rounded_arms(const struct link *k)
 
 /* ---- The shape of a train ---- */
 
-/*
- * Returns theta_inf, the tilt at which leader and follower are parallel. At this tilt, the right side of the
- * contact equation is 0. Up to pi/2, the right side is a decreasing, concave function of 1 - cos theta. So
- * Newton's method converges; it starts from the solution for sharp edges. *theta receives theta_inf as an
- * angle, and *slope receives the slope of the contact at theta_inf.
- */
-static struct tilt rounded_inf(const struct geometry *geometry, real *theta, real *slope)
+static real gap_at(real theta, void *geometry)
 {
-    const struct rounded *of = &geometry->rounded;
-    const real more = of->rho - of->rho_1;
-    struct tilt t = {.v = geometry->s / geometry->L};
-    real falls = 0, by = 1;
-    *theta = 0;
-    for (int i = 0; i < TURN_STEPS; i++) {
-        t = (struct tilt){.x = sqrt(t.v * (2 - t.v)), .y = 1 - t.v, .v = t.v};
-        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * t.v) { /* each step roughly squares the error */
-            *theta += by / t.x;
-            break;
-        }
-        *theta = tilt_theta(t);
-        falls = geometry->L - more * (1 - *theta);
-        by = (geometry->s - geometry->L * t.v + more * unequal(t, *theta)) / falls;
-        t.v = fmin(t.v + by, 1);
-    }
-    *slope = 1 - t.x * falls / (of->tall_1 + of->rho_1 * t.y);
-    return t;
+    return rounded_gap(geometry, tilt_of(theta), theta);
 }
 
 /* Returns the slope of the contact at a tilt, or -1 if there is no contact. */
@@ -279,7 +256,6 @@ KERNEL struct tilt rounded_hit(const struct rounded *of, real gap, real sharp)
 KERNEL enum dom_status rounded_set(struct geometry *geometry)
 {
     struct rounded *of = &geometry->rounded;
-    real theta, slope;
     if (geometry->rs > geometry->span * (1 + 2 * REAL_EPSILON))
         return DOM_OUT_OF_REACH;
     of->rho_1 = of->rho / geometry->r;
@@ -287,7 +263,10 @@ KERNEL enum dom_status rounded_set(struct geometry *geometry)
     const real sharp = fma(-geometry->r, geometry->s, 1);
     geometry->short_of = beyond(of, sharp);
     geometry->c = rounded_hit(of, geometry->rs, sharp);
-    geometry->inf = geometry->f = rounded_inf(geometry, &theta, &slope);
+    real theta = PI / 2; /* at theta_inf, leader and follower are parallel */
+    num_root(gap_at, geometry, 0, theta, 0, &theta);
+    const real slope = slope_at(theta, geometry);
+    geometry->inf = geometry->f = tilt_of(theta);
     geometry->decay = geometry->weight * fmax(0, slope);
     geometry->detaches = slope < 0;
     if (geometry->detaches) {

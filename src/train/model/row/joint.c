@@ -88,7 +88,7 @@ static bool lean_touch(const struct dom_row *row, size_t k, struct contact *cont
     struct geometry next = {.d = (real)(other->thickness / other->height), .lean = (real)other->lean};
     joint_shape(row, k + 1, &next);
     *contact = geometry_contact(&next, geometry_rest(&next));
-    *tilt = tilt_follower_back(geometry_rest(&next), *contact);
+    *tilt = tilt_follower(geometry_rest(&next), *contact);
     contact->arm /= next.r;
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= row_lean(row, k);
 }
