@@ -292,6 +292,15 @@ static bool fall_note(const struct domq_fall *fall, void *context)
     return true;
 }
 
+/* Returns a cell for a number that is computed in double precision only. */
+static struct cell cell_in_double(double value)
+{
+    struct cell cell = cell_without_error((domq_real)value);
+    cell.digits = 3;
+    cell.in_double = true;
+    return cell;
+}
+
 static bool fall_row(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
@@ -309,8 +318,8 @@ static bool fall_row(const struct domq_fall *fall, void *context)
                    cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4), cell_narrow(fall->barrier, 4),
                    cell_narrow(fall->margin, 4),
                    has_plenty && people ? cell_word("> 10000") : cell_narrow(share, 4),
-                   cell_narrow((domq_real)floor->motion, 3), cell_narrow((domq_real)floor->hit, 3),
-                   cell_narrow(scene->row.engine ? (domq_real)f->run.report.slid[k] : DOMQ_NAN, 3)),
+                   cell_in_double(floor->motion), cell_in_double(floor->hit),
+                   cell_in_double(scene->row.engine ? f->run.report.slid[k] : (double)NAN)),
                lifted && !people ? foot_lifted : NULL);
     return fall_note(fall, context) && !answer_lost(f->answer);
 }

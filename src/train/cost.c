@@ -182,6 +182,7 @@ static void times_say(struct answer *a, const struct cost *cost, const char *nam
 static void cost_write(struct answer *a, const struct cost *cost)
 {
     const double cheapest = seconds_for(cost, -1, HUGE_VAL), twelve = seconds_for(cost, IN_DOUBLE, 1e-12);
+    a->in_double = true;
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++) {
         struct cell cells[] = {cell_word(row->by == BY_METHOD ? cost->method->name : "ours"),
                                cell_word(any_arithmetic(precision_of(row->by)).name),

@@ -15,7 +15,6 @@ load ../shell/common
         for key in $expected; do
             value=$(values "$key" <<<"$answer")
             if [[ $value =~ ^-?[0-9] ]] && [[ " i dominoes cycle " != *" $key "* ]] &&
-                [[ $call != cycle* || $key != theta* ]] &&
                 [[ $call != c* || $key != stops_at ]]; then
                 [[ $(values "${key}_error" <<<"$answer") =~ ^[0-9.]+(e[-+][0-9]+)?$ ]] || same "$call: $key" 'a bound' "$answer"
                 bounds=$((bounds + 1))
@@ -34,4 +33,21 @@ load ../shell/common
             'BEGIN { d = p - r; exit !(r > 1.5 && e < 1e-8 && d * d <= e * e) }' || same "$precision: r_start" "$pair" "$answer"
     done
     same 'off again' 's r_max ends_by r_max_exact r_max_paper r_start' "$(json 'set errors on; set errors off; rmax' | keys)"
+}
+
+# bats test_tags=rows
+@test "errors on: the numbers of a list have errors in csv and json, and in quad all their digits" {
+    local row='set row 3; set push 5' precision key exact answer
+    exact=$(json "set precision quad; set tol 1e-30; $row; fall" | tail -n 1)
+    [[ $(values falls <<<"$exact") =~ ^0\.[0-9]{30,}$ ]] || same 'all digits' '30 digits or more' "$exact"
+    for precision in float double; do
+        answer=$(json "set precision $precision; set errors on; $row; fall" | tail -n 1)
+        for key in falls omega kinetic margin; do
+            awk -v a="$(values $key <<<"$answer")" -v e="$(values ${key}_error <<<"$answer")" -v exact="$(values $key <<<"$exact")" \
+                -v most="$([ $precision = float ] && echo 1e-6 || echo 1e-14)" \
+                'BEGIN { d = a - exact; exit !(a > 0 && e > 0 && e < most && d * d <= e * e) }' ||
+                same "$precision: $key" "an error that covers the difference from $exact" "$answer"
+        done
+    done
+    [[ $("$DOMINO" -e "set errors on; $row; fall") == *"Some columns have no room for errors: 'set output csv' shows all."* ]]
 }

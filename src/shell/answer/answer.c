@@ -102,9 +102,11 @@ void answer_plan(struct answer *a, const struct cell *sample)
     a->layout.is_planned = true;
     terminal_look(a);
     for (int i = 0; a->columns[i].key; i++) {
-        bool is_real = sample && sample[i].kind == CELL_REAL;
-        if (a->style.errors && sample && a->columns[i].width == 0 && (is_real || sample[i].kind == CELL_NONE))
+        const bool is_real = sample && sample[i].kind == CELL_REAL,
+                   has_room = a->columns[i].width == 0 || !a->style.format->for_people;
+        if (a->style.errors && sample && has_room && (is_real || sample[i].kind == CELL_NONE))
             a->layout.errors |= 1u << i;
+        a->errors.has_no_room = a->errors.has_no_room || (a->errors.see && is_real && !has_room);
         /* If the numbers of a column are not known yet, the column gets its largest unit. */
         domq_real most = (domq_real)a->layout.largest[i];
         most = is_real    ? quad_larger(most, quad(fabs)(sample[i].number))

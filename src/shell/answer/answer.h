@@ -109,6 +109,7 @@ struct answer {
         void (*see)(const struct answer *answer, struct cell *cells, size_t count);
         void *context;
         bool has_unknown; /* a number was shown without its error, although errors are on */
+        bool has_no_room; /* a column of a table has no room for its errors */
     } errors;
 };
 

@@ -136,16 +136,14 @@ static domq_real read_back(const struct answer_style *style, const char *text)
 
 /*
  * Returns the style in which csv and json write a cell. Most numbers are written at the precision of the
- * session. A brief number is always written in double precision, because it is known only as a double, and so
- * is a number that was computed in double. At
- * float precision, a count is also written in double precision, because a large count does not fit into
- * float.
+ * session, and a number that was computed in double is written in double. At float precision, so is a count,
+ * because a large count does not fit into float.
  */
 static const struct answer_style *cell_style(const struct answer_style *style, struct cell cell)
 {
     static const struct answer_style in_double = {.precision = IN_DOUBLE, .all_digits = 17};
     bool is_large = cell.kind == CELL_COUNT && style->precision == IN_FLOAT;
-    return cell.digits || is_large || cell.in_double ? &in_double : style;
+    return is_large || cell.in_double ? &in_double : style;
 }
 
 bool cell_finite(const struct answer_style *style, struct cell cell)

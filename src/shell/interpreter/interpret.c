@@ -53,7 +53,9 @@ static void notes_say(const struct command *c, const char *in_double, struct ans
         fprintf(stderr, "(%s)\n", answer->note);
     else if (answer->note && answer_for_people(answer))
         answer_say(answer, "(%s)", answer->note);
-    if (answer->errors.has_unknown)
+    if (answer->errors.has_no_room)
+        answer_say(answer, "Some columns have no room for errors: 'set output csv' shows all.");
+    else if (answer->errors.has_unknown)
         answer_say(answer,
                    c->precision == PRECISION_AS_SET
                        ? "Where no error is given, 30 digits lead to another answer, or a part of the "
