@@ -69,10 +69,15 @@ static void far_multiply(real *p, const real *f, int first, int last)
     p[first] = 0;
 }
 
-/* Returns 1 - cos theta at z. */
-static real far_from(const struct geometry *geometry, real z)
+/* Returns 1 - cos theta at the tilt from which on the series are probably accurate enough, if the omitted
+ * terms at a smaller tilt are too large by the factor `excess`. `half` is tan(theta / 2) at that tilt, and z
+ * is tan((theta_inf - theta) / 2). Near the upright position, a difference of two tilts would have no digits.
+ */
+static real far_from(const struct far *far, real half, real z, real excess)
 {
-    return geometry->inf.v - 2 * z * (geometry->inf.x - geometry->inf.y * z) / (1 + z * z);
+    const real more = fmax(fmax(-z * expm1(-far->power * log(excess)), z - far->radius / 2), 0),
+               by = more / (1 + z * (z - more)), then = (half + by) / (1 - half * by);
+    return 2 * then * then / (1 + then * then);
 }
 
 /* Returns (z / radius)^order. Multiplied by rest_H or rest_J, it bounds the omitted terms of dH/dz or of J.
@@ -148,9 +153,8 @@ KERNEL void far_make(struct geometry *geometry, int passes)
     }
     /* from one domino to the next, z shrinks by the factor `slope`, and the omitted terms by slope^n decay */
     far->power = log(slope) / ((real)n * log(slope) + log(geometry->decay));
-    const real first = half_of_tilt(geometry->inf), share = far_share(far, first);
-    far->from = far_from(
-        geometry, fmin(first * pow(share / (TAIL_SHARE * geometry->tol), -far->power), far->radius / 2));
+    const real first = half_of_tilt(geometry->inf);
+    far->from = far_from(far, 0, first, far_share(far, first) / (TAIL_SHARE * geometry->tol));
 }
 
 /* Returns by which factor the bound `rest` on the omitted terms of a series is too large. It is compared with
@@ -190,5 +194,5 @@ KERNEL real far_find(struct link a, struct tilt b, real t, struct sum_state sum,
                        far_excess(&sum.J, tail->J, inertia * far->rest_J * share, tol));
     if (sum.H1.size > 0) /* H1 is needed */
         excess = fmax(excess, far_excess(&sum.H1, tail->H1, rest_H * slope / 2, tol));
-    return excess > 1 ? far_from(geometry, z * pow(2 * excess, -far->power)) : 0;
+    return excess > 1 ? far_from(far, fmin(half_of_tilt(a.tilt), half_of_tilt(b)), z, 2 * excess) : 0;
 }

@@ -109,7 +109,7 @@ KERNEL_SHARED enum dom_status clock_begin(struct clock *c, struct segment *st, r
     c->segment = st;
     c->to = to;
     c->rests = rests;
-    c->tol = fmax(tol, noise);
+    c->tol = fmax(tol / 8, noise);
     c->smooth = st->lo;
     /* If H were a parabola, the kinetic energy would have its complex zeros at this distance from theta_m. */
     c->width = b->height > 0 ? (b->theta_m - st->lo) * sqrt(fmax(spare, 0) / b->height) : to - st->lo;
@@ -152,7 +152,7 @@ static real clock_early(real theta, void *context)
 KERNEL_SHARED enum dom_status clock_tilt(struct clock *c, real time, real *theta)
 {
     c->sought = time;
-    const enum num_status solver = num_root(clock_early, c, c->segment->lo, c->to, c->tol / 8, theta);
+    const enum num_status solver = num_root(clock_early, c, c->segment->lo, c->to, c->tol, theta);
     if (solver != NUM_NOT_BRACKETED)
         return model_status(DOM_OK, solver);
     *theta = time > 0 ? c->to : c->segment->lo;

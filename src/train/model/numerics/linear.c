@@ -91,9 +91,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
             shrunk = fmax(shrunk, by);
         }
     }
-    /* Term n of an integral is 2 n times smaller. Of an equation, the slope is needed as well. */
-    if (!series_integrate(node, c, n, half, v, s->integral ? (real)n * tol : tol, c_noise * shrunk, panel->v,
-                          &v_error))
+    if (!series_integrate(node, c, n, half, v, tol, c_noise * shrunk, panel->v, &v_error))
         return false;
     s->ln_G_error += ln_G_error;
     s->v_error += v_error;
