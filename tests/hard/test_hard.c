@@ -68,6 +68,18 @@ TEST(hard_cases_are_right)
             assert_int_equal(workers_run(hard_cases_number, check_case, &precision), 0);
 }
 
+/* Checks the energies of a train in which the tilts of head and follower differ by a few units of roundoff.
+ * The place from which on its far tail is a series must not come from their difference. */
+TEST(thin_dominoes_in_float_have_their_energies)
+{
+    const struct ref_input input = {.s = (domq_real)1.0932491e-06f,
+                                    .r = (domq_real)1.2820297f,
+                                    .d = (domq_real)2.0761383e-06f,
+                                    .q = 3,
+                                    .tilt = (domq_real)1.4e-06f};
+    assert_int_equal(check_train(&input, IN_FLOAT, TILT, 16, "thin dominoes"), 0);
+}
+
 /* Checks that a cycle has a duration, even in float, if its kinetic energy is only 1e-12 of the fuel. */
 TEST(a_slow_cycle_in_float_has_a_duration)
 {
