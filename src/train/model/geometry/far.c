@@ -72,12 +72,12 @@ static void far_multiply(real *p, const real *f, int first, int last)
 /* Returns 1 - cos theta at the tilt from which on the series are probably accurate enough, if the omitted
  * terms at a smaller tilt are too large by the factor `excess`. `half` is tan(theta / 2) at that tilt, and z
  * is tan((theta_inf - theta) / 2). Near the upright position, a difference of two tilts would have no digits.
- */
+ * The result is positive. If z shrinks to nearly 0 at once, `power` is NaN, and the next domino is tried. */
 static real far_from(const struct far *far, real half, real z, real excess)
 {
     const real more = fmax(fmax(-z * expm1(-far->power * log(excess)), z - far->radius / 2), 0),
                by = more / (1 + z * (z - more)), then = (half + by) / (1 - half * by);
-    return 2 * then * then / (1 + then * then);
+    return fmax(2 * then * then / (1 + then * then), REAL_MIN);
 }
 
 /* Returns (z / radius)^order. Multiplied by rest_H or rest_J, it bounds the omitted terms of dH/dz or of J.
