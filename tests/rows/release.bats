@@ -119,3 +119,17 @@ deg=0.017453292519943295
     "$DOMINO" -n -e "$scene; set release 20 deg; draw at 0.05" | grep -q '^0\.050 s after the release: domino 1 falls'
     wrong "$scene; set release 20 deg; draw at -1" "times count from the release and cannot be negative; 'draw at 0' shows the row at the release$"
 }
+
+@test "a first domino that tips over just before it hits has its speed to all digits, also with round edges on a slope" {
+    local setting precision
+    while read -r setting; do
+        for precision in double quad; do
+            values omega <<<"$(json "set precision $precision; set r 1; set edges 0.02; set row 2; $setting; fall" | tail -n 1)"
+        done | awk 'NR == 1 { a = $1 } NR == 2 { exit !($1 > 0 && (a / $1 - 1) ^ 2 < 1e-18) } END { if (NR < 2) exit 1 }' ||
+            same "$setting" 'the same speed in double and in quad' 'another'
+    done <<'END'
+set s 0.10739211319121669
+set slope 1 deg; set s 0.08966817587603454
+set slope -2 deg; set s 0.1427297927268681
+END
+}

@@ -144,11 +144,16 @@ KERNEL real geometry_paper_fuel(const struct geometry *geometry)
 
 KERNEL real geometry_tipped_omegasq(const struct geometry *geometry)
 {
-    if (geometry->rolls)
-        return fmax(rounded_fall(geometry, geometry->c) + geometry_rise_u(geometry), 0) /
-               geometry_inertia(geometry, geometry->c);
     /* h(theta_u) (6; b2), and the sine and cosine of theta_c - theta_u */
-    const real u = geometry->steepest, sine = -geometry_lift(geometry, geometry->c) / u,
-               cosine = geometry_height(geometry, geometry->c) / u;
-    return sine > 0 ? geometry->steepest * sine * sine / (1 + cosine) : 0;
+    const real u = geometry->steepest, part = geometry->rounded.roll / u;
+    real sine = -geometry_lift(geometry, geometry->c) / u,
+         cosine = geometry_height(geometry, geometry->c) / u,
+         fall = u * sine * sine / (1 + cosine); /* h(theta_u) - h(theta_c), if the foot does not roll uphill
+                                                   or downhill */
+    if (part != 0) {
+        const real by = tilt_angle(geometry->c) - geometry_theta_u(geometry), half = sin(by / 2);
+        sine = sin(by);
+        fall = u * (2 * half * half * sqrt((1 - part) * (1 + part)) + part * (sine - by));
+    }
+    return sine > 0 ? fall / geometry_inertia(geometry, geometry->c) : 0;
 }
