@@ -432,7 +432,7 @@ bool run_insert(const struct query *query, struct answer *a, struct problem *pro
     memmove(&to[at + 1], &to[at], (count - at) * sizeof *to);
     to[at] = to[like];
     if (like == 0 && to[at].origin == 0)
-        to[1].to.gap = gap;
+        to[1].to.gap = at == 1 ? gap * times : gap;
     if (times != 1 && !domino_enlarge(&to[at], &copied, times, problem)) {
         slot_drop(&next->slot);
         return false;

@@ -43,6 +43,7 @@ four() {
         same "$scene" "$(json "$scene; set density 600; set row 4; insert 3; change 3 height 30 cm; change 3 thickness 43.75 mm; change 3 width 15 cm; row" | sed -n 3p | values mass)" "$(values mass <<<"$row")"
     done
     same 'at the end' '0.072 0.3 0.12' "$(json 'set row 2; insert 3 height 30 cm; row' | sed -n 2,3p | values height | paste -sd ' ') $(json 'set row 2; insert 3 height 30 cm; row' | sed -n 3p | values gap)"
+    same 'after the only domino' 0.036 "$(json 'set row 1; set s 0.4; insert 2 height 9 cm; row' | sed -n 2p | values gap)"
     same people 'domino 2: 3.6 cm tall and 5.25 mm thick; the row has 4.' "$(echo 'set row 3; insert 2 height 36 mm' | "$DOMINO")"
 }
 
