@@ -188,6 +188,7 @@ static bool run_prove(const struct query *query, struct answer *a, struct proble
     if (has_value &&
         !argument_check(query, of_limit ? &separation : &height, query->given->quantity[1], &value, problem))
         return false;
+    a->in_double = true;
     return what == PROVE_COUNT ? prove_count(query, a, problem, (double)value)
            : of_limit          ? prove_limit(query, a, problem, what, (double)value)
                                : prove_cycle(query, a, problem, what);

@@ -367,6 +367,7 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
     const struct scene_row *scene = &f.run.scene;
     if (!row_run_begin(query, problem, &f.run))
         return false;
+    a->in_double = scene->row.engine;
     if (scene_has_masses(query->scene))
         columns_in_joules(a);
     enum dom_status status = DOM_OK;
@@ -444,6 +445,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
     if (!query_status(query, problem, status))
         return false;
     bool slips = f.motion > (double)floor->value[0], slips_hit = f.hit > (double)floor->value[0];
+    a->in_double = true;
     answer_row(a,
                ROW(cell_narrow((domq_real)f.motion, 6), cell_computed((domq_real)f.theta),
                    cell_count((domq_real)f.domino), cell_computed((domq_real)f.hit),

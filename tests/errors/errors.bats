@@ -51,3 +51,12 @@ load ../shell/common
     done
     [[ $("$DOMINO" -e "set errors on; $row; fall") == *"Some columns have no room for errors: 'set output csv' shows all."* ]]
 }
+
+# bats test_tags=rows,proof,engine
+@test "in quad, numbers that are computed in double are written as doubles" {
+    local call
+    for call in 'slip' 'prove rmax' 'prove barrier' 'set method engine; set row 3; fall'; do
+        run "$DOMINO" -e "set precision quad; set output csv; $call"
+        [[ $output =~ [0-9]\.[0-9]+ && ! $output =~ [1-9][0-9]{18} ]] || same "$call" 'at most 18 digits' "$output"
+    done
+}
