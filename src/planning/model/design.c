@@ -346,7 +346,8 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
         found.weakest = p.weakest;
         found.seconds = p.seconds;
         found.length = found.feet + wish->height;
-        for (size_t k = p.steps + 1; k-- > 0;) /* in air, the search computes with a density of 1 */
+        /* in air, the search computes with a density of 1 */
+        for (size_t k = p.steps + 1; p.status == DOM_OK && k-- > 0;)
             p.domino[k].mass /= p.domino->mass;
     }
     if (p.status == DOM_OK)
