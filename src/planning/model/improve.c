@@ -346,8 +346,8 @@ static void widths_set(struct search *s, double width)
 /* ---- The search ---- */
 
 /*
- * Decides whether the row at x becomes the best row. First, the row is rounded to the grid.
- * Then the rounded row must be within the limits and must pass two tests:
+ * Decides whether the row at x becomes the best row. First, the row is rounded to the grid. Then the rounded
+ * row must be within the limits and must pass two tests:
  * - Its smoothed fraction of failures must be the smallest so far. If no row so far was within the limits,
  *   this test is omitted.
  * - In the study, it must fall more often than the original row. If the original row is outside the limits,

@@ -119,8 +119,8 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
 /*
  * Returns tan((theta_f - theta_1) / 2) for a follower that detaches later in the cycle. The follower is now
  * at theta_1, and its leader, the argument `leader`, is at theta. The follower detaches at theta_f, when the
- * leader reaches theta_leave. The formula of chain_pass, applied to the leader's tilts theta_leave
- * and theta, gives the result. In this formula, Y at theta_leave is r L x, because the arm is 0 there. Let t
+ * leader reaches theta_leave. The formula of chain_pass, applied to the leader's tilts theta_leave and theta,
+ * gives the result. In this formula, Y at theta_leave is r L x, because the arm is 0 there. Let t
  * be tan((theta_leave - theta) / 2). Subtracting the two tilts could lose digits, so t is computed from the
  * arm of `leader`, which contains the factor
  *
