@@ -288,7 +288,7 @@ bool run_change(const struct query *query, struct answer *a, struct problem *pro
 
 /* ---- Replace ---- */
 
-/* What of a domino is a length. The width is the last one. */
+/* The measurements of a domino that are lengths. The width is the last one. */
 static const enum row_measure lengths[] = {MEASURE_GAP, MEASURE_HEIGHT, MEASURE_THICKNESS, MEASURE_RADIUS,
                                            MEASURE_WIDTH};
 enum { LENGTHS = sizeof lengths / sizeof *lengths };
@@ -375,8 +375,8 @@ const char *insert_sizes(const void *context, int k)
     return k == 0 ? "height" : NULL;
 }
 
-/* Enlarges a domino, of which `d` has the measurements, and its gap. It keeps its density. If it does not
- * fit, sets *problem and returns false. */
+/* Multiplies all lengths of the domino *d, and its gap, by `times`. The density stays the same. If a value is
+ * then not allowed, sets *problem and returns false. */
 static bool domino_enlarge(struct changed_domino *change, struct domq_domino *d, domq_real times,
                            struct problem *problem)
 {

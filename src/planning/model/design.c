@@ -178,8 +178,8 @@ static double feet_of(struct planner *p)
 
 /* ---- Tests of a candidate, each an edge_test ---- */
 
-/* Returns true if the candidate with this k fits into the hall, and is safe enough, as is an endless train of
- * such dominoes. */
+/* Returns true if the candidate with this k fits into the hall, and if both the candidate and an endless
+ * train of such dominoes are safe enough. */
 static bool gaps_enough(double k, double *spare, void *planner)
 {
     struct planner *p = planner;
@@ -272,7 +272,7 @@ static double row_search(struct planner *p)
     return shortest;
 }
 
-/* Finds a row, and makes it the candidate. If none is found, says in `limit` and `needs` of *found why. */
+/* Finds a row, and makes it the candidate. If none is found, `limit` and `needs` of *found say why. */
 static void design_search(struct planner *p, struct dom_design *found)
 {
     const struct dom_wish *wish = p->wish;

@@ -418,7 +418,7 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
                                .now = *value_at(&t, &t.domino[t.k]),
                                .low = DOM_NAN,
                                .high = DOM_NAN};
-        /* If a domino and its neighbours equal those before, so nearly do the windows. */
+        /* If a domino and its neighbours equal those before, the windows are nearly equal, too. */
         const bool repeats = t.k > 2 && t.k + 1 < row->count && row_repeats(row, t.k - 1) &&
                              row_repeats(row, t.k) && row_repeats(row, t.k + 1);
         if (falls)

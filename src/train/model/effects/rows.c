@@ -51,11 +51,12 @@ const struct dom_effect dom_effect_release = {
     .name = "release",
     .synonyms = "slanted tilted tilt start angle lean held rest let go",
     .adds = "a first domino that is held at a tilt and released",
-    .help = "The first domino is held at the tilt ANGLE and let go, and the clock starts. It starts at rest, "
-            "unless 'set push' gives it an angular velocity there. With 'set release touch' it leans against "
-            "the second domino, and its weight alone has to push that one over. If ANGLE is smaller than the "
-            "tilt at which the domino tips over (tan theta_u = d with sharp edges on a level floor), it "
-            "falls back.",
+    .help =
+        "The first domino is held at the tilt ANGLE and let go, and the clock starts. The domino starts "
+        "at rest, unless 'set push' gives it an angular velocity there. With 'set release touch' it leans "
+        "against the second domino, which it has to push over by its weight alone. If ANGLE is smaller "
+        "than the tilt at which the domino tips over (tan theta_u = d with sharp edges on a level floor), "
+        "it falls back.",
     .source = "energy balance from a first domino at rest, as in (9; b5)",
     .argument = {{.name = "ANGLE",
                   .unit = "rad",

@@ -61,14 +61,15 @@ static real margin_beside(struct best *b, real s, real r)
         return REAL_NAN;
     g->s = s;
     const struct margin m = margin_signed(g, MARGIN_SIGN, r, MARGIN_ROUGH);
-    if (g->status != DOM_INTERRUPTED && g->status != DOM_TOO_LONG)
+    /* without a margin here, the search can go on elsewhere */
+    if (g->status != DOM_INTERRUPTED && g->status != DOM_TOO_LONG && g->status != DOM_NO_MEMORY)
         g->status = DOM_OK;
     return margin_value(&m) / (fabs(m.kinetic) + barrier_most(&g->geometry));
 }
 
-/* Returns r_max at s, or an upper bound on it if that is at most BEST_FAR b->r_max. One margin is enough for
- * such a bound: a train that stops at a growth has a smaller r_max. Neighbours mostly stop in the same dip.
- */
+/* Returns r_max at s. If r_max is at most BEST_FAR b->r_max, the result may be an upper bound on r_max, for
+ * which one margin is enough: a train that stops at a growth has a smaller r_max. Trains at neighbouring
+ * separations mostly stop in the same dip. */
 static real rmax_or_bound(struct best *b, real s)
 {
     const real most = BEST_FAR * b->r_max, tried[] = {fmin(b->stops, most), most};
@@ -77,6 +78,7 @@ static real rmax_or_bound(struct best *b, real s)
             return tried[k];
     const real r = rmax_at(s, b);
     real lowest = 0;
+    /* keep the growth above r_max at which this train lacks most energy, to try it with the next trains */
     for (real by = r; r > 1 && r + by < most && by > r / 100; by /= 2) {
         const real margin = margin_beside(b, s, r + by);
         if (margin < lowest) {

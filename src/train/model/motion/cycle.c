@@ -131,7 +131,8 @@ enum dom_status dom_cycle_duration(const struct dom_train *train, const struct d
 
 /* ---- Events ---- */
 
-/* The event of a follower that detaches is this fraction later, just after it, whatever rounding does. */
+/* The event of a follower that detaches has a tilt that is larger by this fraction: whatever rounding does,
+ * the state is that after the follower has detached. */
 #define DETACHED (64 * REAL_EPSILON)
 
 /* Lists the events of the motion in order, and returns their number, which is at most DOM_EVENTS_MAX. */

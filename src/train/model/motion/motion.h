@@ -55,7 +55,7 @@ struct clock {
     real width;  /* the width of the peak that the slowness has at the top of the barrier */
     real tol;
     struct num_linear time; /* the time in tau, as a function of the variable x (clock.c) */
-    real sought;            /* by clock_tilt */
+    real sought;            /* the time that clock_tilt seeks */
 };
 
 /* Makes the clock of the motion from segment->lo to the tilt `to`. The segment must exist as long as the

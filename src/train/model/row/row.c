@@ -285,8 +285,8 @@ enum { STEADY_MORE = 2 };
  * tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
-/* Returns true if later heads would move like *d, were all dominoes equal. The last `alike` ones are equal.
- */
+/* Returns true if later heads would move like *d, were all dominoes equal. The last `alike` dominoes
+ * are equal. */
 static bool row_is_steady(const struct run *run, const struct run *before, const struct descent *d,
                           size_t alike)
 {
@@ -298,9 +298,9 @@ static bool row_is_steady(const struct run *run, const struct run *before, const
            lambda < 1 && left <= STEADY_SHARE * row->compute.tol * after;
 }
 
-/* In a long sequence of equal dominoes, all heads eventually move alike. From then on, a head repeats the
- * motion of the one before, instead of being computed, if it and the next domino are equal to that one:
- * 10,000 equal dominoes take a tenth of the time. */
+/* In a long sequence of equal dominoes, all heads eventually move alike. From then on, the motion of a head
+ * is not computed, but copied from the head before, if the head and the next domino both equal the head
+ * before: 10,000 equal dominoes take a tenth of the time. */
 KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context)
 {
     struct row *row = run->row;
