@@ -156,7 +156,7 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
  */
 #define DOM_ERRORS(X)                                                                                        \
     X(gap, "m", "gap before each domino; an error moves this domino and all later ones")                     \
-    X(place, "m", "place of each domino; an error moves no other domino")                                    \
+    X(place, "m", "place of each domino but the first; an error moves no other domino")                      \
     X(height, "", "height of each domino; the error is relative to the height")                              \
     X(thickness, "", "thickness of each domino; the error is relative to the thickness")                     \
     X(mass, "", "mass of each domino; the error is relative to the mass")                                    \
