@@ -254,10 +254,10 @@ NEEDED := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 # ---- Installation ----
 
-# The folder under PREFIX for Python modules, preferably one that Python searches. Empty without Python.
-PYTHONDIR ?= $(shell $(PYTHON3) -c 'import sys; \
+# The folder under PREFIX for Python modules, preferably one that Python searches. Empty without Python, and for a part of the library.
+PYTHONDIR ?= $(if $(PART),,$(shell $(PYTHON3) -c 'import sys; \
   print(next((d[len(sys.argv[1]) + 1:] for d in sys.path if d.startswith(sys.argv[1] + "/lib") and d.endswith("-packages")), \
-             "lib/python%d.%d/site-packages" % sys.version_info[:2]))' '$(PREFIX)' 2>/dev/null)
+             "lib/python%d.%d/site-packages" % sys.version_info[:2]))' '$(PREFIX)' 2>/dev/null))
 
 # Folders with their GNU names.
 BINDIR     ?= $(PREFIX)/bin
@@ -267,12 +267,12 @@ DATADIR    ?= $(PREFIX)/share
 MANDIR     ?= $(DATADIR)/man
 DOCDIR     ?= $(DATADIR)/doc/domino
 
-# Each installed file and its folder, as shell words.
+# Each installed file and its folder, as shell words. A part of the library has no shared library and no Python module.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
 IN         = $(foreach file,$(1),'$(file)' "$(2)")
-INSTALLED  = $(call IN,$(P)/domino,$(BINDIR)) $(call IN,$(P)/libdomino.a $(B)/$(SONAME) $(B)/libdomino.so,$(LIBDIR)) \
+INSTALLED  = $(call IN,$(P)/domino,$(BINDIR)) $(call IN,$(P)/libdomino.a $(if $(PART),,$(B)/$(SONAME) $(B)/libdomino.so),$(LIBDIR)) \
   $(call IN,$(wildcard include/*.h) $(B)/include/domino_float.h $(B)/include/domino_quad.h,$(INCLUDEDIR)) \
-  $(call IN,$(B)/domino.pc,$(LIBDIR)/pkgconfig) \
+  $(if $(PART),,$(call IN,$(B)/domino.pc,$(LIBDIR)/pkgconfig)) \
   $(foreach page,$(PAGES),$(call IN,$(page),$(MANDIR)/man$(subst .,,$(suffix $(page))))) \
   $(call IN,README.md,$(DOCDIR)) $(foreach file,$(EXAMPLES),$(call IN,$(file),$(DOCDIR)/$(patsubst %/,%,$(dir $(file))))) \
   $(if $(PYTHONDIR),$(call IN,$(addprefix $(B)/python/domino/,$(notdir $(PYTHON_PY)) _api.py),$(PREFIX)/$(PYTHONDIR)/domino))
@@ -281,7 +281,7 @@ MANIFEST   = "$(DOCDIR)/installed"
 # domino.pc is written again for the folders of this installation.
 install: all $(if $(filter install,$(MAKECMDGOALS)),$(if $(PYTHONDIR),python))
 	@printf '%s\t%s\n' $(INSTALLED) | DESTDIR="$(DESTDIR)" .packaging/install $(MANIFEST)
-	@$(PC_TEXT) > "$(DESTDIR)$(LIBDIR)/pkgconfig/domino.pc"
+	$(if $(PART),,@$(PC_TEXT) > "$(DESTDIR)$(LIBDIR)/pkgconfig/domino.pc")
 
 uninstall:
 	@DESTDIR="$(DESTDIR)" .packaging/install --remove $(MANIFEST)

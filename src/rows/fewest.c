@@ -232,10 +232,11 @@ bool run_fewest(const struct query *query, struct answer *a, struct problem *pro
     char q[48] = "";
     if (first.q != train->q)
         snprintf(q, sizeof q, " q %s", quad_text(first.q, 6));
-    answer_say(a,
-               "These are the fewest dominoes that topple one that is %s tall. Each row was run with exactly "
-               "this growth r and gap s, and falls; 'count %s m %s with s %s%s' explains one.",
-               measured(height, "m", 6).text, quad_text(height, ROUNDED), quad_text(first.r, ROUNDED),
-               quad_text(first.s, ROUNDED), q);
+    answer_say(
+        a,
+        "These are the fewest dominoes that topple one that is %s tall. From its start, each row "
+        "was run with exactly this growth r and gap s, and falls; 'count %s m %s with s %s%s' explains one.",
+        measured(height, "m", 6).text, quad_text(height, ROUNDED), quad_text(first.r, ROUNDED),
+        quad_text(first.s, ROUNDED), q);
     return true;
 }

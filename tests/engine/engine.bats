@@ -67,6 +67,8 @@ poses_agree() { # SCENE
     same train "$(json 'rmax' | sed 's/"r_start.*//')" "$(json 'set method engine; rmax' | sed 's/"r_start.*//')"
     # The engine takes too long to find the growth at which a row starts, and rmax says so.
     [[ $(json 'set method engine; rmax' | values reason) == *'engine'*'rowmax'* ]]
+    [[ $("$DOMINO" -e 'set feet 0.3; set row off; rmax' | tail -n 1) == '(This answer is about dominoes that turn about a hinge.'* ]]
+    same 'without feet' 0 "$("$DOMINO" -e 'rmax' | grep -c hinge)"
 }
 
 # bats test_tags=pictures

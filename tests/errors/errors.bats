@@ -49,7 +49,7 @@ load ../shell/common
                 same "$precision: $key" "an error that covers the difference from $exact" "$answer"
         done
     done
-    [[ $("$DOMINO" -e "set errors on; $row; fall") == *"Some columns have no room for errors: 'set output csv' shows all."* ]]
+    [[ $("$DOMINO" -e "set errors on; $row; fall") == *"Where a column has no room for errors, 'set output csv' shows them."* ]]
 }
 
 # bats test_tags=rows,proof,engine

@@ -19,7 +19,7 @@ solid    tips over            14          1.75          0.55
 solid    moving               14          1.75          0.55
 hollow   tips over            10       2.17169        0.4442
 hollow   moving               10         2.172         0.443
-These are the fewest dominoes that topple one that is 112 m tall. Each row was run with exactly this growth r and gap s, and falls; 'count 112 m 1.75 with s 0.55' explains one." \
+These are the fewest dominoes that topple one that is 112 m tall. From its start, each row was run with exactly this growth r and gap s, and falls; 'count 112 m 1.75 with s 0.55' explains one." \
         "$("$DOMINO" -e 'count 112 m fewest')"
     for way in 'fewest 112 m' 'fewest domtoren' 'count domtoren fewest' 'count dom tower fewest'; do
         same "$way" "$(csv 'count 112 m fewest')" "$(csv "$way")"

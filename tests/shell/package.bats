@@ -268,3 +268,9 @@ END
     done
     if command -v lintian >/dev/null; then run -0 lintian --fail-on error "$build"/deb/*.deb; fi
 }
+
+@test "a part of the library is installed without a shared library, a pkg-config file and a Python module" {
+    plain_make -n -C "$root" B="$build" P="$PWD/part" install FEATURES= >commands
+    grep -q "'$PWD/part/libdomino.a'" commands
+    [ "$(grep -cE "$soname'|domino\.pc'|python/domino" commands)" = 0 ]
+}

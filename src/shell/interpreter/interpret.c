@@ -16,6 +16,9 @@
 
 #define TRAIN_NOTE                                                                                           \
     "This answer is about the endless train with these parameters, not about the row. 'fall' runs the row."
+#define HINGES_NOTE                                                                                          \
+    "This answer is about dominoes that turn about a hinge. The rigid-body engine runs rows: 'set row 20; "  \
+    "fall'."
 
 /* Keeps the answer for 'ans', and its rest for 'details'. Prints the rest at once if the command ends with
  * this word. */
@@ -54,7 +57,7 @@ static void notes_say(const struct command *c, const char *in_double, struct ans
     else if (answer->note && answer_for_people(answer))
         answer_say(answer, "(%s)", answer->note);
     if (answer->errors.has_no_room)
-        answer_say(answer, "Some columns have no room for errors: 'set output csv' shows all.");
+        answer_say(answer, "Where a column has no room for errors, 'set output csv' shows them.");
     else if (answer->errors.has_unknown)
         answer_say(answer,
                    c->precision == PRECISION_AS_SET
@@ -86,7 +89,9 @@ static bool run_command(struct session *session, const struct command *c, const 
         .path = output->path,
         .style = state_style(query->state),
         .command = c->name,
-        .note = is_not_row ? TRAIN_NOTE : in_double,
+        .note = is_not_row                                                ? TRAIN_NOTE
+                : c->train && row_engine && row_engine->why(query->scene) ? HINGES_NOTE
+                                                                          : in_double,
         .csv.last_header = output->header,
         .columns = c->columns,
         .rows = c->rows,

@@ -246,8 +246,8 @@ KERNEL enum dom_status dynamics_collide(const struct geometry *geometry, enum do
     if (status != DOM_OK)
         return status;
     if (geometry->conservative) {
-        /* This is J(0) times equation (24; c6). With the inertia ratio T = J(0) - 1, the denominator is
-         * written as r^q + T (r^q - 1), so that no digits cancel if r >= 1. */
+        /* This is J(0) times equation (24; c6). With sharp edges, the inertia ratio T is J(0) - 1. With T,
+         * the denominator r^q J(0) - J(0) + 1 is r^q + T (r^q - 1): no digits cancel if r >= 1. */
         const real P = fuel == DOM_FUEL_PAPER ? geometry_paper_fuel(geometry) : exact,
                    kinetic = P * T / (geometry->rq + T * geometry->rq_1),
                    J0 = geometry->upright_inertia * (1 + T);

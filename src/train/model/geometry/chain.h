@@ -15,14 +15,14 @@
 
 /* The contact of a leader, at the tilt theta, with its follower, at theta_1. */
 struct contact {
-    real X, Y;  /* sine and cosine of theta_1 - theta, accurate for all angles */
+    real X, Y;  /* sine and cosine of theta_1 - theta, with errors of a few units of roundoff (absolute) */
     real arm;   /* r times the lever arm of the force on the leader (table 1); Y - r L x with sharp edges */
     real slope; /* d theta_1 / d theta (34; A10); 1 for an upright leader, even at Y = 0 */
 };
 
 /* The follower's upper edge touches the leader's back face: X = sin(theta_1 - theta) = r (L cos theta - d)
- * (12; b8), and Y = cos(theta_1 - theta) = sqrt((1 - X) (1 + X)). With cos theta = 1 - v, no digits cancel.
- */
+ * (12; b8), and Y = cos(theta_1 - theta) = sqrt((1 - X) (1 + X)). With cos theta = 1 - v, no digits of 1 - X
+ * and of Y cancel. */
 KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, struct tilt leader)
 {
     const real rLv = geometry->rL * leader.v, rLx = geometry->rL * leader.x;
@@ -138,7 +138,7 @@ KERNEL_LOOP void link_bend(struct link *k, const bool rolls)
 KERNEL_LOOP void link_next(struct link *k, const bool rolls, const bool bends)
 {
     const struct geometry *geometry = k->geometry;
-    if (rolls || bends) /* (35; A11) */
+    if (rolls || bends) /* the derivative of (35; A11) */
         k->second_derivative = k->contact.slope * k->second_derivative + k->curve * k->slope * k->slope;
     k->slope *= k->contact.slope; /* (35; A11) */
     k->weight *= geometry->weight;

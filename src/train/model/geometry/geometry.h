@@ -75,7 +75,7 @@ struct geometry {
     size_t effort_most;
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
-    real short_of; /* span - r s >= 0: how far the head reaches beyond the next domino */
+    real short_of; /* span - r s >= 0: how far the gap falls short of what the head can reach across */
     /* 1 - r^2 s^2. With sharp edges, a follower detaches when its leader has 1 - cos theta >= leave_at /
      * leave_by. */
     real leave_at;
