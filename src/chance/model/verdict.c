@@ -35,8 +35,8 @@ enum { CLEAR_TILTS = 6 };
  * only lose height. What they have lost at one tilt, they never regain, so it surely takes the head as far as
  * it would get alone with this energy and its own. There the followers have lost more, and so on, until the
  * energy takes the head to theta_u, or to the next domino, or near the top of H. If H' = a and H'' = -b, the
- * top is higher by a^2 / (2 b). Twice that must be left, because b changes. Each time, more followers are
- * counted.
+ * top is higher by about a^2 / (2 b). Twice that must be left, because b changes; this step alone is an
+ * estimate, which test_study compares with full runs. Each time, more followers are counted.
  */
 static bool head_clears(const struct geometry *head, real kinetic)
 {
