@@ -319,6 +319,7 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
             return status;
         alike = k > 0 && row_repeats(&row->given, k) ? alike + 1 : 1;
         run->verdict.domino = k + 1;
+        const bool was_steady = steady;
         steady = steady && alike > 1 && !last && row_repeats(&row->given, k + 1);
         if (steady) {
             fall.domino = k + 1;
@@ -332,7 +333,7 @@ KERNEL_SHARED enum dom_status row_falls(struct run *run, size_t k, dom_fall_visi
         /* After steady heads, leaves out the geometry of the dominoes that no later sum along the chain
          * visits: the last one that was filled in equals them, and takes the place of all of them. */
         const size_t visited = row->compute.work->longest + STEADY_MORE;
-        if (k > row->made + visited) {
+        if (was_steady && k > row->made + visited) {
             struct geometry *all = &row->geometry[k - visited];
             *all = row->geometry[row->made - 1];
             all->follower = all;
