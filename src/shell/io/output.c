@@ -32,11 +32,13 @@ const char *output_target(const char *path, char **target, struct stat *status)
     /* a person who reads a script must be able to see which file the script writes */
     if (escape_needed(path))
         return "the name contains control characters, or is not UTF-8; choose another name";
-    if (stat(path, status) == 0) {
+    /* The name itself is asked first: another program may create the file between the two calls. */
+    const bool is_new = lstat(path, &link) != 0 && errno == ENOENT;
+    if (!is_new && stat(path, status) == 0) {
         *target = realpath(path, NULL);
         if (!*target) /* the path of a pipe is a link to a name that does not exist */
             *target = strdup(path);
-    } else if (errno == ENOENT && lstat(path, &link) != 0) { /* no other such link is followed */
+    } else if (is_new) { /* a link to a name that does not exist is not followed */
         const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
         char *folder = slash ? strndup(path, (size_t)(name - path)) : strdup("."),
              *real = folder ? realpath(folder, NULL) : NULL;
