@@ -130,17 +130,18 @@ $(B)/obj/%.o: %.c | $(FIRST)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
 $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)): | $(HEADERS)
 
-# The list of features, for src/features.c, and the names of what others have: their commands, parameters and effects,
-# whose entries begin a line with the name. NAMES_x are more names of feature x. What two features do together belongs to
-# the one that is not built.
+# The list of features, for src/features.c, and the names of what others have, which the output of 'help features' in
+# domino(1) lists. What two features do together belongs to the one that is not built.
 $(P)/features.o: src/features.c $(P)/feature_list.h
 	$(Q)$(CC) -I$(P) $(C_FLAGS) -c $< -o $@
 $(P)/feature_list.h: FORCE
 	@mkdir -p $(@D)
 	@echo '#define FEATURES(X) $(foreach f,$(BUILT) shell,X($f))' > $@.new
-	@echo '#define ABSENT(X)' $(foreach f,$(filter-out $(BUILT),$(EVERY)),$(foreach n,$(NAMES_$f) \
-	  $(shell sed -nE 's/^    \{?\.name = "([a-z]+)".*/\1/p' $(wildcard $(patsubst %,src/$(subst _,/,$f)/%,*.c */*.c))), \
-	  'X($n, $(if $(filter $f,$(JOINT)),$(firstword $(filter-out $(BUILT),$(NEEDS_$f))),$f))')) >> $@.new
+	@awk -v built=' $(BUILT) ' '/^\$$ domino .*help features/ { found = 1 } /^\.Ed/ { found = 0 } \
+	  found && /^[a-z]/ { n = split($$1, part, "_"); for (k = 1; k < n && index(built, " " part[k] " "); k++); \
+	    owner = part[k]; $$1 = "" } \
+	  found && owner && !index(built, " " owner " ") { for (i = 1; i <= NF; i++) if ($$i != "") list = list " X(" $$i ", " owner ")" } \
+	  END { print "#define ABSENT(X)" list }' man/domino.1 >> $@.new
 	@cmp -s $@.new $@ || mv $@.new $@
 FORCE:
 

@@ -30,7 +30,7 @@ static bool run_version(const struct query *query, struct answer *a, struct prob
     char names[256] = "";
     const struct feature *f;
     for (int k = 0; (f = feature_at(k)) != NULL; k++)
-        if (!strchr(f->name, '_') && strcmp(f->name, "shell") != 0 && strcmp(f->name, "train") != 0)
+        if (!strchr(f->name, '_') && !feature_is_always(f))
             text_add(names, sizeof names, "%s%s", *names ? " " : "", f->name);
     (void)query;
     (void)problem;

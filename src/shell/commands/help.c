@@ -203,6 +203,53 @@ static bool help_groups(const struct answer *a, const char *word)
     return found;
 }
 
+static bool needs_effect_of(const struct parameter *p, const struct feature *f)
+{
+    const struct parameter *const *of = f->parameters;
+    while (of && *of && !(p->needs && (*of)->effect && strcmp(p->needs, (*of)->effect->name) == 0))
+        of++;
+    return of && *of;
+}
+
+/* Writes the names of the commands, parameters and values of a feature. A parameter that needs an effect of
+ * another feature belongs to both. */
+static void feature_names_write(const struct feature *f, char *names, size_t size)
+{
+    const struct feature *other;
+    const char *name;
+    for (const struct command_group *g = f->groups; g && g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (!c->typed.phrase)
+                text_add(names, size, " %s", c->name);
+    for (int k = 0; (other = feature_at(k)) != NULL; k++)
+        for (const struct parameter *const *p = other->parameters; p && *p; p++) {
+            name = (*p)->effect ? (*p)->effect->name : (*p)->name;
+            if ((other == f || needs_effect_of(*p, f)) && parameter_find(name) && !command_find(name))
+                text_add(names, size, " %s", name);
+        }
+    for (int k = 0; f->names && (name = f->names(NULL, k)) != NULL; k++)
+        if (!command_find(name))
+            text_add(names, size, " %s", name);
+    if (f->aggregates)
+        text_add(names, size, " %s", f->aggregates->name);
+}
+
+/* Lists what each feature of this build adds. The Makefile reads this list in domino(1): a build then knows
+ * which feature has a name that the build lacks. */
+static void help_features(FILE *out)
+{
+    const struct feature *f;
+    say(out, "Features of this build, with their commands, parameters and names:");
+    for (int k = 0; (f = feature_at(k)) != NULL; k++) {
+        char names[1024] = "";
+        feature_names_write(f, names, sizeof names);
+        if (!feature_is_always(f) && *names) {
+            write_wrapped(out, names, fprintf(out, "%-15s ", f->name), 79);
+            putc('\n', out);
+        }
+    }
+}
+
 /* ---- One topic ---- */
 
 static void help_parameter(const struct session *session, const struct topic *t)
@@ -351,6 +398,10 @@ static bool run_help(struct session *session, const struct arguments *given, str
         help_screen(a->out);
         return true;
     }
+    if (answer_for_people(a) && strcmp(word, "features") == 0) {
+        help_features(a->out);
+        return true;
+    }
     if (help_groups(a, word)) {
         if (!answer_for_people(a))
             help_name(session, a, NULL);
@@ -430,7 +481,9 @@ const struct command help_commands[] = {
      .summary = "the commands, one command or parameter, or a group of commands",
      .help =
          "'help' shows one screen: lines to type, and the names of all commands in groups. 'help rows' has a "
-         "line for each command of the group 'rows', and 'help all' a line for every command.",
+         "line for each command of the group 'rows', and 'help all' a line for every command. 'help "
+         "features' "
+         "lists what each feature of this build adds.",
      .example = "help tol",
      .see = "apropos show",
      .writes = WRITES_PAGES,

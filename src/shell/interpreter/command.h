@@ -206,6 +206,9 @@ const char *feature_names(const void *context, int k);
 /* Returns feature number k, counted from 0, or NULL if there are no more. */
 const struct feature *feature_at(int k);
 
+/* Returns true for the shell and the train, which every build has. */
+bool feature_is_always(const struct feature *feature);
+
 /* ---- The commands of all features ---- */
 
 /* Returns the groups of all features; the title of the last one is NULL. */

@@ -73,6 +73,11 @@ const struct feature *feature_at(int k)
     return features[k];
 }
 
+bool feature_is_always(const struct feature *feature)
+{
+    return strcmp(feature->name, "shell") == 0 || strcmp(feature->name, "train") == 0;
+}
+
 const char *feature_names(const void *context, int k)
 {
     (void)context;
