@@ -126,4 +126,9 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-const struct feature lesson_feature = {.name = "lesson", .groups = groups};
+static const struct first_line first[] = {
+    {9, "lesson", "a tour in ten steps, from the tower to a row of your own", true},
+    {0, NULL, NULL, false},
+};
+
+const struct feature lesson_feature = {.name = "lesson", .groups = groups, .first = first};

@@ -409,7 +409,14 @@ static const struct parameter row_parameter = {.effect = &domq_effect_row,
                                   .example = "set row 5; set floor 0.4; fall; set floor off; set row off",
                                   .to = 3};
 
+static const struct first_line first[] = {
+    {6, "set row 12", "a row of 12 dominoes; 'set row FILE' reads your own", false},
+    {8, "fall", "how each domino falls, and whether all do", false},
+    {0, NULL, NULL, false},
+};
+
 const struct feature rows_feature = {
     .name = "rows",
     .groups = groups,
+    .first = first,
     .parameters = (const struct parameter *const[]){&row_parameter, &floor_parameter, NULL}};

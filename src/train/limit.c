@@ -421,4 +421,11 @@ static const struct command_group groups[] = {
     {NULL, NULL, NULL},
 };
 
-const struct feature train_feature = {.name = "train", .groups = groups};
+static const struct first_line first[] = {
+    {1, "count 112 m", "the quiz: how many dominoes topple a tower of 112 m", true},
+    {2, "rmax", "how much larger each domino can be than the one before it", false},
+    {4, "rmax", "the answer for these gaps; 'details' has the rest of it", false},
+    {0, NULL, NULL, false},
+};
+
+const struct feature train_feature = {.name = "train", .groups = groups, .first = first};

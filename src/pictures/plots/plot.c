@@ -178,4 +178,10 @@ extern const struct plot train_plots[];
 
 static const struct plot *const plots[] = {train_plots, NULL};
 
-const struct feature pictures_feature = {.name = "pictures", .groups = groups, .plots = plots};
+static const struct first_line first[] = {
+    {5, "draw", "a picture of the train; 'draw > train.svg' writes a file", false},
+    {0, NULL, NULL, false},
+};
+
+const struct feature pictures_feature = {
+    .name = "pictures", .groups = groups, .first = first, .plots = plots};

@@ -55,4 +55,12 @@ static const struct command_group groups[] = {
     {"This program", "scripts", version_commands}, {NULL, NULL, NULL},
 };
 
-const struct feature shell_feature = {.name = "shell", .groups = groups};
+static const struct first_line first[] = {
+    {3, "set s 0.3", "dominoes closer together: gaps of 0.3 times the height", false},
+    {7, "set r 1.2", "each domino is 1.2 times as large as the one before it", false},
+    {10, "help rmax", "explains a command; 'apropos tower' finds commands", false},
+    {11, "quit", "ends the session; ^C stops a computation", false},
+    {0, NULL, NULL, false},
+};
+
+const struct feature shell_feature = {.name = "shell", .groups = groups, .first = first};

@@ -130,23 +130,6 @@ static void entry_write(FILE *out, int indent, const char *usage, const char *su
 
 /* ---- Lists ---- */
 
-/* The introduction of 'help': lines to type, in this order, and what they do. */
-static const struct first_line {
-    const char *line, *does;
-} first_lines[] = {
-    {"count 112 m", "the quiz: how many dominoes topple a tower of 112 m"},
-    {"rmax", "how much larger each domino can be than the one before it"},
-    {"set s 0.3", "dominoes closer together: gaps of 0.3 times the height"},
-    {"rmax", "the answer for these gaps; 'details' has the rest of it"},
-    {"draw", "a picture of the train; 'draw > train.svg' writes a file"},
-    {"set row 12", "a row of 12 dominoes; 'set row FILE' reads your own"},
-    {"set r 1.2", "each domino is 1.2 times as large as the one before it"},
-    {"fall", "how each domino falls, and whether all do"},
-    {"lesson", "a tour in ten steps, from the tower to a row of your own"},
-    {"help rmax", "explains a command; 'apropos tower' finds commands"},
-    {"quit", "ends the session; ^C stops a computation"},
-};
-
 /* Prints one screen: the lines to type, and the names of all commands, in groups. */
 static void help_screen(FILE *out)
 {
@@ -154,15 +137,10 @@ static void help_screen(FILE *out)
     int width = terminal_width(out);
     width = width && width < LINE ? width : LINE;
     say(out, "The first five minutes: type what follows the '>'");
-    for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++) {
-        /* a build may not have the command of a line, or the parameter that it sets */
-        char command[16] = "", parameter[16] = "";
-        sscanf(first_lines[i].line, "%15s %15s", command, parameter);
-        if (command_find(command) && (strcmp(command, "set") != 0 || parameter_find(parameter))) {
-            const int left = fprintf(out, "> %-14s ", first_lines[i].line);
-            write_wrapped(out, first_lines[i].does, left, width);
-            putc('\n', out);
-        }
+    const struct first_line *first;
+    for (int place = 1; (first = first_line_at(place)) != NULL; place = first->place + 1) {
+        write_wrapped(out, first->does, fprintf(out, "> %-14s ", first->line), width);
+        putc('\n', out);
     }
     const struct command_group *g = command_groups();
     for (const char *word = g->word; g->title; word = g->word) {

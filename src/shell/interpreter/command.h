@@ -162,6 +162,13 @@ struct command_group {
 
 /* ---- Features ---- */
 
+/* A line to type in the first five minutes, for 'help'. Lines appear in the order of their places. */
+struct first_line {
+    int place;
+    const char *line, *does;
+    bool greets; /* also suggested when a session begins */
+};
+
 /* A feature is a part of the program that a build can leave out: a folder of src/ with a feature.mk, which
  * names the features that it needs, and one record. The shell knows features only by this record.
  * The shell itself and the train, which no build leaves out, have records, too. */
@@ -172,6 +179,7 @@ struct plot;
 struct feature {
     const char *name;                    /* its folder; a_b for a folder b in a folder a */
     const struct command_group *groups;  /* its commands; the last title is NULL */
+    const struct first_line *first;      /* the last place is 0 */
     const struct plot *const *plots;     /* tables of charts for 'plot'; the last one is NULL */
     const struct engine_driver *engine;  /* a rigid-body engine */
     const struct method *method;         /* what 'cost' compares with */
@@ -205,6 +213,9 @@ const char *feature_names(const void *context, int k);
 
 /* Returns feature number k, counted from 0, or NULL if there are no more. */
 const struct feature *feature_at(int k);
+
+/* Returns the first of the lines at this place or a later one, or NULL. */
+const struct first_line *first_line_at(int place);
 
 /* Returns true for the shell and the train, which every build has. */
 bool feature_is_always(const struct feature *feature);

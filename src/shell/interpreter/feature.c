@@ -73,6 +73,16 @@ const struct feature *feature_at(int k)
     return features[k];
 }
 
+const struct first_line *first_line_at(int place)
+{
+    const struct first_line *next = NULL;
+    for (const struct feature *const *f = features; *f; f++)
+        for (const struct first_line *l = (*f)->first; l && l->place; l++)
+            if (l->place >= place && (!next || l->place < next->place))
+                next = l;
+    return next;
+}
+
 bool feature_is_always(const struct feature *feature)
 {
     return strcmp(feature->name, "shell") == 0 || strcmp(feature->name, "train") == 0;

@@ -216,6 +216,19 @@ static void lines_run(struct session *session, char *text)
     }
 }
 
+static void greet(FILE *out)
+{
+    const struct first_line *first;
+    const char *before = "Try";
+    fputs("domino " DOM_VERSION ": how far can a domino row grow? ", out);
+    for (int place = 1; (first = first_line_at(place)) != NULL; place = first->place + 1)
+        if (first->greets) {
+            fprintf(out, "%s '%s'", before, first->line);
+            before = ",";
+        }
+    fputs(" or 'help'.\n", out);
+}
+
 void line_prompt(struct session *session, volatile sig_atomic_t *raised)
 {
     const char *prompt = terminal_utf8() ? "domino❯ " : "domino> ";
@@ -223,8 +236,7 @@ void line_prompt(struct session *session, volatile sig_atomic_t *raised)
     session->source.name = NULL;
     session->source.prompt_width = utf8_columns(prompt);
     history_load();
-    fprintf(session->output->out,
-            "domino " DOM_VERSION ": how far can a domino row grow? Try 'count 112', 'lesson' or 'help'.\n");
+    greet(session->output->out);
     while (!session->quit && (*raised == 0 || *raised == SIGINT)) {
         *raised = 0;
         char *line = line_read(session, prompt);
