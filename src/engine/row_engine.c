@@ -285,7 +285,11 @@ static bool row_make(const struct scene *scene, struct scene_row *row, struct pr
     return true;
 }
 
-static const struct engine_driver chipmunk_driver = {.why = engine_why, .make = row_make};
+static const struct engine_driver chipmunk_driver = {
+    .train_note = "This answer is about dominoes that turn about a hinge. The rigid-body engine runs rows: "
+                  "'set row 20; fall'.",
+    .why = engine_why,
+    .make = row_make};
 
 /* ---- Effects ---- */
 

@@ -419,4 +419,6 @@ const struct feature rows_feature = {
     .name = "rows",
     .groups = groups,
     .first = first,
+    .row_note = "This answer is about the endless train with these parameters, not about the row. 'fall' "
+                "runs the row.",
     .parameters = (const struct parameter *const[]){&row_parameter, &floor_parameter, NULL}};

@@ -192,7 +192,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 {
     struct falling_row row;
     domq_real time = 0;
-    a->note = NULL; /* no TRAIN_NOTE, because the picture shows the row */
+    a->note = NULL; /* no note about the train, because the picture shows the row */
     if (!falling_row_make(query, problem, (words & DRAW_TOWER) && answer_for_people(a), &row))
         return false;
     const bool is_timed = (words & DRAW_AT) != 0;

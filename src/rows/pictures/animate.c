@@ -290,7 +290,7 @@ static bool run_animate(const struct query *query, struct answer *a, struct prob
                         .is_data = !answer_for_people(a),
                         .words = query->given->bound ? *(const unsigned *)query->given->bound : 0};
     struct tower tower = {.row = NULL};
-    a->note = NULL;      /* no TRAIN_NOTE, because the film shows the row */
+    a->note = NULL;      /* no note about the train, because the film shows the row */
     a->style.errors = 0; /* a picture shows no errors */
     if (film.words & FILM_TOWER)
         film.query = &tower.query;

@@ -51,6 +51,8 @@ void features_register(const struct feature *const *list)
             aggregates = (*f)->aggregates;
         if ((*f)->engine)
             row_engine = (*f)->engine;
+        if ((*f)->row_note)
+            row_note = (*f)->row_note;
         for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++) {
             size_t at = count; /* after the last group with the same word, or at the end */
             while (at > 0 && strcmp(groups[at - 1].word, g->word) != 0)

@@ -14,12 +14,6 @@
 
 /* ---- Answers ---- */
 
-#define TRAIN_NOTE                                                                                           \
-    "This answer is about the endless train with these parameters, not about the row. 'fall' runs the row."
-#define HINGES_NOTE                                                                                          \
-    "This answer is about dominoes that turn about a hinge. The rigid-body engine runs rows: 'set row 20; "  \
-    "fall'."
-
 /* Keeps the answer for 'ans', and its rest for 'details'. Prints the rest at once if the command ends with
  * this word. */
 static void answer_keep(struct session *session, const struct command *c, const struct query *query,
@@ -79,7 +73,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         memset(kept, 0, sizeof kept);
     rest.out = NULL;
     struct output *output = session->output;
-    const bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
+    const char *note = c->train ? scene_train_note(query->scene) : NULL;
     /* in another precision than that of the session */
     const char *in_double = c->precision == PRECISION_DOUBLE && query->scene->compute.precision != IN_DOUBLE
                                 ? "This answer is computed in double precision."
@@ -89,9 +83,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         .path = output->path,
         .style = state_style(query->state),
         .command = c->name,
-        .note = is_not_row                                                ? TRAIN_NOTE
-                : c->train && row_engine && row_engine->why(query->scene) ? HINGES_NOTE
-                                                                          : in_double,
+        .note = note ? note : in_double,
         .csv.last_header = output->header,
         .columns = c->columns,
         .rows = c->rows,

@@ -167,10 +167,18 @@ static bool row_stands(const struct scene *scene, const struct domq_row *row, st
 }
 
 const struct engine_driver *row_engine;
+const char *row_note;
 
 const char *scene_engine(const struct scene *scene)
 {
     return row_engine && scene->effect[DOM_EFFECT_row].on ? row_engine->why(scene) : NULL;
+}
+
+const char *scene_train_note(const struct scene *scene)
+{
+    return scene->effect[DOM_EFFECT_row].on               ? row_note
+           : row_engine && row_engine->why(scene) != NULL ? row_engine->train_note
+                                                          : NULL;
 }
 
 bool row_prepare(const struct scene *scene, bool has_masses, struct scene_row *made, struct problem *problem)

@@ -25,6 +25,7 @@ struct scene_row {
 /* A rigid-body engine, which a feature provides. The library's searches and studies call it through struct
  * dom_engine. */
 struct engine_driver {
+    const char *train_note; /* what an answer about a train says where the engine would run a row */
     /* Returns why the engine runs the row of the scene, such as "feet is on", or NULL if the model runs it.
      */
     const char *(*why)(const struct scene *scene);
@@ -36,9 +37,15 @@ struct engine_driver {
 /* The engine of this build, or NULL. */
 extern const struct engine_driver *row_engine;
 
+/* What an answer about a train says while a row is set, or NULL. */
+extern const char *row_note;
+
 /* Returns why the rigid-body engine, rather than the model, runs the row of the scene, or NULL if the model
  * runs it. */
 const char *scene_engine(const struct scene *scene);
+
+/* Returns what an answer about a train says about a scene whose row it does not answer, or NULL. */
+const char *scene_train_note(const struct scene *scene);
 
 /* Makes the row of the train that 'set row N' asks for, without what the slot of the scene says, and prepares
  * it for a run. If the row cannot be run, sets *problem and returns false. */
