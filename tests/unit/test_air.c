@@ -111,6 +111,25 @@ TEST(pair_is_a_row_of_two)
     }
 }
 
+/* The search for a pair begins at the growth at which domino 1 only just tips over. Rounding decides whether
+ * it tips over there before it hits, and it has no energy either way. */
+TEST(pair_that_only_just_tips_over)
+{
+    struct setup train = setup_default();
+    struct domq_limit limit, airless;
+    train.d = 0.55;
+    for (int i = 1; i <= 100; i++) {
+        train.s = (domq_real)0.0025 * i;
+        train.air = 0;
+        assert_status(ask_limit_pair(&train, &airless), DOM_OK);
+        train.air = 1e-6;
+        assert_status(ask_limit_pair(&train, &limit), DOM_OK);
+        assert_int_equal(limit.ends, airless.ends);
+        if (limit.ends != DOM_END_NONE)
+            assert_near("r_max", (double)limit.r_max, (double)airless.r_max, 1e-4);
+    }
+}
+
 /* Air lowers r_max, more of it lowers r_max further, and r_max tends to the answer without air in proportion.
  */
 TEST(rmax_in_air)

@@ -179,12 +179,17 @@ KERNEL real flow_required_error(const struct geometry *geometry)
            (solution->v_error + (solution->ln_G_error + TAIL_SHARE * geometry->tol / FLOW_FINER) * fabs(u));
 }
 
-KERNEL enum dom_status losses_tipped(const struct geometry *geometry, real *omegasq)
+KERNEL enum dom_status dynamics_tipped(const struct geometry *geometry, real *omegasq)
 {
+    *omegasq = geometry->drag == 0 ? geometry_tipped_omegasq(geometry) : 0;
+    if (geometry->drag == 0)
+        return DOM_OK;
     struct geometry alone = *geometry;
     alone.n = 1;
-    real hi = tilt_angle(geometry->c), ln_G, u;
-    enum dom_status status = flow_solve_piece(&alone, REAL_NAN, geometry_theta_u(geometry), &hi);
+    real lo = geometry_theta_u(geometry), hi = tilt_angle(geometry->c), ln_G, u;
+    if (!(lo < hi))
+        return DOM_OK;
+    enum dom_status status = flow_solve_piece(&alone, REAL_NAN, lo, &hi);
     if (status != DOM_OK)
         return status;
     flow_at(&alone, hi, &ln_G, &u);

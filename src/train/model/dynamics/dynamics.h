@@ -128,9 +128,9 @@ struct flow {
     real J0, J_c;       /* J(0), and J(theta_c) of the hitting chain */
 };
 
-/* Finds tau^2 omega^2 of a domino with drag that tips over at theta_u and falls alone to the tilt theta_c.
- * The flow of the geometry is then the solution of this motion. */
-KERNEL enum dom_status losses_tipped(const struct geometry *geometry, real *omegasq);
+/* Finds tau^2 omega^2 of a domino that tips over at theta_u and falls alone to theta_c. It is 0 if theta_u is
+ * not below theta_c (5; b0). With drag, the flow of the geometry is then the solution of this motion. */
+KERNEL enum dom_status dynamics_tipped(const struct geometry *geometry, real *omegasq);
 
 /* Solves the equation of motion over a whole cycle, unless an earlier call has already done so. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);

@@ -52,17 +52,13 @@ static enum dom_status train_kinetic(const struct geometry *geometry, enum dom_f
 static enum dom_status pair_kinetic(const struct geometry *geometry, real *kinetic)
 {
     struct geometry one = *geometry;
-    const bool tips = geometry_lift(geometry, geometry->c) < 0; /* (5; b0) */
-    one.n = 1;                                                  /* the domino that hits has no followers */
+    one.n = 1; /* the domino that hits has no followers */
     real J = geometry_inertia(geometry, geometry->c);
     real k = geometry->inertia * J, inertia_ratio = 0, tipped = 0;
     enum dom_status status = dynamics_inertia_ratio(geometry, &one, geometry->c, J, &inertia_ratio);
-    if (status == DOM_OK && tips && geometry->drag == 0) {
-        tipped = geometry_tipped_omegasq(geometry);
-    } else if (status == DOM_OK && tips) {
-        status = losses_tipped(geometry, &tipped);
-        geometry->flow->solution.panels = 0; /* the flow is needed for the pair */
-    }
+    if (status == DOM_OK)
+        status = dynamics_tipped(geometry, &tipped);
+    geometry->flow->solution.panels = 0;                        /* the flow is needed for the pair */
     const real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
     *kinetic = (geometry->upright_inertia + k) * geometry->r * tipped * share * share;
     return status;

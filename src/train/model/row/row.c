@@ -188,7 +188,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     if (alone) /* the first domino has no follower */
         d->st.geometry.conservative = true;
     else if (tips)
-        status = losses_tipped(geometry, &omegasq);
+        status = dynamics_tipped(geometry, &omegasq);
     if (status == DOM_OK && run->options->moves)
         status = run->options->moves(run, d);
     d->st.start = (struct start){.from = geometry->c, .J = J, .omegasq = omegasq};
