@@ -181,14 +181,16 @@ LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstrin
 $(LIB_OBJ): C_FLAGS += $(LIB_FLAGS)
 $(call OBJ,$(TRAIN)/precision/float.c): C_FLAGS += -DDOMF
 $(call OBJ,$(TRAIN)/precision/quad.c): C_FLAGS += -DDOMQ
-# With -O1, compiling takes at most two thirds of the time. Code that waits for the models in float and double is as
-# fast with -O1, which studies of rows do not. The model in quad is as fast, too, because it waits for library functions
-# that multiply and add. The models in float and double need the same options, because 'cost' compares their times.
-QUICK := $(call OBJ,$(SHELL_C) $(TRAIN)/precision/quad.c $(filter src/%/model/%.c,$(filter-out $(TRAIN)/% %/windows.c %/floor.c %/chance/model/verdict.c,$(MODEL))))
-$(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
+# Studies of rows run the models in float and double many times, in these sources. FAST_x are those of feature x.
+FAST  := $(filter-out %/quad.c,$(filter $(TRAIN)/%,$(MODEL))) $(foreach f,$(BUILT),$(FAST_$f:%=src/$f/model/%))
+# With -O1, compiling takes at most two thirds of the time. Code that waits for these models is as fast with -O1. The
+# model in quad is as fast, too, because it waits for library functions that multiply and add. The models in float and
+# double need the same options, because 'cost' compares their times.
+WAITS := $(TRAIN)/precision/quad.c $(filter-out src/shell/commands/% src/shell/prompt/%,$(filter src/shell/%,$(SHELL_C)))
+$(call OBJ,$(WAITS)): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 # With -Og, compiling takes even less time. Code that runs once per command executes as many instructions as with -O1.
 # With -Og everywhere, a line would take 16 % more instructions, and quad with friction 10 % more.
-ONCE  := $(filter-out src/shell/% $(TRAIN)/% src/rows/model/windows.c src/rows/model/floor.c src/chance/model/verdict.c,$(SHELL_C) $(MODEL)) $(filter src/shell/commands/% src/shell/prompt/%,$(SHELL_C))
+ONCE  := $(filter-out $(FAST) $(WAITS),$(SHELL_C) $(MODEL))
 $(call OBJ,$(ONCE)): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-Og)
 
 $(LIB_OBJ): $(B)/library.h

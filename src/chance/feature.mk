@@ -1,1 +1,2 @@
 NEEDS_chance := rows
+FAST_chance  := verdict.c

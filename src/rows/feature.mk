@@ -1,1 +1,2 @@
 NEEDS_rows := tables parallel
+FAST_rows  := windows.c floor.c
