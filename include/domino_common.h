@@ -109,7 +109,9 @@ enum dom_effect_name {
 };
 
 /* The number of effects in DOM_DYNAMICS. */
-enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_drag + 1 };
+#define DOM_DYNAMICS_ONE(effect, member, status) +1
+enum { DOM_DYNAMICS_COUNT = DOM_DYNAMICS(DOM_DYNAMICS_ONE) };
+#undef DOM_DYNAMICS_ONE
 
 /* The number of members that later versions can add to a structure: see "Versions" in <domino.h>. */
 enum { DOM_LATER = 4 };

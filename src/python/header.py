@@ -36,6 +36,12 @@ def declarations(compiler, headers):
     return re.sub(r"\bunsigned\b", "unsigned_int", text)
 
 
+def effects(headers):
+    """Returns the members of struct dom_train and struct dom_row that hold effects, by the names of the effects."""
+    with open(headers[0].rsplit("/", 1)[0] + "/domino_common.h") as header:
+        return dict(re.findall(r"X\((\w+), (\w+), DOM_BAD_\w+\)", header.read()))
+
+
 def ctype(text, callbacks):
     """Returns the ctypes name of a C type such as "const struct dom_train *"."""
     text = re.sub(r"\b(const|volatile)\b", "", text).strip()
@@ -79,7 +85,7 @@ def main(soname, compiler, *headers):
     print('"""The structures and functions of libdomino, generated from its headers by header.py."""\n')
     print("from ctypes import (CFUNCTYPE, POINTER, Structure, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint,")
     print("                    c_ulong, c_void_p)")
-    print(f'from enum import IntEnum\n\nSONAME = "{soname}"\n')
+    print(f'from enum import IntEnum\n\nSONAME = "{soname}"\nEFFECTS = {effects(headers)}\n')
     sizes, callbacks, functions = {}, set(), []
     pattern = re.compile(
         r"enum (?P<enum>\w*) ?\{(?P<values>[^}]*)\};|struct (?P<struct>\w+) \{(?P<body>[^}]*)\};"

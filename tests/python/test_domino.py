@@ -174,6 +174,16 @@ class Errors(unittest.TestCase):
         with self.assertRaises(domino.DominoError):
             domino.prove("rmax", friction=0.1)
 
+    def test_every_effect_is_a_keyword_of_trains_and_rows(self):
+        for name, member in domino._api.EFFECTS.items():
+            self.assertEqual(getattr(domino.Train(**{name: 0.001}).structure(), member), 0.001)
+            self.assertTrue(domino.Row.of_train(3, r=1.1, **{name: 0.001}).verdict().falls)
+        for call in (domino.rmax, lambda **effects: domino.Row.of_train(3, **effects), lambda **effects: domino.design(8, **effects)):
+            with self.assertRaisesRegex(TypeError, "'fricton'.*friction, slope"):
+                call(fricton=0.1)
+        with self.assertRaisesRegex(TypeError, "no air"):
+            domino.design(8, air=1.2)
+
     @unittest.skipUnless(hasattr(signal, "pthread_kill"), "no signals to threads")
     def test_an_interrupt_ends_a_long_computation(self):
         row = domino.Row.of_train(30, r=1.1, friction=0.1, edges=0.005, slope=0.002)

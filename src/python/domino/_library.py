@@ -56,7 +56,7 @@ class OutOfRange(DominoError, ValueError):
 
 
 # The parameters whose names in this module differ from those in the library.
-PARAMETERS = {"mu": "friction", "alpha": "slope", "rho": "edges", "tilt": "theta"}
+PARAMETERS = {"tilt": "theta"} | {member: name for name, member in api.EFFECTS.items()}
 
 
 def record(name: str, fields: str, doc: str, defaults: Any = ()) -> Any:
@@ -71,6 +71,14 @@ def number_of(given: str, values: dict[str, Any], what: str, status: str = "") -
     if given not in values:
         raise OutOfRange(f"{what}: {given!r} is not one of {', '.join(values)}", status or f"BAD_{what.upper()}", what)
     return values[given]
+
+
+def effect_members(given: dict[str, Any]) -> dict[str, Any]:
+    """Returns the members of a structure of the library for effects such as friction=0.2; other effects are off."""
+    for name in given:
+        if name not in api.EFFECTS:
+            raise TypeError(f"there is no parameter '{name}'; the effects are {', '.join(api.EFFECTS)}")
+    return {member: given.get(name, 0.0) for name, member in api.EFFECTS.items()}
 
 
 def status_name(status: int) -> str:

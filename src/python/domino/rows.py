@@ -8,8 +8,8 @@ import math
 from typing import Any, Iterable
 
 from . import _api as api
-from ._library import (DominoError, computing, interruptible, lib, number_of, parallel, raise_status, record, run,
-                       status_name)  # fmt: skip
+from ._library import (DominoError, computing, effect_members, interruptible, lib, number_of, parallel, raise_status,
+                       record, run, status_name)  # fmt: skip
 from .trains import Train
 
 STATUS = api.dom_status
@@ -53,16 +53,15 @@ class Row:
     placements and budgets are computed in double.
     """
 
-    def __init__(self, dominoes: Iterable[Any], *, friction: float = 0.0, slope: float = 0.0, edges: float = 0.0,
-                 walls: float = 0.0, air: float = 0.0, drag: float = 0.0, push: float | None = None, g: float = 9.81, tol: float | None = None):  # fmt: skip
+    def __init__(self, dominoes: Iterable[Any], *, push: float | None = None, g: float = 9.81,
+                 tol: float | None = None, **effects: float):  # fmt: skip
         self.dominoes = tuple(Domino(*map(float, domino)) for domino in dominoes)
         if any(domino.mass == 0 for domino in self.dominoes):
             self.dominoes = tuple(
                 domino if domino.mass else domino._replace(mass=500 * domino.height * (domino.width or domino.height / 2) * domino.thickness)
                 for domino in self.dominoes
             )
-        self._effects = {"mu": friction, "alpha": slope, "rho": edges, "walls": walls, "air": air, "drag": drag,
-                         "push": math.nan if push is None else push, "g": g}  # fmt: skip
+        self._effects = {"push": math.nan if push is None else push, "g": g, **effect_members(effects)}
         self._how = {"tol": tol}
 
     # ---- Where rows come from ----
@@ -216,10 +215,14 @@ class Row:
 
 
 def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: float = math.inf, d: float = 7 / 48,
-           q: float | str = 4.0, push: float | None = None, g: float = 9.81,
-           friction: float = 0.0, slope: float = 0.0, edges: float = 0.0, walls: float = 0.0, width: float = 0.5) -> Design:  # fmt: skip
-    """The row of a train from `first` to `height`, in m, in which each cycle has `safety` times the energy it needs."""
-    train = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls, width=width).structure()
+           q: float | str = 4.0, push: float | None = None, g: float = 9.81, width: float = 0.5, **effects: float) -> Design:  # fmt: skip
+    """The row of a train from `first` to `height`, in m, in which each cycle has `safety` times the energy it needs.
+
+    The effects are those of a train, without air.
+    """
+    if effects.get("air"):
+        raise TypeError("a design has no air")
+    train = Train(0.4, 1.5, d, q, width=width, **effects).structure()
     wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g,
                         push=math.nan if push is None else push)  # fmt: skip
     found, compute = api.dom_design(), computing(None)
@@ -234,6 +237,6 @@ def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: fl
     }
     if found.limit != limits.DOM_DESIGN_FITS:
         raise DominoError(refusals.get(found.limit, "no such row falls"), limits(found.limit).name.removeprefix("DOM_"))
-    row = Row.of_train(found.steps + 1, h=first, s=found.s, r=found.r, d=d, q=q, width=width, friction=friction, slope=slope,
-                       edges=edges, walls=walls * first, push=push, g=g)  # fmt: skip
+    effects["walls"] = effects.get("walls", 0.0) * first
+    row = Row.of_train(found.steps + 1, h=first, s=found.s, r=found.r, d=d, q=q, width=width, push=push, g=g, **effects)
     return Design(found.s, found.r, found.steps, found.feet, found.length, found.seconds, found.row, row)

@@ -9,8 +9,8 @@ import math
 from typing import Any, Callable, Union
 
 from . import _api as api
-from ._library import (CORES, DominoError, OutOfRange, computing, interruptible, lib, number_of, raise_status, record,
-                       run, run_all, status_name)  # fmt: skip
+from ._library import (CORES, DominoError, OutOfRange, computing, effect_members, interruptible, lib, number_of,
+                       raise_status, record, run, run_all, status_name)  # fmt: skip
 
 Number = Union[float, Any]  # a number, or anything that NumPy turns into an array of numbers
 
@@ -39,15 +39,14 @@ Proof = record("Proof", "low high ends gap",
 class Train:
     """The parameters of a train, which are checked by every question.
 
-    air is the density of the air over that of the dominoes, and drag the drag coefficient, if it is not 1.2.
+    The effects are those of domino-effects(7), which are off at 0: friction, slope (rad), edges (radius over height),
+    walls (over the height), air (its density over that of the dominoes), and drag, its coefficient if it is not 1.2.
     """
 
     def __init__(self, s: Number = 0.4, r: Number = 1.5, d: Number = 7 / 48, q: Number | str = 4.0, *,
-                 friction: Number = 0.0, slope: Number = 0.0, edges: Number = 0.0, walls: Number = 0.0,
-                 air: Number = 0.0, drag: Number = 0.0, width: Number = 0.5, fuel: str = "exact"):  # fmt: skip
+                 width: Number = 0.5, fuel: str = "exact", **effects: Number):  # fmt: skip
         q = number_of(q, MASSES, "q") if isinstance(q, str) else q
-        self.values = {"s": s, "r": r, "d": d, "q": q, "mu": friction, "alpha": slope, "rho": edges, "walls": walls,
-                       "air": air, "drag": drag, "width": width}  # fmt: skip
+        self.values = {"s": s, "r": r, "d": d, "q": q, "width": width, **effect_members(effects)}
         self.fuel = int(number_of(fuel, FUELS, "fuel"))
 
     def structure(self) -> ctypes.Structure:
