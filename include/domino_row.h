@@ -234,8 +234,8 @@ enum dom_status dom_row_floor(const struct dom_row *row, const struct dom_comput
 
 /* Finds the weakest push in rad/s that makes all dominoes of a row fall, rounded upwards to four digits. It
  * is row->push if all dominoes already fall, and NaN if no push up to `strongest` is enough. The search
- * starts from the push that turns the first domino over its edge, or from row->push if that is larger,
- * doubles it until all dominoes fall, and then bisects. The statuses are those of dom_row_run, and
+ * starts from a push that is too weak for the first domino, or from row->push if that is larger, doubles it
+ * until all dominoes fall, and then bisects. The statuses are those of dom_row_run, and
  * DOM_BAD_PUSH unless `strongest` is finite and > 0. */
 enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom_compute *compute,
                                      double strongest, double *push);

@@ -119,8 +119,17 @@ static bool gap_find(struct csv_table *csv, size_t before, domq_real position, d
     const bool is_position = csv->column[POSITION];
     const domq_real here = is_position ? csv->value[POSITION] : 0, thickness = csv->value[MEASURE_THICKNESS],
                     pitch = is_position ? here - position : csv->value[PITCH];
-    if (before == 0 || csv->column[MEASURE_GAP]) {
-        *gap = before == 0 ? 0 : csv->value[MEASURE_GAP];
+    if (before == 0) {
+        const int k = csv->column[MEASURE_GAP] ? MEASURE_GAP : PITCH;
+        *gap = 0;
+        return is_position || isnan(csv->value[k]) || csv->value[k] == 0 ||
+               csv_wrong(&csv->file, csv_cell(csv, k).at,
+                         "domino 1 has no %s, because a %s is measured from the domino before; leave this cell "
+                         "empty, or if your numbers are measured to the next domino, move all one line down",
+                         columns[k].name, columns[k].name);
+    }
+    if (csv->column[MEASURE_GAP]) {
+        *gap = csv->value[MEASURE_GAP];
         return true;
     }
     *gap = pitch - thickness;

@@ -263,6 +263,9 @@ const struct column mend_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* How much more than the weakest push that tips the first domino over is a firm push. */
+#define PUSH_FIRM 1.2
+
 void progress_count(size_t part, size_t of, void *context)
 {
     (void)context;
@@ -275,18 +278,24 @@ static bool push_lacks(const struct domq_verdict *v)
     return v->end == DOM_ROW_LEANS || v->end == DOM_ROW_BACK || (v->end == DOM_ROW_STOPS && v->domino == 1);
 }
 
-/* Says what push the row needs. `push` is the weakest push that saves the row, or NaN if there is none. */
-static void push_say(struct answer *a, const struct domq_verdict *v, double push)
+/* Says what push the row needs. `push` is the weakest push that saves the row, or NaN if there is none.
+ * `tips` is the weakest push with which the first domino tips over, or NaN. */
+static void push_say(struct answer *a, const struct domq_verdict *v, double push, double tips)
 {
     answer_say(a, v->end == DOM_ROW_LEANS
                       ? "The row needs a push: its first domino touches the second before it tips over."
                   : v->end == DOM_ROW_BACK
                       ? "The row needs a larger tilt or a stronger push: its first domino falls back."
                       : "The row needs a stronger push: its first domino does not tip over.");
-    if (isnan(push))
-        answer_say(a, "A push alone cannot save this row; enter 'set push 5', and then 'mend' again.");
-    else
+    if (!isnan(push))
         answer_say(a, "With 'set push %.4g', all dominoes fall.", push);
+    else if (isnan(tips))
+        answer_say(a, "No push can save this row: it would lift the first domino off the floor.");
+    else
+        answer_say(a,
+                   "A push alone cannot save this row: it would lift the first domino off the floor. Enter "
+                   "'set push %.2g', and then 'mend' again.",
+                   PUSH_FIRM * tips);
 }
 
 /* Returns the nearest gap at which all dominoes fall. All dominoes also fall with the gaps up to the other
@@ -347,7 +356,7 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     struct domq_verdict v;
     struct dom_window *w = NULL;
     size_t found = 0;
-    double push = DOM_NAN;
+    double push = DOM_NAN, tips = DOM_NAN;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
     const size_t count = scene.row.count;
@@ -359,8 +368,13 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     const bool falls = status == DOM_OK && v.end == DOM_ROW_FALLS, people = answer_for_people(a),
                pushes = status == DOM_OK && push_lacks(&v) && people;
     if (pushes)
-        status = dom_row_weakest_push(&made.row, &made.compute,
-                                      dom_effect(DOM_EFFECT_push)->argument[0].highest, &push);
+        status = push_find(&made.row, &made.compute, &push);
+    if (status == DOM_OK && pushes && isnan(push)) {
+        struct dom_row first = made.row;
+        first.count = 1;
+        first.push = fmax(first.push, 0); /* without any push, a single domino falls from where it tips over */
+        status = push_find(&first, &made.compute, &tips);
+    }
     if (status == DOM_OK && !falls)
         status = dom_row_windows(&made.row, &made.compute, DOM_WINDOW_GAP, progress_count, NULL, w);
     for (size_t i = 0; i + 1 < count && status == DOM_OK && !falls; i++)
@@ -369,7 +383,7 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     if (found > 1)
         qsort(w, found, sizeof *w, by_change);
     if (status == DOM_OK && pushes)
-        push_say(a, &v, push);
+        push_say(a, &v, push, tips);
     if (found > 0)
         mends_answer(a, w, found, push_lacks(&v));
     else if (status == DOM_OK && !people)

@@ -92,7 +92,7 @@ enum { CSV_COLUMNS_MOST = 16 };
 enum {
     CSV_REQUIRED = 1,  /* every file must have this column */
     CSV_EMPTY = 2,     /* the cells of the column may be empty */
-    CSV_NOT_FIRST = 4, /* the cell of the first row is ignored, and may be empty or out of range */
+    CSV_NOT_FIRST = 4, /* the cell of the first row may be empty or out of range */
     CSV_WHOLE = 8,     /* the values of the column are whole numbers */
     CSV_BARE = 16,     /* a number without a unit is in the SI unit of the column */
     CSV_ONE_OF = 32,   /* at most one of the columns with this property may occur, and one must occur if any

@@ -158,6 +158,13 @@ static void plain_run(struct plain_run *run)
     }
 }
 
+enum dom_status push_find(const struct dom_row *row, const struct dom_compute *compute, double *push)
+{
+    /* The centre of a falling domino moves on a circle. If omega^2 h/2 > g, its weight is too small to keep
+     * it on the circle, and the domino lifts off the floor. */
+    return dom_row_weakest_push(row, compute, sqrt(2 * row->g / row->domino[0].height), push);
+}
+
 bool start_run(const struct query *query, const struct domq_train *train, domq_real dominoes, bool seeks_push,
                struct start *start, struct problem *problem)
 {
@@ -178,13 +185,10 @@ bool start_run(const struct query *query, const struct domq_train *train, domq_r
     start->spare = run.spare;
     start->falls = status == DOM_OK && run.verdict.end == DOM_ROW_FALLS;
     if (seeks_push && status == DOM_OK && !start->falls && !start->engine) {
-        /* The centre of a falling domino moves on a circle. If omega^2 h/2 > g, its weight is too small to
-         * keep it on the circle, and the domino lifts off the floor. */
-        const double lifting = (double)quad(sqrt)(2 * row->g / run.made.domino[0].height);
         double push = (double)NAN;
         status = scene_row_in_double(&run.made, &in_double);
         if (status == DOM_OK) {
-            status = dom_row_weakest_push(&in_double.row, &in_double.compute, lifting, &push);
+            status = push_find(&in_double.row, &in_double.compute, &push);
             free(in_double.domino);
         }
         start->push = quad_decimal(push);

@@ -115,6 +115,10 @@ struct start {
     const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
 };
 
+/* Finds the weakest push that makes all dominoes fall, or NaN if that push would lift the first domino off
+ * the floor. The statuses are those of dom_row_weakest_push. */
+enum dom_status push_find(const struct dom_row *row, const struct dom_compute *compute, double *push);
+
 /* A very long row need not be run to its end. If the endless train keeps falling, and a row of this many
  * dominoes falls, then any longer row also falls, because a row forgets its start: in the model, the energy
  * of a cycle is a linear function of the energy of the cycle before it, with a slope below 1. */

@@ -50,5 +50,8 @@ load ../shell/common
 @test "mend: if a push helps, missing changes of gaps are not mentioned; without any advice, it points to why" {
     same 'a push' "The row needs a stronger push: its first domino does not tip over.
 With 'set push 2.521', all dominoes fall." "$("$DOMINO" -e 'set row 8; set push 2; mend')"
+    # a push that would lift the first domino off the floor is no advice
+    [[ $("$DOMINO" -e 'set row 8; set s 0.1; set push 1; mend') == *"first domino off the floor. Enter 'set push 3', and then 'mend' again."* ]]
+    [[ $("$DOMINO" -e 'set row 8; set d 0.9; mend') == *"first domino off the floor. Enter 'set push 13', and then 'mend' again."* ]]
     [[ $("$DOMINO" -e 'set row 8; set s 0.2; mend') == *"'why' says with which gaps or growth an endless train keeps falling." ]]
 }
