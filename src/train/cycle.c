@@ -306,7 +306,7 @@ static bool run_cycle(const struct query *query, struct answer *a, struct proble
 const struct command cycle_commands[] = {
     {.name = "thetac",
      TRAIN_COMMAND,
-     .synonyms = "angles collision",
+     .synonyms = "angles tip tipping collision",
      .summary = "the tilts at which a cycle begins, changes and ends",
      .equation = "(2; a2) (4; b1) (40; A16) (41; A17) (42; A18)",
      .example = "thetac",
@@ -379,7 +379,7 @@ const struct command cycle_commands[] = {
      ANSWER(omega)},
     {.name = "barrier",
      TRAIN_COMMAND,
-     .synonyms = "stop topple climb energy",
+     .synonyms = "stop tip tipping topple climb energy",
      .summary = "the energy that the train needs, and whether it has enough",
      .equation = "(26; c8)",
      .help =

@@ -315,7 +315,7 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
         return false;
     const bool people = answer_for_people(a), is_enough = isfinite(t.count.dominoes);
     struct tower best = t;
-    if (people && t.falls && !kind_choose(query, &best, problem))
+    if (people && t.falls && is_enough && !kind_choose(query, &best, problem))
         return false;
     const char *why = count_reason(query, &t, reason);
     answer_set_verdict(a, t.falls && is_enough);
@@ -328,11 +328,12 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
                    t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
                    cell_within(t.start.push, t.start.push / 1000),
                    cell_limit(cell_within(t.growth.r_max, t.growth.uncertainty))),
-               people && is_enough ? NULL : why);
+               people ? NULL : why);
     if (!people)
         return true;
-    if (why && is_enough)
-        answer_detail(a, "\n%c%s.", toupper((unsigned char)*why), why + 1);
+    if (why)
+        (is_enough ? answer_detail : answer_say)(a, "%s%c%s.", is_enough ? "\n" : "",
+                                                 toupper((unsigned char)*why), why + 1);
     if (t.start.engine && is_enough)
         answer_detail(a, "The rigid-body engine ran the row because %s.", t.start.engine);
     growth_say(query, a, &best);

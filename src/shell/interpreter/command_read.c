@@ -118,14 +118,21 @@ static void command_unknown(struct reader *r, const char *name, int k, char mess
         synonym = names_index(c->synonyms, ' ', name) >= 0 ? c->name : NULL;
     const struct parameter *named = parameter_find(name),
                            *p = parameter_by_synonym(name, !synonym && k == NAMES_UNKNOWN);
+    const char *value = skip_blanks(r->at);
+    size_t length = strcspn(value, ";>#");
+    while (length > 0 && isspace((unsigned char)value[length - 1]))
+        length--;
+    const char *copy = reader_copy(r, value, length);
     if (variable_find(&r->query->state->variables, name))
         problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
     else if (k == NAMES_ABSENT || parameter_by_value(name, message))
         problem_error(r->problem, "%s", message);
     else if (named)
-        problem_error(r->problem, "'%s' is %s; enter 'set %s'", name,
-                      named->effect ? "an effect" : "a parameter", parameter_usage(named));
+        problem_error(r->problem, "'%s' is %s; enter 'set %s%s%s'", name,
+                      named->effect ? "an effect" : "a parameter",
+                      copy && *copy ? name : parameter_usage(named), copy && *copy ? " " : "",
+                      copy ? names_shown(copy) : "");
     else if (p)
         problem_error(r->problem, "unknown command '%s'; did you mean 'set %s'?", shown, parameter_usage(p));
     else if (synonym)
@@ -152,7 +159,9 @@ static const struct command *name_read(struct reader *r, names_list *offered)
             return NULL;
         int k = names_find(command_names, NULL, "command", name, message);
         command = command_at(k);
-        if (!command || (!command->argument[0].kind && parameter_find(name))) {
+        /* 'h rmax' is help, but 'h 5 cm' is not */
+        const bool has_number = isdigit((unsigned char)*skip_blanks(r->at));
+        if (!command || ((!command->argument[0].kind || has_number) && parameter_find(name))) {
             command_unknown(r, name, k, message);
             return NULL;
         }

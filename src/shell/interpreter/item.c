@@ -111,6 +111,13 @@ static int word_parse(struct reader *r, const struct words *w, struct item *item
     const char *begin = r->at, *word = read_word(r, WORD_BARE);
     if (!word)
         return NAMES_UNKNOWN;
+    const size_t length = strlen(word);
+    const char *bare = reader_copy(r, word, length - (length > 0 && word[length - 1] == ','));
+    if (bare && strlen(bare) < length && names_exact(w->list, w->context, bare) >= 0) {
+        reader_place(r, r->at - 1);
+        problem_error(r->problem, "unexpected ',' after '%s'; separate values by blanks, without a comma", bare);
+        return NAMES_CLOSE;
+    }
     const bool is_word = w->only || (*word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' &&
                                      !is_value_name(r->query->state, word));
     const int k = !is_word     ? names_exact(w->list, w->context, word)

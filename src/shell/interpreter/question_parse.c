@@ -139,7 +139,10 @@ static bool with_parse(struct reader *r, struct question *q)
     static const char form[] = "'with' takes parameters and effects, as in 'rmax with q hollow d 0.1'";
     q->with = reader_memory(r, ASSIGNED_MAX * sizeof *q->with);
     while (q->with && !reader_ends(r)) {
+        const char *outer = r->stops;
+        r->stops = "="; /* as in 'with s=0.3' */
         const struct parameter *p = parameter_parse(r, form);
+        r->stops = outer;
         if (!p)
             return false;
         if (q->assigned == ASSIGNED_MAX)

@@ -235,6 +235,8 @@ bool name_resolve(struct reader *r, struct tree *t)
     char message[NAMES_MESSAGE];
     if (name_absent(t->name, message) || parameter_by_value(t->name, message))
         return fail(r, t, "%s", message);
+    if (strcmp(t->name, "off") == 0)
+        return fail(r, t, "'off' has no value; 'set NAME off' turns an effect off");
     const char *close = names_closest(value_names, r->query->state, t->name);
     const struct parameter *suggested = parameter_by_synonym(t->name, !close);
     if (suggested && is_value_name(r->query->state, suggested->name))

@@ -76,8 +76,11 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
     if (k < 0 && parameter_by_value(word, message))
         return NAMES_CLOSE;
     const struct parameter *p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
-    if (!p || names_exact(list, NULL, p->name) < 0)
+    if (!p || names_exact(list, NULL, p->name) < 0) {
+        if (k == NAMES_UNKNOWN)
+            text_add(message, NAMES_MESSAGE, "; 'show all' lists them");
         return k;
+    }
     snprintf(message, NAMES_MESSAGE, "unknown %s '%s'; did you mean '%s'?", what, names_shown(word), p->name);
     return NAMES_CLOSE;
 }

@@ -29,7 +29,7 @@ const struct dom_effect dom_effect_row = {
 
 const struct dom_effect dom_effect_push = {
     .name = "push",
-    .synonyms = "start finger kick speed velocity",
+    .synonyms = "start finger kick tip speed velocity",
     .adds = "a push on the first domino, which then starts upright",
     .help = "The first domino starts upright, or at the tilt of 'set release', and the clock starts with the "
             "push. A standard domino needs about 2.5 rad/s to tip over. OMEGA may also be the speed of the "
@@ -49,7 +49,7 @@ const struct dom_effect dom_effect_push = {
 
 const struct dom_effect dom_effect_release = {
     .name = "release",
-    .synonyms = "slanted tilted tilt start angle lean held rest let go",
+    .synonyms = "slanted tilted tilt tip start angle lean held rest let go",
     .adds = "a first domino that is held at a tilt and released",
     .help =
         "The first domino is held at the tilt ANGLE and let go, and the clock starts. The domino starts "
