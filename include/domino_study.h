@@ -32,7 +32,9 @@ enum dom_window_of {
 struct dom_window {
     size_t domino;    /* the number of the domino; 0 for friction */
     double now;       /* the current value */
-    double low, high; /* the window, rounded inward to seven digits; NaN if none was found */
+    /* The window, or NaN if none was found. An end is rounded inward to seven digits, unless it is an end of
+     * the range of values that are tried. */
+    double low, high;
 };
 
 /*

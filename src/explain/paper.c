@@ -191,9 +191,11 @@ enum { RECIPE_ROWS = sizeof recipe / sizeof *recipe };
 static void recipe_row(struct answer *a, int step, const char *quantity, domq_real paper, domq_real program,
                        const char *why)
 {
+    struct cell of_paper = cell_without_error(paper);
+    of_paper.in_double = paper == (domq_real)(double)paper; /* most steps are computed in double */
     answer_row(a,
-               ROW(cell_count(step), cell_word(quantity), cell_without_error(paper),
-                   cell_without_error(program), cell_word(why ? why : "")),
+               ROW(cell_count(step), cell_word(quantity), of_paper, cell_without_error(program),
+                   cell_word(why ? why : "")),
                NULL);
     if (why)
         answer_detail(a, "      %s.", why);
@@ -227,7 +229,7 @@ static void recipe_follow(struct table *t, domq_real paper[RECIPE_ROWS])
                                           (domq_real)l.omegasq,
                                           (domq_real)b.theta_m,
                                           (domq_real)b.barrier,
-                                          (domq_real)b.margin / at.J,
+                                          (domq_real)(b.margin / (double)at.J),
                                           (domq_real)limit.r_max,
                                           value_at(t, DOM_FUEL_PAPER, "best.s"),
                                           value_at(t, DOM_FUEL_PAPER, "best.r_max")};

@@ -58,7 +58,7 @@ static bool rmax_start(const struct query *query, struct answer *a, const struct
                  start_words(query).text);
     else if (growths->r_max < r_max)
         answer_say(a, "A row that starts from rest can have a growth of up to %s %s.",
-                   limit_words(growths->r_max, 6).text, start_words(query).text);
+                   limit_words(a, growths->r_max, 6).text, start_words(query).text);
     return true;
 }
 
@@ -82,7 +82,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
         answer_say(a,
                    "With gaps of %.6g times the height, %s can each be %s times as large as the one before. "
                    "With more growth %s.",
-                   (double)train.s, dominoes_words(train.q, "dominoes").text, limit_words(used.r_max, 6).text,
+                   (double)train.s, dominoes_words(train.q, "dominoes").text, limit_words(a, used.r_max, 6).text,
                    used.ends == DOM_END_REACH ? "a domino falls past the next one without touching it"
                                               : "the train has too little energy to keep falling");
     if (!*reason && a->out && !a->sink.take &&
@@ -117,7 +117,7 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
         answer_say(a,
                    "A %s that just tips over can topple one %s times as large, across a gap of %.6g times "
                    "the larger height.",
-                   dominoes_words(train.q, "domino").text, limit_words(limit.r_max, 6).text, (double)train.s);
+                   dominoes_words(train.q, "domino").text, limit_words(a, limit.r_max, 6).text, (double)train.s);
     return answer_row(
         a,
         ROW(cell_real(train.s), cell_limit(cell_uncertain(limit.r_max, limit.uncertainty)),
@@ -142,9 +142,9 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
     if (status == DOM_OK)
         answer_say(
             a,
-            "With the best gap, %.4g times the height, %s can each be %s times as large as the one before.",
-            (double)best.s, dominoes_words(query->scene->train.q, "dominoes").text,
-            limit_words(best.r_max, 4).text);
+            "With the best gap, %s times the height, %s can each be %s times as large as the one before.",
+            quad_text(best.s, digits_within(a, 4)), dominoes_words(query->scene->train.q, "dominoes").text,
+            limit_words(a, best.r_max, 4).text);
     return answer_row(a,
                       ROW(cell_uncertain(best.s, best.s_uncertainty),
                           cell_limit(cell_uncertain(best.r_max, best.r_uncertainty))),

@@ -104,18 +104,18 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
     struct domq_best best;
     if (falls) {
         answer_say(a, "Each domino may be up to %s times as large as the one before; %s.",
-                   limit_words(limit->r_max, 6).text,
+                   limit_words(a, limit->r_max, 6).text,
                    limit->ends == DOM_END_REACH ? "with more growth, each domino falls past the next one"
                                                 : "a larger domino is too heavy for the dominoes before it");
     } else if (any_limit_best(t, &query->scene->compute, &best) != DOM_OK) {
         answer_say(a, "Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.");
     } else {
         answer_say(a,
-                   "With gaps of %.4g times the height, each domino can be %s times as large as the one "
+                   "With gaps of %s times the height, each domino can be %s times as large as the one "
                    "before%s%s%s.",
-                   (double)best.s, limit_words(best.r_max, 4).text,
+                   quad_text(best.s, digits_within(a, 4)), limit_words(a, best.r_max, 4).text,
                    limit->ends == DOM_END_NONE ? "" : "; with the present gaps, ",
-                   limit->ends == DOM_END_NONE ? "" : limit_words(limit->r_max, 4).text,
+                   limit->ends == DOM_END_NONE ? "" : limit_words(a, limit->r_max, 4).text,
                    limit->ends == DOM_END_NONE ? "" : " times");
     }
 }

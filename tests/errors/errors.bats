@@ -52,11 +52,12 @@ load ../shell/common
     [[ $("$DOMINO" -e "set errors on; $row; fall") == *"Where a column has no room for errors, 'set output csv' shows them."* ]]
 }
 
-# bats test_tags=rows,proof,engine
+# bats test_tags=rows,proof,engine,pictures,explain
 @test "in quad, numbers that are computed in double are written as doubles" {
     local call
-    for call in 'slip' 'prove rmax' 'prove barrier' 'set method engine; set row 3; fall'; do
+    for call in 'slip' 'prove rmax' 'prove barrier' 'set method engine; set row 3; fall' 'draw 0.1' 'set row 3; draw' 'set row 3; animate'; do
         run "$DOMINO" -e "set precision quad; set output csv; $call"
         [[ $output =~ [0-9]\.[0-9]+ && ! $output =~ [1-9][0-9]{18} ]] || same "$call" 'at most 18 digits' "$output"
     done
+    same recipe 1 "$(json 'set precision quad; recipe' | grep -c '"paper":1.7664529936804025,')"
 }
