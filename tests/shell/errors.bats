@@ -8,11 +8,17 @@ load common
 @test "unknown commands and parameters: the message names them, and says where the right ones are listed" {
     all_wrong stdin -e script <<'END'
 1|foo|^unknown command 'foo'.*'help'
-1|q 3|^'q' is a parameter; enter 'set q VALUE'
+1|q 3|^'q' is a parameter; enter 'set q 3'$
+1|q hollow  |^'q' is a parameter; enter 'set q hollow'$
+1|air off|^'air' is an effect; enter 'set air off'$
+1|h 5 cm|^'h' is a parameter; enter 'set h 5 cm'$
 8|4.8 cm in mm|'in' is one argument too many; usage: print VALUE \[to U\]$
 6|rmax hollow|^rmax: S at 'hollow': 'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 1|hollow|^'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
-5|set foo 1|^set: unknown parameter 'foo'
+5|set foo 1|^set: unknown parameter 'foo'; 'show all' lists them$
+23|rmax 0.4 with q hollow, s 0.3|^rmax: unexpected ',' after 'hollow'; separate values by blanks, without a comma$
+17|set output csv, json|^set: unexpected ','
+7|2*(1 - (rmax with q hollow))|'with' belongs at the end of the command
 11|set s=0.4 1|^set: '1' .*too many.*set NAME VALUE
 6|help zzz|^help: unknown topic 'zzz'
 END

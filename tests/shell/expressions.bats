@@ -109,6 +109,7 @@ END
 10|θ1 0.1 > foo bar|^theta1: only one word
 7|print *2|^print:.*'\*2'.*missing|^print:.*missing.*'\*2'
 9|print 1*(2*(3)|^print:.*'\(' is never closed
+13|print (rmax 0.4)|^print:.*write 'rmax\(0.4\)' for 'rmax 0.4'
 8|print 1)|^print:.*'\)'
 8|print 2q|^print:.*'q' is not a unit
 10|print 0.4.1|^print:.*'.1'
@@ -194,6 +195,7 @@ END
     local alone
     alone=$("$DOMINO" -n -e 'set q hollow; set d 0.1; print rmax(0.4)')
     same 'command' "$alone" "$("$DOMINO" -n -e 'print rmax(0.4) with q hollow d 0.1')"
+    same 'with =' "$alone" "$("$DOMINO" -n -e 'print rmax(0.4) with q=hollow d=0.1')"
     same 'a function' "$alone" "$("$DOMINO" -n -e 'let f(x) = rmax(x)*d/0.1; f(0.4) with q 3 d 0.1')"
     same 'solve' "$("$DOMINO" -n -e 'set output csv; set q hollow; solve s 0.1 0.9 : rmax = 2')" \
         "$("$DOMINO" -n -e 'set output csv; solve s 0.1 0.9 : rmax with q hollow = 2')"

@@ -135,6 +135,7 @@ solid set q
 sandpaper set friction
 speed duration
 END
+    for about in thetac 'set push' 'set release'; do "$DOMINO" -e 'help tip' | grep -q "^$about "; done
     same 'first what is about it' 'set slope' "$("$DOMINO" -e 'apropos slope' | sed -n '1s/ \{2,\}.*//p')"
     wrong 'apropos money' "^-e:1: apropos: nothing was found about 'money'; try another word, such as"
     for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done

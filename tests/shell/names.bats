@@ -66,7 +66,7 @@ END
     done <<'END'
 foo|unknown command 'foo'; 'help' lists the commands
 ba|'ba' is ambiguous: barrier, back
-friction 0.2|'friction' is an effect; enter 'set friction MU'
+friction 0.2|'friction' is an effect; enter 'set friction 0.2'
 plot foo|plot: unknown picture 'foo'; use one of: PLOTS
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
 goto lanch|step to: unknown event 'lanch'; did you mean 'launch'?

@@ -25,6 +25,8 @@ END
     answer=$(json 'count 112 1')
     same 'r 1' null "$(values dominoes <<<"$answer")"
     grep -q '"reason":"[^"]' <<<"$answer"
+    same 'in words' 'With r = 1 all dominoes are equally tall, so none of them reaches this height.
+Solid dominoes can each be 1.59 times as large as the one before: then 17 are enough.' "$("$DOMINO" -e 'count 112 m 1')"
 }
 
 # bats test_tags=rows

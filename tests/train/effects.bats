@@ -36,6 +36,9 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect slope -10 deg; effect row 4; fall' "the limit is 8.297 deg; enter, for example, 'set slope -4.1 deg'"
     # The centre must be above the flat part of the foot: atan(0.2 - 2*0.05).
     wrong 'set d 0.2; effect edges 0.05; effect slope 10 deg; rmax' 'for this thickness and rounded edges the limit is 5.711 deg'
+    for ask in rmax 'set row 4; fall'; do
+        wrong "set d 0.0134; set slope 2.6 deg; set edges 0.0166; $ask" 'edges with a radius of 0.0166 h do not fit: .*'
+    done
     wrong 'effect slope 1; effect row 4; effect feet 0.4; fall' 'no domino can stand upright on a slope of 57.3 deg'
     wrong 'effect slope 1 deg; set fuel paper' "first enter 'set slope off'"
     wrong 'set fuel paper; effect slope 1 deg' "'fuel paper' cannot be combined with slope; first enter 'set fuel exact'"

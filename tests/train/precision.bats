@@ -99,3 +99,8 @@ quad() { # COMMANDS KEY DIGITS
     same 's of a design' "$(json 'design 1 m; show s' | values value | tail -n 1)" "$(json 'set precision quad; design 1 m; show s' | values value | tail -n 1)"
     close 'the last domino' 1 "$(json 'set precision quad; design 1 m; row' | values height | tail -n 1)" 1e-30
 }
+
+@test "a sentence has no more digits than the tolerance justifies" {
+    says 'set tol 1e-2; best' 'With the best gap, 0.53 times the height, solid dominoes can each be 1.8 times as large'
+    says 'set tol 1e-3; rmax' 'solid dominoes can each be 1.64 times as large'
+}

@@ -47,7 +47,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     /* These failures do not depend on the parameters, so a sweep must not continue. */
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return problem_error(problem, "%s", dom_status_text(status));
-    if (status == DOM_NO_ROUND && t->rho > t->d / 2)
+    if ((status == DOM_NO_ROUND || status == DOM_NO_STAND) && t->rho > t->d / 2)
         return problem_no_answer(problem,
                                  "edges with a radius of %s h do not fit: the radius can be at most half of "
                                  "the thickness, %.6g h; enter, for example, 'set edges %.2g'",
@@ -63,11 +63,14 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "the largest r for this s is %s%s",
                                  quad_text(t->r * t->s, 10), (double)(domq_train_reach(t) * t->s),
                                  t->rho == 0 ? "1/s = " : "", quad_limit(domq_train_reach(t), 6));
-    if (status == DOM_NOT_CONVERGED && scene->compute.precision != IN_QUAD)
-        return problem_no_answer(problem,
-                                 "%s of %.3g; enter 'set precision %s', or a larger tolerance with 'set tol'",
+    if (status == DOM_NOT_CONVERGED) {
+        const enum precision precision = scene->compute.precision;
+        return problem_no_answer(problem, "%s of %.3g; enter %sa larger tolerance with 'set tol'",
                                  dom_status_text(status), (double)scene->compute.tol,
-                                 scene->compute.precision == IN_FLOAT ? "double" : "quad");
+                                 precision == IN_FLOAT    ? "'set precision double', or "
+                                 : precision == IN_DOUBLE ? "'set precision quad', or "
+                                                          : "");
+    }
     if (status == DOM_BAD_AIR && effect_value(scene, DOM_EFFECT_air, 0) > 0)
         return problem_no_answer(problem,
                                  "'set air' needs the mass of the dominoes; first enter, for example, "
@@ -160,7 +163,8 @@ static bool row_stands(const struct scene *scene, const struct domq_row *row, st
         if (dom_raised(scene->compute.interrupt))
             return problem_status(problem, scene, DOM_INTERRUPTED);
         domq_lean_limits(&row->domino[k], 0, row->rho, level);
-        if (row->alpha != 0 && !(quad(fabs)(row->alpha) < level[1]))
+        /* where a limit is not above 0, the edges are too round */
+        if (row->alpha != 0 && level[1] > 0 && !(quad(fabs)(row->alpha) < level[1]))
             return problem_no_stand(problem, scene, scene->slot ? k + 1 : 0, level[1]);
     }
     return true;
