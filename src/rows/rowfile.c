@@ -111,23 +111,43 @@ enum row_measure domino_misfit(const struct domq_domino *d, domq_real slope, cha
     return d->lean == 0 || lean_stands(d, slope, message) ? ROW_MEASURES : MEASURE_LEAN;
 }
 
+/* What the file says about domino 1, which has no domino before it. */
+struct first {
+    domq_real gap; /* or pitch; 0 if there is none */
+    struct csv_place at;
+};
+
+/* Returns false if domino 1 has a gap or a pitch, and this row has another one: the numbers may be those from
+ * each domino to the next one. */
+static bool first_check(struct csv_table *csv, const struct first *first, int k)
+{
+    const char *name = columns[k].name;
+    return first->gap == 0 ||
+           quad(fabs)(csv->value[k] - first->gap) <= (domq_real)1e-12 * quad(fabs)(first->gap) ||
+           csv_wrong(&csv->file, first->at,
+                     "domino 1 has no %s, because a %s is measured from the domino before; leave this cell "
+                     "empty, or if your numbers are measured to the next domino, move all one line down",
+                     name, name);
+}
+
 /* Finds the gap before the domino in the current row of the file. `before` is the number of dominoes before
  * it, and `position` is that of the last of them. Pitches and positions are those of front faces, the faces
  * in the direction of the fall. */
-static bool gap_find(struct csv_table *csv, size_t before, domq_real position, domq_real *gap)
+static bool gap_find(struct csv_table *csv, size_t before, domq_real position, struct first *first,
+                     domq_real *gap)
 {
     const bool is_position = csv->column[POSITION];
+    const int k = csv->column[MEASURE_GAP] ? MEASURE_GAP : PITCH;
     const domq_real here = is_position ? csv->value[POSITION] : 0, thickness = csv->value[MEASURE_THICKNESS],
                     pitch = is_position ? here - position : csv->value[PITCH];
     if (before == 0) {
-        const int k = csv->column[MEASURE_GAP] ? MEASURE_GAP : PITCH;
         *gap = 0;
-        return is_position || isnan(csv->value[k]) || csv->value[k] == 0 ||
-               csv_wrong(&csv->file, csv_cell(csv, k).at,
-                         "domino 1 has no %s, because a %s is measured from the domino before; leave this cell "
-                         "empty, or if your numbers are measured to the next domino, move all one line down",
-                         columns[k].name, columns[k].name);
+        if (!is_position && !isnan(csv->value[k]))
+            *first = (struct first){csv->value[k], csv_cell(csv, k).at};
+        return true;
     }
+    if (!is_position && !first_check(csv, first, k))
+        return false;
     if (csv->column[MEASURE_GAP]) {
         *gap = csv->value[MEASURE_GAP];
         return true;
@@ -146,7 +166,8 @@ static bool gap_find(struct csv_table *csv, size_t before, domq_real position, d
 }
 
 /* Adds the domino in the current row of the file. `position` is that of the domino before. */
-static bool row_keep(struct csv_table *csv, domq_real slope, domq_real position, struct row_file *rows)
+static bool row_keep(struct csv_table *csv, domq_real slope, domq_real position, struct first *first,
+                     struct row_file *rows)
 {
     const domq_real *value = csv->value, height = value[MEASURE_HEIGHT], thickness = value[MEASURE_THICKNESS];
     const domq_real width = csv->column[MEASURE_WIDTH] ? value[MEASURE_WIDTH] : 0;
@@ -160,7 +181,7 @@ static bool row_keep(struct csv_table *csv, domq_real slope, domq_real position,
         .lean = csv->column[MEASURE_LEAN] ? quad(asin)(value[MEASURE_LEAN] / height) : 0,
         .width = width};
     char message[MISFIT_MESSAGE];
-    if (!gap_find(csv, rows->count, position, &domino.gap))
+    if (!gap_find(csv, rows->count, position, first, &domino.gap))
         return false;
     if (csv->column[RELATIVE] && !rows->has_masses)
         domino.mass = value[RELATIVE];
@@ -187,6 +208,7 @@ void rowfile_drop(struct row_file *file)
 struct row_file *rowfile_read(struct csv_table *csv, domq_real slope)
 {
     domq_real position = 0;
+    struct first first = {.gap = 0};
     struct row_file *file = malloc(sizeof *file);
     if (!file) {
         csv_wrong(&csv->file, csv->file.at, "out of memory");
@@ -202,7 +224,7 @@ struct row_file *rowfile_read(struct csv_table *csv, domq_real slope)
                   "both mass and density are given; leave one of these columns out");
     bool good = true;
     for (; good && !*csv->file.problem.text && csv_next(csv); position = csv->value[POSITION])
-        good = row_keep(csv, slope, position, file);
+        good = row_keep(csv, slope, position, &first, file);
     if (!*csv->file.problem.text)
         return file;
     rowfile_drop(file);

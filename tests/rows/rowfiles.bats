@@ -221,7 +221,10 @@ END
     try '4:7: the front face of domino 3 is -0.01 m beyond that of domino 2, but must be at least its thickness, 0.007 m, beyond; list' 'height (mm),thickness (mm),position (mm)\n48,7,0\n48,7,30\n48,7, 20\n'
     try '3:6: the front face of domino 2 is 0.006 m beyond that of domino 1, but must be at least its thickness, 0.007 m, beyond;.* if these are gaps' 'height (mm),thickness (mm),pitch (mm)\n48,7,-\n48,7,6\n'
     try '2:6: domino 1 has no gap, because a gap is measured from the domino before; leave this cell empty, or if your numbers are measured to the next domino, move all one line down$' 'height (mm),thickness (mm),gap (mm)\n48,7,20\n48,7,30\n48,7,-\n'
-    try '2:6: domino 1 has no pitch, ' 'height (mm),thickness (mm),pitch (mm)\n48,7,27\n48,7,27\n'
+    try '2:6: domino 1 has no pitch, ' 'height (mm),thickness (mm),pitch (mm)\n48,7,27\n48,7,2.8 cm\n'
+    # The same gap in every line can mean only one row.
+    printf 'height (mm),thickness (mm),gap (mm)\n48,7,20\n48,7,2 cm\n48,7,20\n' >equal.csv
+    same equal '0 0.02 0.02' "$(json 'set row equal.csv; row' | values gap | paste -sd ' ')"
     try '2:6: position is missing' 'height (mm),thickness (mm),position (mm)\n48,7,-\n48,7,6\n'
     try "1:1: the column 'gap' is missing; the first line must name height, thickness, gap \(or pitch, or position\)" 'height (mm),thickness (mm)\n48,7\n'
     try '2:6: position = .* is too large' 'height (mm),thickness (mm),position (m)\n48,7,1e10\n'

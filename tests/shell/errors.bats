@@ -17,8 +17,8 @@ load common
 1|hollow|^'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 5|set foo 1|^set: unknown parameter 'foo'; 'show all' lists them$
 23|rmax 0.4 with q hollow, s 0.3|^rmax: unexpected ',' after 'hollow'; separate values by blanks, without a comma$
-17|set output csv, json|^set: unexpected ','
-7|2*(1 - (rmax with q hollow))|'with' belongs at the end of the command
+15|set output csv, json|^set: unexpected ','
+14|2*(1 - (rmax with q hollow))|'with' belongs at the end of the command
 11|set s=0.4 1|^set: '1' .*too many.*set NAME VALUE
 6|help zzz|^help: unknown topic 'zzz'
 END

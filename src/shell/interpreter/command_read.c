@@ -160,7 +160,7 @@ static const struct command *name_read(struct reader *r, names_list *offered)
         int k = names_find(command_names, NULL, "command", name, message);
         command = command_at(k);
         /* 'h rmax' is help, but 'h 5 cm' is not */
-        const bool has_number = isdigit((unsigned char)*skip_blanks(r->at));
+        const bool has_number = strspn(skip_blanks(r->at), "0123456789.") > 0;
         if (!command || ((!command->argument[0].kind || has_number) && parameter_find(name))) {
             command_unknown(r, name, k, message);
             return NULL;
