@@ -84,6 +84,25 @@ TEST(float_near_the_reach)
     assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
 }
 
+/* Checks that a search that fails is an error: this train releases no energy near the reach, where float
+ * cannot compute its motion to the tolerance. */
+TEST(a_root_that_is_not_found_is_no_reach)
+{
+    struct setup train = friction_train((double)0.0014900344F, 1, (double)0.167359814F);
+    struct domq_limit limit, in_float;
+    train.d = (double)0.000413613336F;
+    train.q = (double)0.300378799F;
+    assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+    assert_int_equal(limit.ends, DOM_END_BARRIER);
+    train.precision = IN_FLOAT;
+    train.tol = any_arithmetic(IN_FLOAT).tol_default;
+    const enum dom_status status = ask_limit_rmax(&train, &in_float);
+    if (status == DOM_OK)
+        assert_near("r_max", in_float.r_max, limit.r_max, 1e-4);
+    else
+        assert_status(status, DOM_NOT_CONVERGED);
+}
+
 /* Checks that errors are within ten times the tolerance, since the launch and the margin amplify errors of
  * the flow. */
 TEST(tolerance_is_kept)

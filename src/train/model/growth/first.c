@@ -228,6 +228,8 @@ static void search_stretch(struct first *s, const struct stretch *in);
 /* Searches the two halves of an interval. */
 static void search_halves(struct first *s, const struct stretch *in)
 {
+    if (s->g->status != DOM_OK) /* the next margin would replace the status */
+        return;
     const real r = r_of(s->g, (x_of(s->g, in->lo->r) + x_of(s->g, in->hi->r)) / 2);
     const struct margin middle = margin_signed(s->g, MARGIN_SIGN, r, MARGIN_ROUGH);
     search_stretch(s, &(struct stretch){in->before, in->lo, &middle, in->hi, in->halves - 1});
