@@ -419,3 +419,25 @@ TEST(slopes_that_do_not_hold)
         assert_status(ask_limit_pair(&train, &limit), DOM_OK);
     }
 }
+
+TEST(the_uncertainty_of_a_reach_covers_its_rounding)
+{
+    uint64_t seed = 48;
+    int reaches = 0;
+    for (int n = 0; n < 80; n++) {
+        struct setup train = setup_default();
+        struct domq_limit in_double, exact;
+        train.s = random_log(&seed, 0.01, 0.5);
+        train.d = random_log(&seed, 1e-3, 0.02);
+        train.q = 0.4;
+        train.rho = (double)train.d * random_log(&seed, 0.01, 0.4);
+        assert_status(ask_limit_rmax(&train, &in_double), DOM_OK);
+        train.precision = IN_QUAD;
+        assert_status(ask_limit_rmax(&train, &exact), DOM_OK);
+        if (in_double.ends != DOM_END_REACH || exact.ends != DOM_END_REACH)
+            continue;
+        reaches++;
+        assert_true(fabs((double)(in_double.r_max - exact.r_max)) <= (double)in_double.uncertainty);
+    }
+    assert_true(reaches > 10);
+}

@@ -10,7 +10,8 @@
 KERNEL enum dom_status limit_uncertainty(struct growth *g, const struct limit *limit, real *uncertainty)
 {
     const real r = limit->r_max, reach = g->geometry.span / g->s, tol = g->geometry.tol;
-    *uncertainty = ROUNDOFF * r;
+    /* 1/s is rounded once. With rounded edges, the reach has a few rounding errors more. */
+    *uncertainty = (g->geometry.rolls ? 4 : 1) * ROUNDOFF * r;
     if (limit->ends != DOM_END_BARRIER)
         return DOM_OK;
     /* At the root, K and B are equal. The tails of their sums may be cut off at TAIL_SHARE tol. */
