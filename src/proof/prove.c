@@ -27,7 +27,8 @@ static const struct column prove_columns[] = {
 
 static struct dom_compute proof_compute(const struct query *query)
 {
-    const struct any_compute *compute = &query->scene->compute;
+    /* the tolerance of the session, which can be finer than that of other answers in double */
+    const struct any_compute *compute = &query->state->scene.compute;
     return (struct dom_compute){.tol = (double)compute->tol, .interrupt = compute->interrupt};
 }
 
@@ -196,6 +197,7 @@ static bool run_prove(const struct query *query, struct answer *a, struct proble
 
 static const struct command prove_commands[] = {
     {.name = "prove",
+     .precision = PRECISION_DOUBLE,
      .synonyms = "proof rigorous certain guaranteed interval enclosure",
      .train = true,
      .argument =

@@ -356,7 +356,7 @@ static const struct command row_commands[] = {
      .brief = "kind start dominoes r s",
      ANSWER(fewest)},
     {.name = "slip",
-     .precision = PRECISION_AS_SET,
+     .precision = PRECISION_DOUBLE,
      .synonyms = "foot feet slide slippery ground",
      .train = true,
      .summary = "the least friction of the floor at which no foot slips",

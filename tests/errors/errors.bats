@@ -32,6 +32,7 @@ load ../shell/common
         awk -v p="$pair" -v r="$(values r_start <<<"$answer")" -v e="$(values r_start_error <<<"$answer")" \
             'BEGIN { d = p - r; exit !(r > 1.5 && e < 1e-8 && d * d <= e * e) }' || same "$precision: r_start" "$pair" "$answer"
     done
+    same 'slip, which computes in double' null "$(json 'set errors on; slip' | values hit_error)"
     same 'off again' 's r_max ends_by r_max_exact r_max_paper r_start' "$(json 'set errors on; set errors off; rmax' | keys)"
 }
 

@@ -89,6 +89,12 @@ quad() { # COMMANDS KEY DIGITS
             same=$(json "$scene; set precision $precision; set tol $tol; $command" | sed "s/,\"note\":\"$note\"//")
             same "$command in $precision" "$double" "$same"
         done
+        for command in slip 'prove rmax' 'prove barrier'; do
+            double=$(json "set tol $tol; $command")
+            same=$(json "set precision $precision; set tol $tol; $command" | sed "s/,\"note\":\"$note\"//")
+            same "$command in $precision" "$double" "$same"
+            same "note of '$command' in $precision" "$note" "$(json "set precision $precision; $command" | values note)"
+        done
         same "details in $precision" "($note)" "$("$DOMINO" -e "$scene; set precision $precision; placement 100 details" | tail -n 1)"
         same "note in $precision" "$note" "$(json "$scene; set precision $precision; rowmax" | values note)"
         same "sweep in $precision" "$(json "$scene; set tol $tol; sweep s 0.3, 0.4 : placement 50" | values probability low)" \
