@@ -192,7 +192,8 @@ static void recipe_row(struct answer *a, int step, const char *quantity, domq_re
                        const char *why)
 {
     struct cell of_paper = cell_without_error(paper);
-    of_paper.in_double = paper == (domq_real)(double)paper; /* most steps are computed in double */
+    /* most steps are computed in double */
+    of_paper.in_double = a->style.precision == IN_QUAD && paper == (domq_real)(double)paper;
     answer_row(a,
                ROW(cell_count(step), cell_word(quantity), of_paper, cell_without_error(program),
                    cell_word(why ? why : "")),

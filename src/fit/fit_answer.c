@@ -219,7 +219,7 @@ static bool run_fit(const struct query *query, struct answer *a, struct problem 
     char deviation[FIT_UNKNOWNS][32];
     const bool done = fit_make(query, &f, problem);
     if (done) {
-        a->in_double = true;
+        a->in_double = a->style.precision == IN_QUAD;
         columns_make(a, &f, deviation);
         rows_write(a, &f);
         values_say(a, &f);

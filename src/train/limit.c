@@ -331,9 +331,10 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
                people ? NULL : why);
     if (!people)
         return true;
-    if (why)
-        (is_enough ? answer_detail : answer_say)(a, "%s%c%s.", is_enough ? "\n" : "",
-                                                 toupper((unsigned char)*why), why + 1);
+    if (why && is_enough)
+        answer_detail(a, "\n%c%s.", toupper((unsigned char)*why), why + 1);
+    else if (why)
+        answer_say(a, "%c%s.", toupper((unsigned char)*why), why + 1);
     if (t.start.engine && is_enough)
         answer_detail(a, "The rigid-body engine ran the row because %s.", t.start.engine);
     growth_say(query, a, &best);

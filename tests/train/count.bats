@@ -27,6 +27,8 @@ END
     grep -q '"reason":"[^"]' <<<"$answer"
     same 'in words' 'With r = 1 all dominoes are equally tall, so none of them reaches this height.
 Solid dominoes can each be 1.59 times as large as the one before: then 17 are enough.' "$("$DOMINO" -e 'count 112 m 1')"
+    same 'the reason in the details' "If its first domino just tips over, the fall ends at domino 2: it has too little energy to tip over; a push of 3.76 rad/s is enough." \
+        "$("$DOMINO" -e 'set friction 0.2; count 112 m details' | grep '^If its')"
 }
 
 # bats test_tags=rows

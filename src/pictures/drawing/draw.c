@@ -113,7 +113,7 @@ static struct cell cell_place(double value, const struct drawn *k)
 static void stage_rows(const struct stage *stage, enum dom_status forces, struct answer *a)
 {
     a->style.errors = 0; /* a picture shows no errors */
-    a->in_double = true;
+    a->in_double = a->style.precision == IN_QUAD;
     for (size_t n = 0; n < stage->count && !answer_lost(a); n++) {
         const struct drawn *k = &stage->domino[n];
         const struct point *p = k->corner;

@@ -292,7 +292,7 @@ static bool run_animate(const struct query *query, struct answer *a, struct prob
     struct tower tower = {.row = NULL};
     a->note = NULL;      /* no note about the train, because the film shows the row */
     a->style.errors = 0; /* a picture shows no errors */
-    a->in_double = true;
+    a->in_double = a->style.precision == IN_QUAD;
     if (film.words & FILM_TOWER)
         film.query = &tower.query;
     const bool good = (!(film.words & FILM_TOWER) || tower_make(query, &tower, problem)) && film_make(&film);
