@@ -19,6 +19,8 @@ load common
     parameters=$(json show | values name | paste -sd ' ' -)
     effects=$(json help | grep '"kind":"effect"' | values name | paste -sd ' ' -)
     landmarks=$(csv landmarks | sed '1d; s/,.*//' | paste -sd ' ' -)
+    formats=$(sed -n 's/^#define FORMATS(EACH) //p' "$root/src/shell/answer/answer.h" | sed 's/EACH(//g; s/)//g')
+    [ "$(wc -w <<<"$formats")" -ge 3 ]
     [ "$(wc -w <<<"$effects")" -ge 5 ]
     [ "$(wc -w <<<"$all")" -ge 22 ]
     while IFS='|' read -r line expected; do
@@ -33,7 +35,7 @@ reset |$parameters $effects
 set friction |off on
 set placement 0.1 |m mm cm km in ft yd
 show t|tol threads
-set output |table csv json
+set output |$formats
 set fuel |exact paper
 set q |hollow solid
 help b|barrier back best budget bounce
