@@ -1,2 +1,2 @@
 NEEDS_chance := rows
-FAST_chance  := verdict.c
+FAST_chance := verdict.c
