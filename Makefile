@@ -30,7 +30,7 @@ DARWIN  := $(filter Darwin,$(shell uname -s))
 LDFLAGS ?= $(if $(DARWIN),,-Wl$(,)-z$(,)relro $(RELR))
 # With this option the table of addresses that the dynamic linker adjusts is compact, which saves 140 KB. The option is
 # used if the linker accepts it without a warning and a program linked with it runs here.
-RELR     = $(if $(shell echo 'int main(void) { return 0; }' | { $(CC) -x c - $(PACKED) -o $(B)/relr && $(B)/relr; } 2>&1 || echo no),,$(PACKED))
+RELR     = $(if $(shell f=$(B)/relr.$$$$; echo 'int main(void) { return 0; }' | { $(CC) -x c - $(PACKED) -o $$f && $$f; } 2>&1 || echo no; rm -f $$f),,$(PACKED))
 PACKED  := -Wl,-z,pack-relative-relocs
 INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/train/model -Isrc/shell -I$(B)
 # POSIX and the usual extensions of C libraries. Only a file that uses more defines _GNU_SOURCE, because <math.h> is then
@@ -130,19 +130,22 @@ $(B)/obj/%.o: %.c | $(FIRST)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
 $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)): | $(HEADERS)
 
+# Writes the output of a command into the target if it differs. Tests run make in this folder at the same time, so the
+# temporary file has a name of its own.
+IF_CHANGED = > $@.$$$$ && { cmp -s $@.$$$$ $@ && rm $@.$$$$ || mv $@.$$$$ $@; }
+
 # The list of features, for src/features.c, and the names of what others have, which the output of 'help features' in
 # domino(1) lists. What two features do together belongs to the one that is not built.
 $(P)/features.o: src/features.c $(P)/feature_list.h
 	$(Q)$(CC) -I$(P) $(C_FLAGS) -c $< -o $@
 $(P)/feature_list.h: FORCE
 	@mkdir -p $(@D)
-	@echo '#define FEATURES(X) $(foreach f,$(BUILT) shell,X($f))' > $@.new
-	@awk -v built=' $(BUILT) ' '/^\$$ domino .*help features/ { found = 1 } /^\.Ed/ { found = 0 } \
+	@{ echo '#define FEATURES(X) $(foreach f,$(BUILT) shell,X($f))'; \
+	  awk -v built=' $(BUILT) ' '/^\$$ domino .*help features/ { found = 1 } /^\.Ed/ { found = 0 } \
 	  found && /^[a-z]/ { n = split($$1, part, "_"); for (k = 1; k < n && index(built, " " part[k] " "); k++); \
 	    owner = part[k]; $$1 = "" } \
 	  found && owner && !index(built, " " owner " ") { for (i = 1; i <= NF; i++) if ($$i != "") list = list " X(" $$i ", " owner ")" } \
-	  END { print "#define ABSENT(X)" list }' man/domino.1 >> $@.new
-	@cmp -s $@.new $@ || mv $@.new $@
+	  END { print "#define ABSENT(X)" list }' man/domino.1; } $(IF_CHANGED)
 FORCE:
 
 # The names that the files of the library share. All files are compiled again if a name is added, but not after other
@@ -151,8 +154,7 @@ SHARED_AWK := $(TRAIN)/precision/shared.awk
 SHARED_OF  := $(wildcard $(TRAIN)/*/*.h src/*/model/*.h)
 $(B)/library.h: $(SHARED_OF) $(SHARED_AWK)
 	@mkdir -p $(@D)
-	@awk -f $(SHARED_AWK) $(SHARED_OF) > $@.new
-	@cmp -s $@.new $@ || cp $@.new $@
+	@awk -f $(SHARED_AWK) $(SHARED_OF) $(IF_CHANGED)
 
 # The text of 'lesson', as numbers for a C array.
 $(B)/tutorial.h: examples/tutorial.dom
@@ -243,7 +245,7 @@ $(B)/python/domino/_api.py: src/python/header.py $(wildcard include/*.h) $(PYTHO
 	@mkdir -p $(@D)
 	$(Q)cp $(PYTHON_PY) $(@D)
 	$(call SAY,PY,$@)
-	$(Q)$(PYTHON3) src/python/header.py $(SONAME) '$(CC)' include/domino_study.h include/domino_proof.h > $@.new && mv $@.new $@
+	$(Q)$(PYTHON3) src/python/header.py $(SONAME) '$(CC)' include/domino_study.h include/domino_proof.h > $@.$$$$ && mv $@.$$$$ $@
 
 run: all
 	@$(P)/domino

@@ -76,7 +76,7 @@ $(P)/tap/unit/%.count: $(P)/unit/% FORCE
 	@tests/run --suite $(P) $<
 $(P)/tap/hard/%.count: $(P)/hard/% FORCE
 	@tests/run --suite $(P) $<
-$(P)/tap/shell/python.bats.count: $(if $(PART),,python)
+$(P)/tap/shell/package.bats.count $(P)/tap/shell/python.bats.count: $(if $(PART),,python)
 $(P)/tap/%.bats.count: tests/%.bats all FORCE
 	@tests/run --suite $(P) $<
 
