@@ -22,12 +22,16 @@ static struct {
 
 FILE *screen_begin(FILE *out)
 {
-    const int terminal = terminal_shows(out) ? open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC) : -1;
-    FILE *stream = terminal >= 0 ? fdopen(terminal, "w") : NULL;
+    /* Keys are read without blocking: ^C discards keys, and a read would then wait for the next one. */
+    const int terminal =
+        terminal_shows(out) ? open("/dev/tty", O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;
+    FILE *stream = terminal >= 0 ? fopen("/dev/tty", "we") : NULL;
     memset(&screen, 0, sizeof screen);
     if (!stream || tcgetpgrp(terminal) != getpgrp() || tcgetattr(terminal, &screen.before) != 0) {
         if (stream)
             fclose(stream);
+        if (terminal >= 0)
+            close(terminal);
         return NULL;
     }
     screen.out = stream;
@@ -50,14 +54,16 @@ void screen_end(void)
     fflush(screen.out);
     tcsetattr(screen.terminal, TCSADRAIN, &screen.before);
     fclose(screen.out);
+    close(screen.terminal);
 }
 
 /* Reads a byte of a key. An arrow is "ESC [ A" to "ESC [ D", with an 'O' instead of '[' on some terminals. */
 static int byte_read(void)
 {
     char key;
-    if (read(screen.terminal, &key, 1) != 1)
-        return KEY_END;
+    const ssize_t n = read(screen.terminal, &key, 1);
+    if (n != 1)
+        return n < 0 && (errno == EAGAIN || errno == EINTR) ? KEY_NONE : KEY_END;
     const bool is_arrow = screen.escaped == 2 && key >= 'A' && key <= 'D',
                is_inside = screen.escaped == 1 && (key == '[' || key == 'O');
     screen.escaped = key == '\033' ? 1 : is_inside ? 2 : 0;

@@ -8,6 +8,7 @@
 #include "language/text.h"
 #include "prompt/input.h"
 #include "session/session.h"
+#include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <poll.h>
@@ -129,30 +130,41 @@ static char **complete_word(const char *text, int start, int end)
 /* ---- Keys ---- */
 
 static bool was_empty; /* Nothing had been typed when ^C ended the last line. */
+static bool is_drawn;  /* False if the line must be drawn again, because the program was suspended. */
 
 static bool is_raised(void)
 {
     return dom_raised(prompt_session->state.scene.compute.interrupt);
 }
 
+/* The terminal, opened for non-blocking reads by this program alone; -1 if that failed. */
+static int keyboard = -1;
+
 /* Reads a key for Readline. After a signal that interrupts the line, the key is Enter, which ends the line,
  * or ^G if Readline is in the middle of a command of several keys. */
 static int key_read(FILE *in)
 {
     const unsigned long several = RL_STATE_MULTIKEY | RL_STATE_NUMERICARG | RL_STATE_VIMOTION;
-    struct pollfd keys = {.fd = fileno(in), .events = POLLIN};
+    struct pollfd keys = {.fd = keyboard >= 0 ? keyboard : fileno(in), .events = POLLIN};
     fd_set input;
     for (;;) {
-        const bool was_suspended = rl_pending_signal() == SIGTSTP;
         rl_check_signals();
-        if (was_suspended)
-            rl_forced_update_display();
         if (is_raised()) {
             was_empty = rl_end == 0;
             return RL_ISSTATE(several) ? '\a' : '\n';
         }
-        if (poll(&keys, 1, 0) > 0)
-            return rl_getc(in);
+        if (!is_drawn)
+            rl_forced_update_display();
+        is_drawn = true;
+        if (poll(&keys, 1, 0) > 0) {
+            unsigned char key;
+            const ssize_t n = read(keys.fd, &key, 1);
+            if (n == 1)
+                return key;
+            if (n == 0 || (errno != EAGAIN && errno != EINTR))
+                return rl_getc(in); /* the end of the input, or an error */
+            continue;               /* ^C has just discarded the keys; a blocking read would wait for more */
+        }
         FD_ZERO(&input);
         FD_SET(keys.fd, &input);
         /* If a signal arrives after the check, it stays blocked until pselect is called. */
@@ -163,6 +175,20 @@ static int key_read(FILE *in)
     }
 }
 
+/* Readline sets the terminal modes when it begins to read a line, and again after ^Z and 'fg', at whatever
+ * moment the signal came. It draws the line only at the beginning. */
+static void modes_set(int meta)
+{
+    rl_prep_terminal(meta);
+    is_drawn = false;
+}
+
+static int line_begin(void)
+{
+    is_drawn = true;
+    return 0;
+}
+
 static void readline_begin(void)
 {
     static bool has_begun;
@@ -171,6 +197,10 @@ static void readline_begin(void)
     has_begun = true;
     rl_readline_name = "Domino"; /* the name that $if tests in an inputrc */
     rl_getc_function = key_read;
+    rl_prep_term_function = modes_set;
+    rl_startup_hook = line_begin;
+    const char *terminal = ttyname(STDIN_FILENO);
+    keyboard = terminal ? open(terminal, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY) : -1;
     rl_attempted_completion_function = complete_word;
     rl_completer_word_break_characters = " \t;";
     rl_completer_quote_characters = "\"";
