@@ -12,6 +12,7 @@
 #include "domino_quad.h"
 #include "io/escape.h"
 #include "io/io.h"
+#include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -32,13 +33,13 @@ const char *output_target(const char *path, char **target, struct stat *status)
     /* a person who reads a script must be able to see which file the script writes */
     if (escape_needed(path))
         return "the name contains control characters, or is not UTF-8; choose another name";
-    /* The name itself is asked first: another program may create the file between the two calls. */
-    const bool is_new = lstat(path, &link) != 0 && errno == ENOENT;
-    if (!is_new && stat(path, status) == 0) {
+    /* The name itself is asked first: another program may create or remove the file between the two calls. */
+    const bool is_link = lstat(path, &link) == 0 && S_ISLNK(link.st_mode);
+    if (stat(path, status) == 0) {
         *target = realpath(path, NULL);
         if (!*target) /* the path of a pipe is a link to a name that does not exist */
             *target = strdup(path);
-    } else if (is_new) { /* a link to a name that does not exist is not followed */
+    } else if (errno == ENOENT && !is_link) { /* a link to a name that does not exist is not followed */
         const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
         char *folder = slash ? strndup(path, (size_t)(name - path)) : strdup("."),
              *real = folder ? realpath(folder, NULL) : NULL;
@@ -179,9 +180,10 @@ static bool text_rename(const struct output *o)
 static int append_open(const struct output *o)
 {
     const struct timespec moment = {.tv_nsec = 10000000};
-    int file = io_open(o->target, O_WRONLY | O_CREAT | O_APPEND, 0666), tries = 1000;
+    const double end = terminal_clock() + 10;
+    int file = io_open(o->target, O_WRONLY | O_CREAT | O_APPEND, 0666);
     while (file >= 0 && flock(file, LOCK_EX | LOCK_NB) != 0 && (errno == EWOULDBLOCK || errno == EINTR))
-        if (--tries == 0 || !io_wait(-1, false, &moment, io_interrupt)) {
+        if (terminal_clock() > end || !io_wait(-1, false, &moment, io_interrupt)) {
             close(file);
             return -1;
         }

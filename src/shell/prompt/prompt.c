@@ -268,7 +268,10 @@ void line_prompt(struct session *session, volatile sig_atomic_t *raised)
     history_load();
     greet(session->output->out);
     while (!session->quit && (*raised == 0 || *raised == SIGINT)) {
-        *raised = 0;
+        const sigset_t before = io_block(); /* discards a ^C, but no signal that ends the session */
+        if (*raised == SIGINT)
+            *raised = 0;
+        io_unblock(&before);
         char *line = line_read(session, prompt);
         if (*raised) { /* ^C discards what was typed */
             fputs(was_empty ? "'quit' or ^D leaves\n" : "", rl_outstream);
