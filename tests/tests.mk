@@ -167,7 +167,7 @@ race: | $(FIRST)
 # shows the lines of an input for the grammar.
 FUZZ_SECONDS ?= 600
 FUZZ         := fuzz_line fuzz_grammar fuzz_csv
-FUZZ_RUN     := -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3 -artifact_prefix=$(abspath $(B))/fuzz/ \
+FUZZ_RUN     := -seed=1 -timeout=60 -rss_limit_mb=2048 -close_fd_mask=3 -artifact_prefix=$(abspath $(B))/fuzz/ \
                 -print_final_stats=1
 FUZZ_FLAGS   := -O1 -g1 -Wno-double-promotion -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 fuzz: | $(FIRST)

@@ -8,7 +8,7 @@ load ../shell/common
 enter() { mkdir -p "$BATS_TEST_TMPDIR/in" && cd "$BATS_TEST_TMPDIR/in" || exit; }
 
 # Runs a program with a time limit. The status is 124 if the program did not end by itself.
-soon() { timeout -k 1 20 "$@"; }
+soon() { timeout -k 1 60 "$@"; }
 export -f soon
 
 prompt() { soon expect -f "$BATS_TEST_DIRNAME/faults.exp" "$@" </dev/null; }
@@ -29,13 +29,13 @@ disk() { # SCRIPT
     if [ "$(id -u)" -ne 0 ]; then own=(--map-root-user); fi
     # shellcheck disable=SC2016 # the inner shell expands it
     if unshare --mount "${own[@]}" mount -t tmpfs tmpfs "$mounts" 2>/dev/null; then
-        full='No space left on device' timeout -k 1 60 unshare --mount "${own[@]}" bash -eu -c '
+        full='No space left on device' timeout -k 1 120 unshare --mount "${own[@]}" bash -eu -c '
             mount -t tmpfs -o size=64k,mode=700 tmpfs "$1" && cd "$1"
             fill() { head -c 1M /dev/zero >filler 2>/dev/null || :; }
             empty() { rm filler; }
             eval "$2"' bash "$mounts" "$1"
     else
-        full='File too large' timeout -k 1 60 bash -eu -c '
+        full='File too large' timeout -k 1 120 bash -eu -c '
             cd "$1"
             fill() { >filler; ulimit -Sf 0; }
             empty() { rm filler; ulimit -Sf unlimited; }

@@ -36,7 +36,7 @@ every_allocation() { # SESSION
     step=$(((count + most - 1) / most))
     for mode in '' FAIL_ON=1; do
         for ((n = 1; n <= count; n += step)); do
-            env LD_PRELOAD="$fail" FAIL_AT=$n $mode timeout -k 1 20 "$DOMINO" --bail -n -e "$1" >out 2>err && status=0 ||
+            env LD_PRELOAD="$fail" FAIL_AT=$n $mode timeout -k 1 60 "$DOMINO" --bail -n -e "$1" >out 2>err && status=0 ||
                 status=$?
             outcome "'$1', allocation $n $mode" "$status"
         done

@@ -23,7 +23,7 @@ end_by() { # WHAT SIGNAL
 }
 ended_by() { # WHAT SIGNAL
     local status
-    timeout 20 tail -s 0.01 --pid="$child" -f /dev/null || kill -KILL "$child"
+    timeout 60 tail -s 0.01 --pid="$child" -f /dev/null || kill -KILL "$child"
     wait "$child" && status=0 || status=$?
     same "$1: ended by SIG$2" "$((128 + $(kill -l "$2")))" "$status"
 }
@@ -75,10 +75,10 @@ every_file_command() { # SIGNAL
     enter
     local drawing
     for signal in TERM USR1 KILL; do
-        begin -e 'set row 20; animate > film.gif'
+        begin -e 'set row 20; animate speed 0.5 > film.gif' # gnuplot draws for many seconds
         until drawing=$(pgrep -P "$child" gnuplot); do kill -0 "$child"; done
         end_by 'the program' "$signal"
-        timeout 20 tail -s 0.01 --pid="$drawing" -f /dev/null || same "SIG$signal: gnuplot" 'is gone' "$(ps "$drawing")"
+        timeout 60 tail -s 0.01 --pid="$drawing" -f /dev/null || same "SIG$signal: gnuplot" 'is gone' "$(ps "$drawing")"
         [ $signal != TERM ] || same 'what is left' '(nothing)' "$(inside)"
     done
 }
@@ -88,7 +88,7 @@ every_file_command() { # SIGNAL
     mkfifo fifo
     for signal in INT TERM; do
         while read -r call; do
-            timeout -k 10 -s "$signal" 0.1 "$DOMINO" -n -e "$call" >/dev/null 2>&1 && status=0 || status=$?
+            timeout -k 60 -s "$signal" 0.1 "$DOMINO" -n -e "$call" >/dev/null 2>&1 && status=0 || status=$?
             same "$call, SIG$signal" 124 "$status"
             same 'what is left' fifo "$(inside)"
         done <<'END'
@@ -106,7 +106,7 @@ END
     "$DOMINO" -n -e 'help; help; help' >answer # more than one block
     echo 'help; help; help' >three
     for _ in {1..8}; do
-        for _ in {1..25}; do echo 'source three >> log'; done | timeout -k 1 60 "$DOMINO" -n -f - 3>&- &
+        for _ in {1..25}; do echo 'source three >> log'; done | timeout -k 1 120 "$DOMINO" -n -f - 3>&- &
     done
     wait
     for _ in {1..200}; do cat answer; done | cmp - log

@@ -97,7 +97,7 @@ completed() { "$DOMINO" -e "complete $1" | paste -sd ' ' -; }
 inside() { find . ! -name . | sed 's,^\./,,' | LC_ALL=C sort | paste -sd , -; }
 mode() { find "$1" -prune -perm "$2"; }
 # Runs a program with a time limit, so that no test waits forever.
-soon() { timeout 30 "$@"; }
+soon() { timeout 100 "$@"; }
 
 # Runs a scenario at a terminal. The scenarios of NAME.bats are in NAME.exp.
 prompt() { timeout 300 expect -f "${BATS_TEST_FILENAME%.bats}.exp" "$@" </dev/null; }

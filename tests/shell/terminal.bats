@@ -157,15 +157,19 @@ $prompt" "$(screen | tail -n 3)"
 
 @test "progress is shown after a second, and wiped" {
     open_session 80 24
-    type_in 'set threads 1; effect row 20; effect placement 1 mm'
+    ask 'set threads 1'
+    mkfifo "$BATS_TEST_TMPDIR/fifo"
+    exec 7<>"$BATS_TEST_TMPDIR/fifo"
+    line="curve 0.1 0.9 20000 > $BATS_TEST_TMPDIR/fifo"
+    type_in "$line"
     press Enter
-    type_in 'sweep seed 1 150 150 : placement 2000 > /dev/null'
-    press Enter
-    see '^ *[0-9]+ %, .*left'
+    see '^ *[0-9]+ %, .*left' # the rest does not fit into the FIFO before somebody reads
+    cat <&7 >/dev/null 7<&- 3>&- &
     see_last "$prompt"
+    kill $!
     hides 'left'
-    same 'nothing is left of it' "$prompt sweep seed 1 150 150 : placement 2000 > /dev/null
-$prompt" "$(screen | tail -n 2)"
+    same 'nothing is left of it' "$prompt $line
+$prompt" "$(screen -J | tail -n 2)"
 }
 
 @test "progress does not mix with rows" {

@@ -195,8 +195,13 @@ END
 }
 
 @test "^C ends a script in the middle of a sweep; for terminals see prompt.bats" {
-    run -124 timeout --foreground -s INT -k 20 1 "$DOMINO" -e 'set threads 4; sweep s 0.01 0.9 1e7 : rmax > /dev/null; print 1'
-    same 'no answer' '-e:1: sweep: interrupted' "$output"
+    env --default-signal=INT "$DOMINO" -e 'set output csv; set threads 4; sweep s 0.01 0.9 1e7 : rmax; print 1' >out 2>err 3>&- &
+    until [ -s out ]; do kill -0 $!; done
+    kill -INT $!
+    wait $! && status=0 || status=$?
+    same 'ended by SIGINT' 130 "$status"
+    same 'no answer' '-e:1: sweep: interrupted' "$(cat err)"
+    same 'and no other' s,r_max "$(grep -v '^[0-9]' out | cut -d, -f 1,2)"
 }
 
 # bats test_tags=rows
