@@ -188,8 +188,8 @@ class Errors(unittest.TestCase):
     def test_an_interrupt_ends_a_long_computation(self):
         row = domino.Row.of_train(30, r=1.1, friction=0.1, edges=0.005, slope=0.002)
         timer = threading.Timer(0.5, lambda: signal.pthread_kill(threading.main_thread().ident, signal.SIGINT))
-        timer.start()
         with self.assertRaises(KeyboardInterrupt):
+            timer.start()
             row.placement(0.002, rows=50_000_000)
         timer.join()
         self.assertTrue(row.verdict().falls, "after an interrupt questions are answered as before")
