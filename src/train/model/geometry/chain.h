@@ -114,10 +114,14 @@ KERNEL_LOOP struct link link_head(const struct geometry *geometry, struct tilt h
 {
     if (rolls)
         return rounded_head(geometry, head);
-    struct link k = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1};
+    struct link k; /* not initialized as a whole: the members of rounded edges would keep it in memory */
+    k.geometry = geometry;
+    k.i = 0;
+    k.tilt = head;
+    k.slope = k.weight = k.inertia = 1;
+    k.second_derivative = k.curve = 0;
     k.leads = link_leads(&k);
-    if (k.leads)
-        k.contact = geometry_contact(geometry, head);
+    k.contact = k.leads ? geometry_contact(geometry, head) : (struct contact){0};
     return k;
 }
 
