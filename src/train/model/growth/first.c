@@ -268,7 +268,8 @@ KERNEL enum dom_status first_change(struct growth *g, const struct margin *from,
                       .from = x_of(g, from->r),
                       .unit = barrier_most(&g->geometry),
                       .limit = no_limit};
-    struct margin sample[SAMPLES_MOST] = {*from};
+    struct margin sample[SAMPLES_MOST];
+    sample[0] = *from;
     s.limit.r_max = (real)INFINITY;
     const real tol = g->geometry.tol, reach = g->geometry.span / g->s, near = NEAR_REACH * reach,
                first = fmin(fmax(sqrt(g->s * (g->s + 2 * g->geometry.d)) / 2, SAMPLE_LEAST), SAMPLE_MOST);
