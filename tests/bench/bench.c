@@ -48,7 +48,7 @@ static void goal_print(const char *text, const char *unit, double goal, double m
  * link waits for the one before, so no pass along a train is faster. */
 static double bare_link(void)
 {
-    enum { DOMINOES = 64, TRAINS = 20000, ROUNDS = 7 };
+    enum { DOMINOES = 64, TRAINS = 1000, ROUNDS = 140 };
     const struct setup train = setup_default();
     const double r = 1, d = (double)train.d, L = (double)train.s + d;
     double least = INFINITY, x = 0, y = 1;
