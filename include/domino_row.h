@@ -176,7 +176,7 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 /* ---- Forces in the cycle of a train ---- */
 
 /* The contact force and the impulse between domino i and its follower. The two stay in contact while the
- * force is > 0 (section 5 of the paper). */
+ * force is > 0, as the paper assumes in its section 'Introduction'. */
 struct dom_force {
     size_t i;
     double force;      /* contact force divided by the weight m g of the head; NaN without a follower */

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* First the solution of the equation of motion, for dominoes that lose energy (flow_...). Then the fuel, the
+ * collision and the launch of a train (24; c6), and its speed at a tilt, by both laws of motion. */
 #include "dynamics/dynamics.h"
 
 /* ---- The equation of motion of dominoes that lose energy ---- */
@@ -83,6 +85,8 @@ static struct geometry flow_begin(const struct geometry *geometry)
     return fine;
 }
 
+/* Finds the tilts that divide the cycle into smooth pieces, then the inertia before and after the collision,
+ * and then the solution, one piece after the other. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry)
 {
     struct flow *flow = geometry->flow;
@@ -199,7 +203,7 @@ KERNEL enum dom_status dynamics_tipped(const struct geometry *geometry, real *om
 
 /* ---- Both laws ---- */
 
-KERNEL enum dom_status energy_fuel(const struct geometry *geometry, real *fuel, real *inertia_ratio)
+KERNEL enum dom_status dynamics_fuel(const struct geometry *geometry, real *fuel, real *inertia_ratio)
 {
     struct sums at_c = {0};
     const enum dom_status status =
@@ -233,21 +237,21 @@ KERNEL enum dom_status dynamics_inertia_ratio(const struct geometry *next, const
 }
 
 /*
- * With losses, let w = tau^2 omega^2. A cycle begins with the value w(0), and by the solution in dynamics.h
- * it ends with w(theta_c) = G (w(0) - u). The next cycle begins after the collision, and its w is in the
- * units of a new head, which is r times as tall. The collision and the change of units together multiply
- * w(theta_c) by kappa = r (T / (1 + T))^2, where T is the inertia ratio of the collision. The cycles repeat
- * if the product kappa w(theta_c) equals w(0).
+ * Without losses, the launch is equation (24; c6). With losses, let w = tau^2 omega^2. A cycle begins with
+ * the value w(0), and by the solution in dynamics.h it ends with w(theta_c) = G (w(0) - u). The next cycle
+ * begins after the collision, and its w is in the units of a new head, which is r times as tall. The
+ * collision and the change of units together multiply w(theta_c) by kappa = r (T / (1 + T))^2, where T is the
+ * inertia ratio of the collision. The cycles repeat if the product kappa w(theta_c) equals w(0).
  */
-KERNEL enum dom_status dynamics_collide(const struct geometry *geometry, enum dom_fuel fuel,
-                                        struct launch *launch)
+KERNEL enum dom_status dynamics_launch(const struct geometry *geometry, enum dom_fuel fuel,
+                                       struct launch *launch)
 {
     const struct flow *flow = geometry->flow;
     real exact = 0, T = 0, ln_G, u;
-    if (fuel == DOM_FUEL_PAPER && !energy_paper_holds(geometry))
+    if (fuel == DOM_FUEL_PAPER && !dynamics_paper_holds(geometry))
         return DOM_NO_METHOD;
     enum dom_status status =
-        geometry->conservative ? energy_fuel(geometry, &exact, &T) : flow_solve(geometry);
+        geometry->conservative ? dynamics_fuel(geometry, &exact, &T) : flow_solve(geometry);
     if (status != DOM_OK)
         return status;
     if (geometry->conservative) {

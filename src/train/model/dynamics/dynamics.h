@@ -17,7 +17,6 @@
  * which is J(0) times omega(0)^2 of (24; c6).
  *
  * Source: J. M. J. van Leeuwen, Domino Magnification.
- *
  */
 #pragma once
 
@@ -25,14 +24,14 @@
 
 /* Returns true if the paper's closed form of the fuel is valid: without losses, on a level floor, with sharp
  * edges. */
-KERNEL bool energy_paper_holds(const struct geometry *geometry)
+KERNEL bool dynamics_paper_holds(const struct geometry *geometry)
 {
     return geometry->conservative && geometry->g.along == 0 && !geometry->rolls;
 }
 
 /* Finds the fuel (25; c7) from the energy balance and, unless it is NULL, the inertia ratio J(0) - 1 =
  * r^-(q+1) J(theta_c) (50; d8, corrected). */
-KERNEL enum dom_status energy_fuel(const struct geometry *geometry, real *fuel, real *inertia_ratio);
+KERNEL enum dom_status dynamics_fuel(const struct geometry *geometry, real *fuel, real *inertia_ratio);
 
 /*
  * The collision (22; c4), derived as in (59; e8). The struck domino is upright. It moves on together with the
@@ -69,8 +68,8 @@ struct launch {
 };
 
 /* Finds the launch of a train in which each cycle repeats the cycle before, scaled by r (24; c6). */
-KERNEL enum dom_status dynamics_collide(const struct geometry *geometry, enum dom_fuel fuel,
-                                        struct launch *launch);
+KERNEL enum dom_status dynamics_launch(const struct geometry *geometry, enum dom_fuel fuel,
+                                       struct launch *launch);
 
 /* The state in which a motion begins, with the head at the tilt `from`. */
 struct start {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The search for the barrier, the global maximum of H over a cycle. H may increase again after a pushing
- * follower has detached, so the first maximum need not be the highest. H and H' are continuous. H'' jumps
- * where a domino detaches. So the search brackets the sign changes of H' in each smooth piece and compares
- * all maxima.
+ * The search for the barrier, the global maximum of H(theta) - H(0) over a cycle, and its tilt theta_m
+ * (26; c8). H may increase again after a pushing follower has detached, so the first maximum need not be the
+ * highest. H and H' are continuous. H'' jumps where a domino detaches. So the search brackets the sign
+ * changes of H' in each smooth piece and compares all maxima.
  */
 #include "energy/barrier.h"
 

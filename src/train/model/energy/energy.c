@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes the angles, the energies, the fuel, the launch and the dominoes of a train. */
+/* The public functions for the angles, the energies, the fuel, the launch and the dominoes of a train. H and
+ * J are sums of geometry/chain.c, and the fuel and the launch are in dynamics/dynamics.c. */
 #include "effects/effects.h"
 
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
@@ -27,7 +28,7 @@ enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_co
     real exact;
     enum dom_status status = train_make(train, compute, true, &geometry);
     if (status == DOM_OK)
-        status = energy_fuel(&geometry, &exact, NULL);
+        status = dynamics_fuel(&geometry, &exact, NULL);
     if (status == DOM_OK)
         *fuels = (struct dom_fuels){.exact = exact, .paper = geometry_paper_fuel(&geometry)};
     return status;
@@ -46,7 +47,7 @@ enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_
     if (status == DOM_OK)
         status = chain_change(&geometry, standing, head, PASS_PLAIN, &at);
     if (status == DOM_OK)
-        status = energy_fuel(&geometry, &fuel, &inertia_ratio);
+        status = dynamics_fuel(&geometry, &fuel, &inertia_ratio);
     if (status == DOM_OK)
         *energy = (struct dom_energy){at.dH, at.J, .J0 = geometry.upright_inertia * (1 + inertia_ratio)};
     return status;
@@ -61,7 +62,7 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
     enum dom_status status = train_make(train, compute, true, &geometry);
     geometry.flow = &flow;
     if (status == DOM_OK)
-        status = dynamics_collide(&geometry, train->fuel, &l);
+        status = dynamics_launch(&geometry, train->fuel, &l);
     num_linear_free(&flow.solution);
     if (status != DOM_OK)
         return status;

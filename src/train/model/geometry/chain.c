@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The passes down a chain. Each pass visits the dominoes from the head down. There is one set of passes:
- * `rolls` says whether the edges are rounded. It is a constant in every call below. The step from a domino to
- * its follower is link_next.
+ * The passes down a chain, each from the head down: equation_by sums the terms of the equation of motion, and
+ * chain_pass the terms of H and J. `rolls` says whether the edges are rounded. It is a constant in every call
+ * below. The step from a domino to its follower is link_next.
  */
 #include "geometry/chain.h"
 
@@ -119,8 +119,8 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
 /*
  * Returns tan((theta_f - theta_1) / 2) for a follower that detaches later in the cycle. The follower is now
  * at theta_1, and its leader, the argument `leader`, is at theta. The follower detaches at theta_f, when the
- * leader reaches theta_leave. The formula of chain_pass, applied to the leader's tilts theta_leave and theta,
- * gives the result. In this formula, Y at theta_leave is r L x, because the arm is 0 there. Let t
+ * leader reaches theta_leave. The formula of followers_apart, applied to the leader's tilts theta_leave and
+ * theta, gives the result. In this formula, Y at theta_leave is r L x, because the arm is 0 there. Let t
  * be tan((theta_leave - theta) / 2). Subtracting the two tilts could lose digits, so t is computed from the
  * arm of `leader`, which contains the factor
  *
@@ -167,8 +167,16 @@ KERNEL_LOOP struct apart apart_next(const struct link *a, const struct link *b, 
 
 /* ---- The pass ---- */
 
-/* Returns the difference between the tilts of the followers of a and b. If `shifted`, b is the leader of a,
- * and the difference is the turn from a to its follower. */
+/*
+ * Returns the difference between the tilts of the followers of a and b. If `shifted`, b is the leader of a,
+ * and the difference is the turn from a to its follower. Otherwise, with sharp edges, X_a - X_b = r L (y_a -
+ * y_b). So if t is the tangent of half the difference between a and b, that of their followers is exactly
+ *
+ *     t (1 - G) / (1 + t^2 G),   G = r L (x_a + x_b) / (Y_a + Y_b).
+ *
+ * G is a mean of the values of r L x / Y in the two chains. The slope of a contact is 1 - r L x / Y
+ * (14; b10).
+ */
 KERNEL_LOOP struct apart followers_apart(const struct link *a, const struct link *b, struct apart apart,
                                          const bool shifted, const bool rolls)
 {
@@ -184,7 +192,7 @@ KERNEL_LOOP struct apart followers_apart(const struct link *a, const struct link
         return apart_next(a, b, apart);
     if (apart.t == 0)
         return apart;
-    /* 1 - G of chain_pass, from the lever arms, since a subtraction would lose digits where G is almost 1 */
+    /* 1 - G comes from the lever arms, since a subtraction would lose digits where G is almost 1 */
     const real t = apart.t * (a->contact.arm + b->contact.arm) /
                    (Y + apart.t * apart.t * a->geometry->rL * (a->tilt.x + b->tilt.x));
     return (struct apart){2 * t, t};
@@ -204,25 +212,58 @@ KERNEL_LOOP void other_next(struct link *b, const struct link *a, const bool shi
         link_next(b, false, false);
 }
 
+/* Returns the change of the energy of a follower that leans on b, but no longer on a: it has detached between
+ * the two tilts, and is at theta_f. Moves on to the follower in chain b. */
+KERNEL_LOOP real detached_change(const struct geometry *geometry, const struct link *a, struct link *b,
+                                 const bool shifted, const bool rolls)
+{
+    const real leaving = rolls ? 0 : leaving_half_turn(geometry, b);
+    other_next(b, a, shifted, rolls);
+    const real to_f = rolls ? tan_half_between(b->tilt, geometry->f) : leaving;
+    return a->weight * geometry->weight *
+           energy_change(geometry, geometry->f, b->tilt, apart_by(to_f), rolls);
+}
+
+/* Returns true if a pass compares two chains. */
+KERNEL_LOOP bool pass_compares(const enum pass pass)
+{
+    return pass != PASS_SUMS && pass != PASS_SIGN;
+}
+
+/* Returns true if all dominoes behind a can be left out of the sums that the pass needs. `apart` and `next`
+ * are the differences between the two chains at domino a and at its follower. */
+KERNEL_LOOP bool pass_done(const struct sum_state *sum, const struct link *a, struct apart apart,
+                           struct apart next, real tol, const enum pass pass, const bool rolls)
+{
+    const struct geometry *self = a->geometry;
+    const real by = fabs(apart.by), shrink = by == 0 ? 1 : fabs(next.by) / by, slope = a->contact.slope;
+    /* a tail of at most 7/8 of the sum cannot change its sign */
+    const real tol_H1 = pass == PASS_SIGN ? (real)0.875 / TAIL_SHARE : tol;
+    /* Rounding an edge never increases the inertia, so the bound on the tail of J holds for rounded edges as
+     * well. */
+    return (!pass_compares(pass) || series_done(&sum->dH, a->weight * by * steepest_of(self, rolls),
+                                                fmax(self->weight * shrink, self->decay), tol)) &&
+           (pass == PASS_SIGN || series_done(&sum->J, a->inertia * a->slope * a->slope,
+                                             fmax(self->inertia * slope * slope, self->decay_J), tol)) &&
+           (pass == PASS_FUEL || series_done(&sum->H1, a->weight * a->slope * steepest_of(self, rolls),
+                                             fmax(self->weight * slope, self->decay), tol_H1));
+}
+
 /*
- * Finds the sums of chain a and, if the pass compares it with chain b, H(head) - H(from). The head of chain a
- * is at `head`, and the head of chain b is at `from`. Subtracting two nearly equal energies would lose
- * digits. So each domino's term of the difference is computed from t = tan((theta_a - theta_b)/2), where
- * theta_a and theta_b are its tilts in the two chains. With sharp edges X_a - X_b = r L (y_a - y_b), so the
- * follower's t is exactly
- *
- *     t (1 - G) / (1 + t^2 G),   G = r L (x_a + x_b) / (Y_a + Y_b).
- *
- * G is a mean of the values of r L x / Y in the two chains. The slope of a contact is 1 - r L x / Y
- * (14; b10).
+ * Finds the sums of chain a, whose head is at `head`, and, if the pass compares two chains, H(head) -
+ * H(from). Subtracting two nearly equal energies would lose digits. So each domino's term of the difference
+ * is computed from `apart`, the difference between its tilts in chain a and in chain b, whose head is at
+ * `from`. The loop moves down both chains and adds the terms of each domino. It ends
+ * - if the series of far.c give the rest of all sums,
+ * - after the last domino of the chain,
+ * - where the follower has detached. If it still leans on its leader in chain b, its energy differs, too,
+ * - if the rest of all sums can be left out.
  */
 KERNEL_LOOP enum dom_status chain_pass(const struct geometry *geometry, struct tilt from, struct tilt head,
                                        real t, const enum pass pass, const bool rolls, struct sums *sums)
 {
-    const bool compares = pass != PASS_SUMS && pass != PASS_SIGN, bends = pass == PASS_SECOND_DERIVATIVE,
+    const bool compares = pass_compares(pass), bends = pass == PASS_SECOND_DERIVATIVE,
                shifted = pass == PASS_FUEL;
-    /* a tail of at most 7/8 of the sum cannot change its sign */
-    const real tol = geometry->tol, tol_H1 = pass == PASS_SIGN ? (real)0.875 / TAIL_SHARE : tol;
     struct sum_state sum = {0};
     struct link a = link_head(geometry, head, rolls), b = compares ? link_head(geometry, from, rolls) : a;
     struct apart apart = rolls ? apart_by(t) : (struct apart){2 * t, t};
@@ -248,19 +289,15 @@ KERNEL_LOOP enum dom_status chain_pass(const struct geometry *geometry, struct t
         series_add(&sum.J, a.inertia * a.slope * a.slope * inertia_of(&a, rolls)); /* (20; c2) */
         if (!shifted)
             series_add(&sum.H1, a.weight * a.slope * geometry_lift(self, a.tilt));
-        if (compares)
+        if (compares) /* (19; c1) */
             series_add(&sum.dH, a.weight * energy_change(self, a.tilt, b.tilt, apart, rolls));
         if (bends)
             sum.H2 += a.weight * (a.second_derivative * geometry_lift(self, a.tilt) -
                                   a.slope * a.slope * geometry_height(self, a.tilt));
         if (a.i + 1 >= geometry->n || !(compares ? b.leads : a.leads))
             break;
-        if (!a.leads) { /* the follower is at theta_f */
-            const real leaving = rolls ? 0 : leaving_half_turn(geometry, &b);
-            other_next(&b, &a, shifted, rolls);
-            const real to_f = rolls ? tan_half_between(b.tilt, geometry->f) : leaving;
-            sum.left = a.weight * geometry->weight *
-                       energy_change(geometry, geometry->f, b.tilt, apart_by(to_f), rolls);
+        if (!a.leads) {
+            sum.left = detached_change(geometry, &a, &b, shifted, rolls);
             series_add(&sum.dH, sum.left);
             break;
         }
@@ -269,16 +306,8 @@ KERNEL_LOOP enum dom_status chain_pass(const struct geometry *geometry, struct t
                 rounded_levers(&b);
             pushes = contact_pushes(&a, &b, PUSHES_HALVINGS);
         }
-        /* Rounding an edge never increases the inertia, so the bound on the tail of J holds for rounded edges
-         * as well. */
         const struct apart next = followers_apart(&a, &b, apart, shifted, rolls);
-        const real by = fabs(apart.by), shrink = by == 0 ? 1 : fabs(next.by) / by, slope = a.contact.slope;
-        if ((!compares || series_done(&sum.dH, a.weight * by * steepest_of(self, rolls),
-                                      fmax(self->weight * shrink, self->decay), tol)) &&
-            (pass == PASS_SIGN || series_done(&sum.J, a.inertia * a.slope * a.slope,
-                                              fmax(self->inertia * slope * slope, self->decay_J), tol)) &&
-            (shifted || series_done(&sum.H1, a.weight * a.slope * steepest_of(self, rolls),
-                                    fmax(self->weight * slope, self->decay), tol_H1)))
+        if (pass_done(&sum, &a, apart, next, geometry->tol, pass, rolls))
             break;
         apart = next;
         if (compares)

@@ -294,8 +294,8 @@ enum pass {
     PASS_SECOND_DERIVATIVE, /* also H1 and H2 */
     PASS_PUSHES,            /* also H1; tries to prove that all contacts push */
     /* For a train with its head at theta_c, compared with the upright one. During the cycle, each domino
-     * turns to the initial tilt of its follower. So one chain is enough: the chain at theta_c, shifted by one
-     * domino, is the chain at 0. */
+     * turns to the initial tilt of its follower (32; A7). So one chain is enough: the chain at theta_c,
+     * shifted by one domino, is the chain at 0. */
     PASS_FUEL
 };
 

@@ -29,7 +29,8 @@ struct far {
     int order; /* the order of both series, which is even; 0 if there are no series */
     real from; /* the series are probably accurate enough where 1 - cos theta >= from */
     real radius, rest_H, rest_J;
-    real power; /* omitted terms decrease by x while z decreases by x^power, and the pass goes on */
+    /* From one domino of a pass to the next, z decreases by x^power while the omitted terms decrease by x. */
+    real power;
     real H[FAR_ORDER + 1], J[FAR_ORDER + 1];
 };
 

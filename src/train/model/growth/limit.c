@@ -44,10 +44,10 @@ KERNEL enum dom_status limit_find(struct growth *g, struct limit *limit)
         g->status = geometry_set(&geometry, g->s, 1);
     if (g->status == DOM_OK) {
         /* At r = 1 the kinetic energy K is P T. P has a closed form. T is a sum that is at least its first
-         * term, `own`. With sharp edges, `own` is 1. */
-        const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright_inertia;
+         * term. With sharp edges, this term is 1. */
+        const real least_T = geometry_inertia(&geometry, geometry.c) / geometry.upright_inertia;
         first = (struct margin){.r = 1,
-                                .kinetic = geometry_paper_fuel(&geometry) * own,
+                                .kinetic = geometry_paper_fuel(&geometry) * least_T,
                                 .barrier = barrier_most(&geometry),
                                 .is_bound = true};
         if (!geometry.conservative || !(first.kinetic > 2 * first.barrier))

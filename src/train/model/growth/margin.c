@@ -43,7 +43,7 @@ static enum dom_status train_kinetic(const struct geometry *geometry, enum dom_f
     /* At r = 1 both fuel formulas agree, and the closed form is faster. */
     if (geometry->r == 1 && geometry->conservative && geometry_paper_fuel(geometry) <= 0)
         return DOM_NO_FUEL;
-    const enum dom_status status = dynamics_collide(geometry, fuel, &launch);
+    const enum dom_status status = dynamics_launch(geometry, fuel, &launch);
     *kinetic = launch.kinetic;
     return status == DOM_OK && geometry->r == 1 && launch.fuel <= 0 ? DOM_NO_FUEL : status;
 }
@@ -74,9 +74,9 @@ KERNEL void growth_begin(const struct dom_train *train, const struct dom_compute
     if (g->status == DOM_OK)
         g->status = dynamics_read(train, compute, &g->geometry);
     if (pair)
-        g->geometry.n = 2;
+        g->geometry.n = 2; /* H is then that of equation (16; b12) */
     /* the pair does not depend on the fuel formula */
-    if (g->status == DOM_OK && !pair && train->fuel == DOM_FUEL_PAPER && !energy_paper_holds(&g->geometry))
+    if (g->status == DOM_OK && !pair && train->fuel == DOM_FUEL_PAPER && !dynamics_paper_holds(&g->geometry))
         g->status = DOM_NO_METHOD;
     g->geometry.effort = &g->effort;
     /* The maximum number of visits to dominoes. In double, they take about a second. */
@@ -190,9 +190,18 @@ static real root_line(const struct growth *g, const struct margin *a, const stru
 
 enum { ROOT_STEPS = 12 };
 
-/* Finds a root between the growths lo and hi by the secant method and, near the root, by inverse
- * interpolation through the last three margins. It begins with the margins a and b. Follows one maximum of H,
- * and computes only as many digits as the next step needs. Returns false if it does not find a root. */
+/*
+ * Finds a root between the growths lo and hi, beginning with the margins a and b. Follows one maximum of H
+ * from growth to growth. Returns false if it does not find a root.
+ *
+ * The method is the secant method: the next growth is the root of the line through the last two margins. Near
+ * the root it is inverse interpolation through the last three margins, by Neville's scheme: the roots of the
+ * last two lines are extrapolated to a margin of 0, which moves the root of the last line by `bend`. Then the
+ * next margin is about as small as the cube of the one before, so it is only computed to that tolerance.
+ *
+ * The search ends where the root of the line is precise enough by itself. The error of the margin before
+ * changes the slope of the line, and thus the last step, by the fraction tol / |margin|.
+ */
 static bool root_secant(struct growth *g, const struct margin *a, const struct margin *b, real lo, real hi,
                         struct limit *limit)
 {

@@ -16,7 +16,7 @@ static enum dom_status motion_balance(struct motion *m, enum dom_fuel fuel)
     struct segment *st = &m->segment;
     real tol;
     do {
-        enum dom_status status = dynamics_collide(&st->geometry, fuel, &m->launch);
+        enum dom_status status = dynamics_launch(&st->geometry, fuel, &m->launch);
         if (status == DOM_OK)
             status = barrier_search(&st->geometry, false, st->geometry.tol / 8, &st->barrier);
         if (status != DOM_OK || m->launch.fuel <= 0)

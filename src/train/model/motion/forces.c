@@ -22,7 +22,7 @@ static void forces_push(const struct geometry *geometry, const struct kinematics
                         size_t n)
 {
     /* `rest` is the torque on domino j that the contact with its leader must balance. `push` is the angular
-     * momentum that this contact must supply in the collision. */
+     * momentum that this contact must supply in the collision, by equation (54; e3). */
     real rest = 0, push = 0;
     const bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where a segment ends, its barrier, the state at its end, and where a motion that stops comes to rest. */
 #include "dynamics/dynamics.h"
 #include "motion/motion.h"
 

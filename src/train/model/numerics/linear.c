@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Linear differential equations, as Chebyshev series on panels. */
 #include "numerics/numerics.h"
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Roots, by Chandrupatla's method. */
 #include "numerics/numerics.h"
 
 /* 2000 bisections are enough if lo and hi are of similar size, or if one of them is 0 and the root is at
