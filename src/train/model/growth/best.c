@@ -62,7 +62,7 @@ static real margin_beside(struct best *b, real s, real r)
     g->s = s;
     const struct margin m = margin_signed(g, MARGIN_SIGN, r, MARGIN_ROUGH);
     /* without a margin here, the search can go on elsewhere */
-    if (g->status != DOM_INTERRUPTED && g->status != DOM_TOO_LONG && g->status != DOM_NO_MEMORY)
+    if (!growth_ends(g->status))
         g->status = DOM_OK;
     return margin_value(&m) / (fabs(m.kinetic) + barrier_most(&g->geometry));
 }

@@ -38,6 +38,12 @@ struct growth {
     enum dom_status status;
 };
 
+/* Returns true if a search ends with this status. After any other error, another method may find the root. */
+KERNEL bool growth_ends(enum dom_status status)
+{
+    return status == DOM_INTERRUPTED || status == DOM_TOO_LONG || status == DOM_NO_MEMORY;
+}
+
 /* Returns the variable x = -sqrt(1 - r/reach), which replaces the growth r here. The margin is a smooth
  * function of x. As a function of r, it is not smooth at the reach. */
 KERNEL real x_of(const struct growth *g, real r)

@@ -254,7 +254,7 @@ KERNEL enum dom_status root_between(struct growth *g, const struct margin *lo, c
                           margin_highest(g, limit->r_max));
     if (follow && !g->hard)
         return DOM_OK;
-    if (g->status == DOM_INTERRUPTED || g->status == DOM_TOO_LONG)
+    if (growth_ends(g->status))
         return g->status;
     g->status = DOM_OK;
     const enum num_status solver = num_root_between(margin_at, g, lo->r, margin_value(lo), hi->r,
@@ -271,7 +271,7 @@ KERNEL enum dom_status root_between(struct growth *g, const struct margin *lo, c
 static bool root_sure(struct growth *g, bool found, const struct limit *limit)
 {
     const bool highest = found && margin_highest(g, limit->r_max);
-    if (g->status != DOM_INTERRUPTED && g->status != DOM_TOO_LONG)
+    if (!growth_ends(g->status))
         g->status = DOM_OK;
     return highest && g->status == DOM_OK;
 }
