@@ -82,7 +82,8 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
         answer_say(a,
                    "With gaps of %.6g times the height, %s can each be %s times as large as the one before. "
                    "With more growth %s.",
-                   (double)train.s, dominoes_words(train.q, "dominoes").text, limit_words(a, used.r_max, 6).text,
+                   (double)train.s, dominoes_words(train.q, "dominoes").text,
+                   limit_words(a, used.r_max, 6).text,
                    used.ends == DOM_END_REACH ? "a domino falls past the next one without touching it"
                                               : "the train has too little energy to keep falling");
     if (!*reason && a->out && !a->sink.take &&
@@ -117,7 +118,8 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
         answer_say(a,
                    "A %s that just tips over can topple one %s times as large, across a gap of %.6g times "
                    "the larger height.",
-                   dominoes_words(train.q, "domino").text, limit_words(a, limit.r_max, 6).text, (double)train.s);
+                   dominoes_words(train.q, "domino").text, limit_words(a, limit.r_max, 6).text,
+                   (double)train.s);
     return answer_row(
         a,
         ROW(cell_real(train.s), cell_limit(cell_uncertain(limit.r_max, limit.uncertainty)),
@@ -133,18 +135,47 @@ static const struct column best_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* Returns true if the train with this separation has an r_max of at least `growth`. */
+static bool allows_growth(const struct query *query, domq_real s, domq_real growth)
+{
+    struct domq_train train = query->scene->train;
+    struct domq_limit limit;
+    train.s = s;
+    return any_limit_rmax(&train, query_compute(query), &limit) == DOM_OK && limit.r_max >= growth;
+}
+
+/* Returns the best separation for a sentence that also names the growth, rounded down. Where r_max(s) jumps,
+ * a rounded separation can lie beyond the jump. So if neither of the two next to s allows the growth, both
+ * get one more digit. */
+static struct words best_gap_words(const struct query *query, const struct answer *a, domq_real s,
+                                   const struct words *growth)
+{
+    struct words words;
+    for (int digits = digits_within(a, 4);; digits++) {
+        const domq_real unit = (domq_real)pow(10, floor(log10((double)s)) + 1 - digits),
+                        nearest = quad_read(quad_text(s, digits), NULL),
+                        other = nearest < s ? nearest + unit : nearest - unit;
+        const bool is_last = !answer_for_people(a) || digits_within(a, digits + 1) == digits;
+        for (int k = 0; k < 2; k++) {
+            snprintf(words.text, sizeof words.text, "%s", quad_text(k == 0 ? nearest : other, digits));
+            if (is_last || allows_growth(query, quad_read(words.text, NULL), quad_read(growth->text, NULL)))
+                return words;
+        }
+    }
+}
+
 static bool run_best(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_best best = {.s = DOMQ_NAN, .r_max = DOMQ_NAN};
     enum dom_status status = any_limit_best(&query->scene->train, query_compute(query), &best);
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return query_status(query, problem, status);
+    const struct words growth = limit_words(a, best.r_max, 4);
     if (status == DOM_OK)
         answer_say(
-            a,
-            "With the best gap, %s times the height, %s can each be %s times as large as the one before.",
-            quad_text(best.s, digits_within(a, 4)), dominoes_words(query->scene->train.q, "dominoes").text,
-            limit_words(a, best.r_max, 4).text);
+            a, "With the best gap, %s times the height, %s can each be %s times as large as the one before.",
+            best_gap_words(query, a, best.s, &growth).text,
+            dominoes_words(query->scene->train.q, "dominoes").text, growth.text);
     return answer_row(a,
                       ROW(cell_uncertain(best.s, best.s_uncertainty),
                           cell_limit(cell_uncertain(best.r_max, best.r_uncertainty))),

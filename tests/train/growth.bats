@@ -50,6 +50,15 @@ END
     grep -q '"r_start":null,"reason":"r_start has no value: from rest, no row falls' <<<"$answer"
 }
 
+@test "best: the train with the numbers of the sentence goes on, also where r_max jumps at the best separation" {
+    local scene words
+    for scene in 'd 0.134101; set q 0.370576' 'd 0.0124453; set q 0.522' 'd 0.0758594; set q 0.312005' 'q 3'; do
+        words=$("$DOMINO" -e "set $scene; best")
+        [[ $words =~ 'the best gap, '([0-9.]+)' times the height, '.*' can each be '([0-9.]+)' times' ]] || same "$scene" 'a sentence' "$words"
+        less "${BASH_REMATCH[2]}" "$(json "set $scene; rmax ${BASH_REMATCH[1]}" | values r_max)"
+    done
+}
+
 # bats test_tags=explain
 @test "an open limit is no number: a dip of the margin touches 0 within rounding errors, even in quad" {
     local scene='set precision quad; set d 0.254524; set q 0.474363'
