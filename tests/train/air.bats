@@ -26,7 +26,7 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > 0 && a < b) }'; }
     wrong 'set air 1.2; rmax' "needs the mass of the dominoes; first enter, for example, 'set density 650 kg/m"
     wrong 'set air 1.2; set row 5; fall' 'needs the mass of the dominoes'
     for ask in 'rmax 0.4' best duration pair barrier step cycle why 'explain launch' 'count 8'; do
-        wrong "$airy; set q hollow; $ask" "self-similar; enter 'set q solid', or ask about a row$"
+        wrong "$airy; set q hollow; $ask" "self-similar; enter 'set q solid', or ask about a row, as in 'set row 12; fall'$"
         json "$airy; $ask" >out
         [ -s out ]
     done
