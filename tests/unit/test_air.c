@@ -41,6 +41,30 @@ static double torque_of(const struct domq_domino *d, double air, double drag)
     return air * drag * w * pow(h, 4) / 8;
 }
 
+/* Almost without gravity, a plate keeps the part exp(-2 k D) of its energy when it turns by the angle D. */
+TEST(a_plate_without_gravity)
+{
+    for (int i = 0; i < 3; i++) {
+        static struct run run;
+        make_row(&run, 2, 0.9, 1.2, 0);
+        const double air = i == 1 ? 40 : 1.2, drag = i == 2 ? 2 : 1.2;
+        struct domq_domino giant = {.height = 8, .thickness = 1.17, .mass = 1200, .width = 4};
+        run.domino[0] = giant;
+        giant.gap = 7;
+        run.domino[1] = giant;
+        run.row.g = 1e-8;
+        run.row.push = 1;
+        run.row.air = air;
+        run.row.drag = i == 2 ? drag : 0;
+        run_whole(&run);
+        const double inertia = 1200 * (64 + 1.17 * 1.17) / 3 + air * acos(-1) * 16 * 512 / 12,
+                     k = torque_of(&giant, air, drag) / inertia, lost = (double)run.fall[0].friction_work;
+        assert_near("kinetic", (double)run.fall[0].kinetic, inertia / 2, 1e-12);
+        assert_near("kept", 1 - lost / (inertia / 2), exp(-2 * k * (double)run.fall[0].theta), 1e-8);
+        assert_true(run.fall[0].theta > 1);
+    }
+}
+
 struct work {
     const struct run *run;
     double air, sum; /* of the power */
