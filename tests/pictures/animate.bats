@@ -66,6 +66,7 @@ record="effect row \"$root/examples/record.csv\""
         change 9 width 50 cm; change 9 gap 40 cm; animate rate 5')" "$(cat tower)"
     same 'the tower falls last, and lies' '9 1.57' "$(tail -n 1 tower | cut -d, -f 2,3 | tr , ' ' | cut -c 1-6)"
     wrong 'animate tower > a.gif' "'tower' works only if the last answer was a count"
+    wrong 'set precision quad; set row 5; animate speed 0.001 > a.gif' 'the film would have [0-9]* frames'
     wrong 'count 5 m; animate tower 4 > a.gif' "'4' does not fit here; usage: animate"
     same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate')" \
         "$(csv 'set r 1; effect row 12; effect push 6; animate speed 1')"

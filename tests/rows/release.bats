@@ -61,7 +61,9 @@ deg=0.017453292519943295
     same sweep "$(json "$scene; set release 20 deg; verdict; set release touch; verdict" | values seconds)" \
         "$(json "$scene; sweep release 20 deg, touch : verdict" | values seconds)"
     same complete 'off on touch' "$(completed 'set release ')"
-    wrong 'set release 20' "in the range 0 \.\. 1\.5708 rad; enter degrees as in '20 deg'$"
+    wrong 'set release 20' "in the range 0 \.\. 1\.57079 rad \(0 \.\. 90 deg\); enter degrees as in '20 deg'$"
+    wrong 'set release 95 deg' 'in the range 0 \.\. 1\.57079 rad \(0 \.\. 90 deg\)$'
+    same 'the largest' 1.570796326794896 "$(json 'set release 90 deg; show release; set precision quad; set release 90 deg; show release' | values value | cut -c 1-17 | uniq)"
     wrong 'set release 20 cm' "ANGLE is an angle, not a length; enter a value such as '10 deg'$"
     wrong 'set release toch' "did you mean 'touch'"
 }

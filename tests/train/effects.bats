@@ -53,6 +53,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same sharp "$(json 'rmax; barrier' | values margin)" "$(json 'effect edges 0; rmax; barrier' | values margin)"
     wrong 'effect edges 0.08; rmax' 'at most half of the thickness'
     wrong 'effect edges 0.6' '0 .. 0.49'
+    same 'the largest radius' '0.49 0.49' "$(json 'set edges 0.49; show edges; set precision quad; set edges 0.49; show edges' | values value | paste -sd ' ')"
     wrong 'effect edges 0.01; set fuel paper' "'set edges off'"
     same 'a row' 'all fall' "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
 }

@@ -264,11 +264,10 @@ static bool film_parse(struct reader *r, struct question *q)
     return words;
 }
 
-static bool is_within(domq_real value, const char *what, double least, double most, struct problem *problem)
+static bool is_within(double value, const char *what, double least, double most, struct problem *problem)
 {
-    return (value >= (domq_real)least && value <= (domq_real)most) ||
-           problem_error(problem, "%s is %.6g; it must be in the range %g .. %g", what, (double)value, least,
-                         most);
+    return (value >= least && value <= most) ||
+           problem_error(problem, "%s is %.6g; it must be in the range %g .. %g", what, value, least, most);
 }
 
 /* The speed is bound like the value of any argument, the rate here. */
@@ -278,8 +277,8 @@ static bool film_bind(const struct question *q, const struct query *query, struc
     const unsigned words = *(const unsigned *)q->parsed;
     domq_real *const value = given->number;
     return item_bind(&q->item[1], q->text, query, NULL, &value[1], problem) &&
-           (!(words & FILM_SPEED) || is_within(value[0], "speed", 0.001, 1000, problem)) &&
-           (!(words & FILM_RATE) || is_within(value[1], "rate", 1, 50, problem));
+           (!(words & FILM_SPEED) || is_within((double)value[0], "speed", 0.001, 1000, problem)) &&
+           (!(words & FILM_RATE) || is_within((double)value[1], "rate", 1, 50, problem));
 }
 
 static bool run_animate(const struct query *query, struct answer *a, struct problem *problem)

@@ -235,8 +235,8 @@ const char *parameter_range_write(const struct state *state, const struct parame
     const int digits = p->value[i].whole ? 15 : 6; /* whole numbers are written with all their digits */
     text[0] = '\0';
     if (!p->words_only && !p->value[i].words)
-        snprintf(text, PARAMETER_RANGE, "%.*g .. %.*g", digits, (double)parameter_lowest(state, p, i), digits,
-                 (double)p->value[i].highest);
+        snprintf(text, PARAMETER_RANGE, "%.*g .. %s", digits, (double)parameter_lowest(state, p, i),
+                 quad_limit(p->value[i].highest, digits));
     else
         for (int k = 0; (word = p->words_only ? p->words[k].name : p->value[i].words[k]) != NULL; k++)
             text_add(text, PARAMETER_RANGE, "%s%s", k ? "|" : "", word);
@@ -291,7 +291,7 @@ const char *parameter_setting_write(const struct state *state, const struct para
 bool parameter_check(const struct state *state, const struct parameter *p, int i, domq_real value,
                      struct problem *problem)
 {
-    char meaning[96] = "";
+    char meaning[96] = "", degrees[80] = "";
     const struct domq_effect_argument *of = &p->value[i];
     const struct domq_arithmetic arithmetic = any_arithmetic(state->scene.compute.precision);
     domq_real lowest = parameter_lowest(state, p, i);
@@ -303,10 +303,13 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     const char *range = parameter_range(state, p, i);
     /* A number without a unit is in radians, but may be meant in degrees: if it is too large for an angle, or
      * a whole number. */
-    const domq_real degrees = value * (QUAD_PI / 180);
-    const bool is_degrees = strcmp(of->unit, "rad") == 0 &&
-                            (quad(fabs)(value) > 2 * QUAD_PI || value == quad(floor)(value)) &&
-                            degrees >= lowest && degrees <= of->highest;
+    const domq_real degree = QUAD_PI / 180;
+    const bool is_angle = strcmp(of->unit, "rad") == 0,
+               is_degrees = is_angle && (quad(fabs)(value) > 2 * QUAD_PI || value == quad(floor)(value)) &&
+                            value * degree >= lowest && value * degree <= of->highest;
+    if (is_angle)
+        snprintf(degrees, sizeof degrees, " (%.4g .. %.4g deg)%s", (double)(lowest / degree),
+                 (double)(of->highest / degree), is_degrees ? "; enter degrees as in '20 deg'" : "");
     if (broken)
         return problem_no_answer(problem,
                                  "%s = %s is not a whole number; %s must be a whole number in the range %s",
@@ -321,8 +324,7 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
         snprintf(meaning, sizeof meaning, ", the %.*s,", (int)strcspn(of->meaning, ";"), of->meaning);
     return problem_no_answer(problem, "%s = %s is out of range; %s%s must be in the range %s%s%s%s%s%s",
                              of->name, quad_text(value, 10), of->name, meaning, range, *of->unit ? " " : "",
-                             of->unit, is_degrees ? "; enter degrees as in '20 deg'" : "",
-                             p->words && !p->effect ? ", or a word such as " : "",
+                             of->unit, degrees, p->words && !p->effect ? ", or a word such as " : "",
                              p->words && !p->effect ? p->words->name : "");
 }
 

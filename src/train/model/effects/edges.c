@@ -42,6 +42,6 @@ const struct dom_effect dom_effect_edges = {
                   .unit = "h",
                   .meaning = "radius of the edges divided by the height",
                   .lowest = 0,
-                  .highest = (dom_real)0.49,
+                  .highest = (dom_real)49 / 100,
                   .usual = (dom_real)0.01}},
 };

@@ -62,7 +62,7 @@ const struct dom_effect dom_effect_release = {
                   .unit = "rad",
                   .meaning = "tilt of the first domino when it is released",
                   .lowest = 0,
-                  .highest = (dom_real)1.5707963267948966,
+                  .highest = (dom_real)1.5707963267948968, /* 90 deg, rounded up */
                   .usual = (dom_real)0.3490658503988659}},
     .needs = 1U << DOM_EFFECT_row,
 };

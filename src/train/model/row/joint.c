@@ -196,13 +196,13 @@ KERNEL_SHARED enum dom_status row_begin(const struct dom_row *given, const struc
     *row = (struct row){.given = *given, .compute = compute_or_default(compute)};
     if (!row->compute.work)
         row->compute.work = &row->work;
-    enum dom_status status = dom_arithmetic()->bits == 0                                   ? DOM_NO_PRECISION
-                             : IS_NEWER(given) || IS_NEWER(&row->compute)                  ? DOM_NEWER
-                             : count == 0                                                  ? DOM_BAD_COUNT
-                             : !positive(given->g)                                         ? DOM_BAD_G
-                             : !(tol >= dom_arithmetic()->tol_floor && (double)tol <= 0.1) ? DOM_BAD_TOL
-                             : !isnan(push) && !(push >= 0 && isfinite(push))              ? DOM_BAD_PUSH
-                             : !(given->release >= 0)                                      ? DOM_BAD_RELEASE
+    enum dom_status status = dom_arithmetic()->bits == 0                  ? DOM_NO_PRECISION
+                             : IS_NEWER(given) || IS_NEWER(&row->compute) ? DOM_NEWER
+                             : count == 0                                 ? DOM_BAD_COUNT
+                             : !positive(given->g)                        ? DOM_BAD_G
+                             : !(tol >= dom_arithmetic()->tol_floor && tol <= (dom_real)0.1) ? DOM_BAD_TOL
+                             : !isnan(push) && !(push >= 0 && isfinite(push))                ? DOM_BAD_PUSH
+                             : !(given->release >= 0)                                        ? DOM_BAD_RELEASE
                                                       : dynamics_check(&effects_given);
     for (size_t k = 0; status == DOM_OK && k < count; k++) {
         if (k % CHECK_EVERY == 0 && dom_interrupted(row->compute.interrupt))
