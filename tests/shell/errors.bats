@@ -16,6 +16,8 @@ load common
 6|rmax hollow|^rmax: S at 'hollow': 'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 1|hollow|^'hollow' is a value of q; enter 'set q hollow', or write 'with q hollow' at the end$
 5|set foo 1|^set: unknown parameter 'foo'; 'show all' lists them$
+24|rmax with friction 0.2 and q hollow|^rmax: unexpected 'and'; after 'with', separate values by blanks, without 'and'$
+20|rmax with q hollow and friction 0.2|^rmax: unexpected 'and'
 23|rmax 0.4 with q hollow, s 0.3|^rmax: unexpected ',' after 'hollow'; separate values by blanks, without a comma$
 15|set output csv, json|^set: unexpected ','
 14|2*(1 - (rmax with q hollow))|'with' belongs at the end of the command

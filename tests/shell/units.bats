@@ -218,7 +218,7 @@ END
     same 'an angular velocity stays one' 3 "$(json 'set row 5; set push 1 m/s; set push 3; set h 1; show push' | values value | tail -n 1)"
     same 'the unit of the sheet' 'Push domino 1 so that its top moves at 0.144 m/s.' "$("$DOMINO" -e 'set row 5; set push 0.144 m/s; plan details' | paste -sd ' ' | grep -o 'Push domino 1 so that its top moves at 0.144 m/s\.')"
     wrong 'set row 5; set push -1 m/s' 'is out of range'
-    wrong 'set row 5; set push 3 kg' 'or as the speed of the top, such as 0.5 m/s'
+    wrong 'set row 5; set push 3 kg' 'OMEGA is in rad/s, not a mass; enter it without a unit, or as the speed of the top, such as 0.5 m/s'
 }
 
 # bats test_tags=rows,planning

@@ -160,6 +160,20 @@ static bool with_parse(struct reader *r, struct question *q)
     return q->assigned > 0 || (q->with && problem_error(r->problem, "%s", form));
 }
 
+/* Replaces the error of what follows 'with' if an 'and' before a parameter caused it. */
+static bool and_check(struct reader *r, const char *with)
+{
+    const char *at = strstr(with, " and ");
+    char name[32];
+    if (at && name_copy(at + 5, name_length(at + 5), name, sizeof name) && parameter_find(name) && r->text &&
+        text_column(r->text, at) < r->problem->column) {
+        r->problem->kind = PROBLEM_NONE;
+        reader_place(r, at + 1);
+        problem_error(r->problem, "unexpected 'and'; after 'with', separate values by blanks, without 'and'");
+    }
+    return false;
+}
+
 static bool arguments_parse(struct reader *r, struct question *q)
 {
     const struct command *c = q->command;
@@ -194,7 +208,8 @@ static bool arguments_parse(struct reader *r, struct question *q)
             r->problem, "'with' can only follow a command that computes an answer, such as 'rmax'; '%s' %s",
             c->name, c->access.changes ? "changes something" : "gives no numbers");
     reader_takes(r, "with");
-    return with_parse(r, q) && end_check(r, q);
+    const char *with = r->at;
+    return (with_parse(r, q) || and_check(r, with)) && end_check(r, q);
 }
 
 /* ---- Questions ---- */

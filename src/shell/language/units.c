@@ -74,6 +74,7 @@ static const struct kind {
     {{.mass = 1}, "a mass", "10 g"},
     {{.mass = 1, .length = -3}, "a density", "600 kg/m^3"},
     {{.length = 1, .time = -1}, NULL, "2 m/s"},
+    {{.angle = 1, .time = -1}, "in rad/s", NULL},
     {{.length = 1, .time = -2}, NULL, "9.81 m/s^2"},
 };
 
