@@ -87,6 +87,8 @@ END
 @test "plot energy, omega: the data agree with energy and omega, and include the events" {
     csv 'plot energy' >energy
     same data "$(cat energy)" "$(csv 'plot omega')"
+    "$DOMINO" -e 'plot omega > a.gp'
+    same 'the title is not broken beside =' "'r = 1.5, d = 0.1458, q = 4'" "$(grep -o "'r = .* q = 4'" a.gp)"
     same keys theta,dH,kinetic,J,omegasq,omega,event "$(head -n 1 energy)"
     same events 'launch top hit' "$(awk -F, '$7 != "" && NR > 1 { print $7 }' energy | paste -sd ' ' -)"
     # The sum of climbed and kinetic energy is constant.

@@ -81,11 +81,12 @@ size_t line_break(const char *text, int columns)
     size_t n = strcspn(text, " \n");
     while (n > 1 && (utf8_width(text, n) > columns || ((unsigned char)text[n] & 0xc0) == 0x80))
         n--;
-    while (text[n] == ' ') {
-        size_t next = n + 1 + strcspn(text + n + 1, " \n");
+    for (size_t next = n; text[next] == ' ';) {
+        next += 1 + strcspn(text + next + 1, " \n");
         if (utf8_width(text, next) > columns)
             break;
-        n = next;
+        if (text[next] != ' ' || (text[next - 1] != '=' && strncmp(text + next, " = ", 3) != 0))
+            n = next;
     }
     return n;
 }

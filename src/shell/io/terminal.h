@@ -27,7 +27,8 @@ int utf8_columns(const char *text);
 /* ---- Lines: text is broken at blanks ---- */
 
 /* Returns how many bytes of a string go into the first line, which has room for `columns` columns. The line
- * ends between two words or at a '\n'. If the first word is longer than a line, the line ends within it. */
+ * ends between two words, but not beside a '=', or at a '\n'. If the first word is longer than a line, the
+ * line ends within it. */
 size_t line_break(const char *text, int columns);
 
 /* Writes text in lines between two columns of the terminal. Each line begins at the column `left` and ends
