@@ -203,6 +203,14 @@ class Rows(unittest.TestCase):
             np.testing.assert_allclose(mine, theirs, rtol=1e-15)
         with self.assertRaisesRegex(ValueError, "needs its unit"):
             domino.Row.from_pandas(frame.rename(columns={"height (mm)": "height"}))
+        frame["gap (cm)"] = [2, 2]
+        self.assertEqual([one.gap for one in domino.Row.from_pandas(frame)], [0, 0.02])
+        frame["gap (cm)"] = [2, math.nan]
+        with self.assertRaisesRegex(ValueError, "domino 1 has no gap, .* move all one line down"):
+            domino.Row.from_pandas(frame)
+        frame["gap (cm)"] = [math.nan, math.nan]
+        with self.assertRaisesRegex(domino.OutOfRange, r"a gap is outside its range \(domino 2\)"):
+            domino.Row.from_pandas(frame).verdict()
 
     def test_windows_hold_what_they_promise(self):
         row = domino.Row.of_train(5)

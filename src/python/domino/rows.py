@@ -89,10 +89,15 @@ class Row:
                 units = UNITS[COLUMNS[name]]
                 if unit not in units:
                     raise ValueError(f"the column {head!r} needs its unit, one of {', '.join(units)}: '{name} ({next(iter(units))})'")
-                columns[name] = [0.0 if math.isnan(cell) else cell * units[unit] for cell in map(float, frame[head])]
+                columns[name] = [cell * units[unit] for cell in map(float, frame[head])]
         for name in ("height", "thickness", "gap"):
             if name not in columns:
                 raise ValueError(f"there is no column '{name} (mm)'")
+        first, *others = columns["gap"] or [0.0]
+        if abs(first) > 0 and any(gap != first for gap in others):
+            raise ValueError("domino 1 has no gap, because a gap is measured from the domino before; leave this cell empty, "
+                             "or if your numbers are measured to the next domino, move all one line down")  # fmt: skip
+        columns["gap"][:1] = [0.0]
         rows = [dict(zip(columns, values)) for values in zip(*columns.values())]
         for row in rows:
             if "lean" in row:  # in a table a lean is how far the top is off, as a plumb line shows it
