@@ -5,9 +5,6 @@
 
 load common
 
-# On a busy machine, a program in a pty may react too late, so each test has a second try.
-export BATS_TEST_RETRIES=1
-
 # Checks that the answers to all commands at the prompt are exactly those with -e.
 same_at_the_prompt() { # FORMAT
     local ask=("set output $1") all="set output $1" call

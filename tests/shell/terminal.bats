@@ -5,9 +5,6 @@
 
 load common
 
-# On a busy machine, a program in a pty may react too late, so each test has a second try.
-export BATS_TEST_RETRIES=1
-
 setup() {
     answers_at_all
     socket=$BATS_TEST_TMPDIR/tmux
