@@ -24,6 +24,7 @@ load common
 11|set s=0.4 1|^set: '1' .*too many.*set NAME VALUE
 6|help zzz|^help: unknown topic 'zzz'
 END
+    wrong 'rmax with foo 3; print s == 0 and s == 1' "unknown parameter 'foo'" # the 'and' belongs to another command
 }
 
 # bats test_tags=sweeps,save

@@ -78,6 +78,7 @@ quad() { # COMMANDS KEY DIGITS
         [[ $output == *"is too small for ${pair%|*} precision; tol must be in the range ${pair#*|} .. 0.1"* ]]
         json "set precision ${pair%|*}; set tol ${pair#*|}; rmax" | grep -q '"ends_by":"barrier"'
     done
+    json 'set precision float; set tol 0.1; rmax' | grep -q '"ends_by":"barrier"' # in float, 0.1 is larger than in double
 }
 
 # bats test_tags=whole
