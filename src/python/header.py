@@ -69,9 +69,10 @@ def members(body, callbacks, sizes):
     for statement in filter(None, map(str.strip, body.split(";"))):
         kind, names = re.fullmatch(r"((?:(?:const|volatile|enum|struct) )*\w+)\s*(.*)", statement).groups()
         for declarator in re.sub(r"\bconst\b", "", names).split(","):
-            stars, name, size = re.fullmatch(r"\s*([* ]*)(\w+)\s*(?:\[(\w+)\])?\s*", declarator).groups()
+            stars, name, size = re.fullmatch(r"\s*([* ]*)(\w+)\s*(?:\[([\w -]+)\])?\s*", declarator).groups()
             one = ctype(kind + stars, callbacks)
-            yield name, f"{one} * {sizes.get(size, size)}" if size else one
+            size = size and re.sub("[A-Z]\\w*", lambda known: str(sizes[known[0]]), size)  # as "DOM_LATER - 1"
+            yield name, f"{one} * ({size})" if size else one
 
 
 def arguments(text, callbacks):
