@@ -242,6 +242,4 @@ TEST(the_library_asks_an_engine)
     assert_status(dom_placement_study(&row, NULL, &placement, &study, NULL), DOM_OK);
     /* whether a row falls depends on the random ratio of its first two heights */
     assert_true(study.fall > 20 && study.fall < 180 && runs == 201);
-    const double now = 0;
-    assert_status(dom_row_watch(&row, NULL, &now, 1, NULL, NULL, &verdict), DOM_NO_METHOD);
 }

@@ -332,6 +332,11 @@ TEST(times_and_searches)
     assert_true(push == -1);
     r.row.count = 0;
     assert_named(dom_row_watch(&r.row, NULL, bad[0], 1, never_moment, NULL, &verdict), DOM_BAD_COUNT);
+    const struct dom_engine engine = {.context = &r};
+    const double now = 0;
+    row_make(&r);
+    r.row.engine = &engine;
+    assert_status(dom_row_watch(&r.row, NULL, &now, 1, never_moment, NULL, &verdict), DOM_NO_METHOD);
 }
 
 TEST(placements)
