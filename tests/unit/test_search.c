@@ -192,7 +192,7 @@ TEST(work)
     struct domq_limit limit;
     endless.work = thin.work = &work;
     assert_status(ask_limit_best(&endless, &best), DOM_TOO_LONG);
-    assert_true(work.dominoes < 20000000);
+    assert_true(work.dominoes < 70000000);
     work.dominoes = 0;
     assert_status(ask_limit_rmax(&thin, &limit), DOM_OK);
     assert_true(work.dominoes > 0 && work.dominoes < 1000000);

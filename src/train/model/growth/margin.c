@@ -79,8 +79,8 @@ KERNEL void growth_begin(const struct dom_train *train, const struct dom_compute
     if (g->status == DOM_OK && !pair && train->fuel == DOM_FUEL_PAPER && !dynamics_paper_holds(&g->geometry))
         g->status = DOM_NO_METHOD;
     g->geometry.effort = &g->effort;
-    /* The maximum number of visits to dominoes. In double, they take about a second. */
-    g->geometry.effort_most = g->geometry.rolls ? 7000000 : g->geometry.conservative ? 60000000 : 15000000;
+    /* The maximum number of visits to dominoes. In double, they take a second or two. */
+    g->geometry.effort_most = g->geometry.rolls ? 7000000 : 60000000;
 }
 
 static enum dom_status margin_find(struct growth *g, enum margin_how how, real r, real tol, struct margin *m)
