@@ -115,7 +115,8 @@ static int word_parse(struct reader *r, const struct words *w, struct item *item
     const char *bare = reader_copy(r, word, length - (length > 0 && word[length - 1] == ','));
     if (bare && strlen(bare) < length && names_exact(w->list, w->context, bare) >= 0) {
         reader_place(r, r->at - 1);
-        problem_error(r->problem, "unexpected ',' after '%s'; separate values by blanks, without a comma", bare);
+        problem_error(r->problem, "unexpected ',' after '%s'; separate values by blanks, without a comma",
+                      bare);
         return NAMES_CLOSE;
     }
     const bool is_word = w->only || (*word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' &&
