@@ -30,8 +30,8 @@ enum dom_window_of {
 
 /* The values at which all dominoes fall while all other values stay as they are. */
 struct dom_window {
-    size_t domino;    /* the number of the domino; 0 for friction */
-    double now;       /* the current value */
+    size_t domino; /* the number of the domino; 0 for friction */
+    double now;    /* the current value */
     /* The window, or NaN if none was found. An end is rounded inward to seven digits, unless it is an end of
      * the range of values that are tried. */
     double low, high;

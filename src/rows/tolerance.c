@@ -22,7 +22,8 @@ const struct column tolerance_columns[] = {
      "the largest height at which all dominoes fall; the search ends at 4 times the present height", 11},
     {"thickness", "m", "thickness of the domino", 8},
     {"thickness_low", "m",
-     "the smallest thickness at which all dominoes fall; the search ends at 1/100 of the present thickness, or "
+     "the smallest thickness at which all dominoes fall; the search ends at 1/100 of the present thickness, "
+     "or "
      "where the domino cannot stand",
      10},
     {"thickness_high", "m",
@@ -376,7 +377,8 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     if (status == DOM_OK && pushes && isnan(push)) {
         struct dom_row first = made.row;
         first.count = 1;
-        first.push = fmax(first.push, 0); /* without any push, a single domino falls from where it tips over */
+        first.push =
+            fmax(first.push, 0); /* without any push, a single domino falls from where it tips over */
         status = push_find(&first, &made.compute, &tips);
     }
     if (status == DOM_OK && !falls)

@@ -226,7 +226,8 @@ static struct tree *parse_primary(struct reader *r)
     if (word_is_next(r, "with"))
         return parse_fail(r, "'with' belongs at the end of the command, as in '2*rmax with q hollow'");
     if (*r->at != ')' && strchr(r->at, ')'))
-        return parse_fail(r, "an operator or a ')' is missing; in an expression, write 'rmax(0.4)' for 'rmax 0.4'");
+        return parse_fail(
+            r, "an operator or a ')' is missing; in an expression, write 'rmax(0.4)' for 'rmax 0.4'");
     if (*r->at != ')') {
         r->at = open;
         return parse_fail(r, "this '(' is never closed");
