@@ -457,11 +457,9 @@ const struct command help_commands[] = {
      .synonyms = "manual man list explain commands",
      .argument = {{.name = "NAME", .kind = ARGUMENT_WORDS, .parse = help_parse, .optional = true}},
      .summary = "the commands, one command or parameter, or a group of commands",
-     .help =
-         "'help' shows one screen: lines to type, and the names of all commands in groups. 'help rows' has a "
-         "line for each command of the group 'rows', and 'help all' a line for every command. 'help "
-         "features' "
-         "lists what each feature of this build adds.",
+     .help = "'help' shows one screen: lines to type, and the names of all commands in groups. 'help limits' "
+             "has a line for each command of the group 'limits', and 'help all' a line for every command. "
+             "'help features' lists what each feature of this build adds.",
      .example = "help tol",
      .see = "apropos show",
      .writes = WRITES_PAGES,

@@ -10,7 +10,7 @@ static const char s_help[] =
     "height of the domino. If you give a length, as in 'set s 2 cm', it is divided by h.";
 static const char r_help[] = "A train is an endless row in which the height, the thickness and the gap of "
                              "each domino are r times those of the one before. 'rmax' finds the largest r at "
-                             "which a train keeps falling, and 'set row N' makes a finite row.";
+                             "which a train keeps falling.";
 static const char d_help[] =
     "The thickness is the size of a domino along the row, and d is the thickness divided by the height. If "
     "you give a length, as in 'set d 7 mm', it is divided by h.";
@@ -18,7 +18,7 @@ static const char q_help[] =
     "A domino that is twice as large is 2^(q - 1) times as heavy: 8 times if it is solid, like a wooden "
     "block, and 4 times if it is hollow, like a box whose boards have the same thickness at every size.";
 static const char width_help[] =
-    "The width is the size of a domino across the row. In a train, and in the row of 'set row N', every "
+    "The width is the size of a domino across the row. In a train, and in a row without a file, every "
     "domino has the same width relative to its height. A length, as in 'set width 24 mm', is the width of "
     "the "
     "first domino or, in a row from a file, of all dominoes for which the file gives none. The width counts "
@@ -26,7 +26,7 @@ static const char width_help[] =
     "width.";
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
-    "than it justifies. Rounding errors can exceed it; 'set errors on' shows them. The smallest tolerance is "
+    "than it justifies. Rounding errors can exceed it. The smallest tolerance is "
     "1e-6 in float, 1e-15 in double and 1e-33 in quad precision. If you have not set tol, 'set precision' "
     "also sets tol. 'cost rmax' shows how much time each digit costs.";
 static const char precision_help[] =

@@ -2,6 +2,7 @@
 #include "session/row.h"
 #include "answer/cell.h"
 #include "language/quad.h"
+#include "session/parameters.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -86,8 +87,9 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     if (status == DOM_NO_ROOM)
         return problem_no_room(problem, scene, 0, t->d * scene->scale.h);
     return problem_no_answer(problem, "%s%s", dom_status_text(status),
-                             status == DOM_NO_AIR
+                             status == DOM_NO_AIR && parameter_find("row")
                                  ? "; enter 'set q solid', or ask about a row, as in 'set row 12; fall'"
+                             : status == DOM_NO_AIR   ? "; enter 'set q solid'"
                              : status == DOM_NO_FUEL  ? "; 'why' says more"
                              : status == DOM_OPEN     ? "; try a slightly different s"
                              : status == DOM_TOO_LONG ? "; use a larger s, d or tol"
