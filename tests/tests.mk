@@ -20,7 +20,7 @@ DEPS_lint     := python3 musl-tools clang clang-format clang-tidy mandoc shellch
 # In a build without some features, tests that need them are left out: programs with a line 'Needs: NAMES', and sessions
 # with a tag. The tag 'whole' is for sessions that need every feature.
 NAMED   := $(sort $(shell sed -nE 's|^# bats .*_tags=||p; s|^/\* Needs: (.*) \*/|\1|p' tests/*/*.bats tests/*/*.c | tr ',' ' '))
-GONE    := $(filter-out $(BUILT) $(JOINT) whole,$(sort $(NAMED) $(PART)))
+GONE    := $(filter-out $(BUILT) $(JOINT) whole,$(sort $(NAMED) $(EVERY) $(PART)))
 LACK     = $(if $(GONE),$(shell grep -lE 'Needs:.*\<(whole|$(subst $(eval) ,|,$(GONE)))\>' $(1)))
 WITHOUT := $(if $(GONE),$(subst $(eval) ,$(,),!whole $(GONE:%=!%)))
 export WITHOUT
