@@ -71,7 +71,7 @@ $(foreach f,$(call lacks,$(FEATURES)),$(error there is no feature '$f'; the feat
 BUILT    := $(call once,train $(call with_needs,$(FEATURES)))
 BUILT    += $(foreach f,$(JOINT),$(if $(filter-out $(BUILT),$(NEEDS_$f)),,$f))
 # The headers in include/ declare the functions of these, which have a model, even where a folder is gone.
-PART     := $(filter-out $(BUILT),chance explain pictures planning proof rows)
+PART     := $(filter-out $(BUILT),$(sort $(patsubst src/%/model,%,$(wildcard src/*/model)) chance explain pictures planning proof rows))
 FOLDERS  := $(subst _,/,$(BUILT))
 
 # src/train/model/precision compiles the model of trains and rows once for each precision. All other sources of the
