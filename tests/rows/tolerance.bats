@@ -69,6 +69,8 @@ verdicts() { # COMMANDS...
     grep -q 'does not fall as it is; a change of one value can save it\.' <<<"$said"
     low=$(json 'effect row 3; place 2 4 m; tolerance' | values gap_low | sed -n 2p)
     same mended 'all fall' "$(json "effect row 3; place 2 $low m; verdict" | values verdict)"
+    # Uphill, a domino that is far lower than it is thick never tips over, so its height is not in the window.
+    says 'effect row 12; effect slope -6 deg; tolerance' 'does not fall as it is'
     wrong tolerance 'there is no row'
 }
 

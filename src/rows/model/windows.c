@@ -274,14 +274,14 @@ static bool falls_with(double value, double *spare, void *context)
     value_set(t, d, value);
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
         (void)row_has_spare(&t->row, &t->compute, &v, &t->status);
-        if (t->row.engine && t->status == DOM_NOT_CONVERGED) {
-            /* if the engine cannot decide whether the row falls, the row counts as not falling */
-            t->status = DOM_OK;
-            v.end = DOM_ROW_STOPS;
-        }
     } else if (t->status == DOM_OK) {
         const size_t last = t->k + (next && t->of == DOM_WINDOW_PLACE);
         t->status = study_change(&t->study, &t->row, t->k, last, &v);
+    }
+    /* A row with a domino that cannot stand, or that the engine cannot decide, counts as not falling. */
+    if (t->status == DOM_NO_STAND || (t->row.engine && t->status == DOM_NOT_CONVERGED)) {
+        t->status = DOM_OK;
+        v.end = DOM_ROW_STOPS;
     }
     t->row.mu = mu;
     d[next] = after;
