@@ -186,7 +186,11 @@ static void tolerance_say(struct answer *a, const struct windows *w)
         answer_detail(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
                          "and a window also ends where the engine reaches no verdict.");
     if (!w->falls)
-        answer_say(a, "The row does not fall as it is; a change of one value can save it.");
+        answer_say(a, w->critical[DOM_WINDOW_GAP] || w->critical[DOM_WINDOW_HEIGHT] ||
+                              w->critical[DOM_WINDOW_THICKNESS]
+                          ? "The row does not fall as it is; a change of one value can save it."
+                          : "The row does not fall as it is, and no change of one gap, height or thickness "
+                            "was found that saves it; 'mend' says what else to try.");
     window_say(a, w, w->falls ? DOM_WINDOW_PLACE : DOM_WINDOW_GAP);
     window_say(a, w, DOM_WINDOW_HEIGHT);
     window_say(a, w, DOM_WINDOW_THICKNESS);

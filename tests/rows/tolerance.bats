@@ -70,7 +70,7 @@ verdicts() { # COMMANDS...
     low=$(json 'effect row 3; place 2 4 m; tolerance' | values gap_low | sed -n 2p)
     same mended 'all fall' "$(json "effect row 3; place 2 $low m; verdict" | values verdict)"
     # Uphill, a domino that is far lower than it is thick never tips over, so its height is not in the window.
-    says 'effect row 12; effect slope -6 deg; tolerance' 'does not fall as it is'
+    says 'effect row 12; effect slope -6 deg; tolerance' 'no change of one gap, height or thickness was found that saves it'
     wrong tolerance 'there is no row'
 }
 
