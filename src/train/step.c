@@ -53,11 +53,12 @@ static void event_say(const struct query *query, struct answer *a, const struct 
         return;
     }
     if (e->kind == DOM_EVENT_LAUNCH)
-        snprintf(what, sizeof what, "domino 1 hits the head, which is %s tall, and all move as one train",
+        snprintf(what, sizeof what,
+                 "the first follower hits the head, which is %s tall, and all move as one train",
                  measured(walk_units(query, w->cycle).height, "m", 6).text);
     else if (e->kind == DOM_EVENT_DETACH)
-        snprintf(what, sizeof what, "domino %zu detaches from domino %zu and comes to rest", e->domino,
-                 e->domino - 1);
+        snprintf(what, sizeof what, "follower %zu detaches from the domino in front of it and comes to rest",
+                 e->domino);
     else if (e->kind == DOM_EVENT_STOP)
         snprintf(what, sizeof what, "the train stops below the top of its barrier; 'why' explains it");
     else if (e->kind == DOM_EVENT_HIT)

@@ -75,7 +75,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 # bats test_tags=rows,explain,proof
 @test "edges: thetac shows no equation of sharp edges; there is no paper fuel and no proof; a row file keeps the radii" {
     same 'no equation' 0 "$("$DOMINO" -e 'effect edges 0.01; thetac' | grep -c 'sin theta_c')"
-    says 'set s 0.54; set r 1.7; set q hollow; step; step details' 'domino 1 detaches from domino 0' 'theta_leave'
+    says 'set s 0.54; set r 1.7; set q hollow; step; step details' 'follower 1 detaches from the domino in front of it' 'theta_leave'
     same 'no paper fuel' null "$(json 'effect edges 0.01; fuel' | values fuel_paper)"
     same "no paper fuel on a slope" null "$(json 'effect slope 2 deg; fuel' | values fuel_paper)"
     same 'no proof' 'not proved: there is no proof for trains with effects that change their motion' "$(json 'effect edges 0.01; prove rmax' | values reason)"
