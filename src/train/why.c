@@ -90,10 +90,12 @@ void verdict_train_say(const struct query *query, struct answer *a, enum dom_sta
         answer_say(a, "The train stops: friction locks the dominoes.");
     else if (b->barrier == 0)
         answer_say(a, "The train keeps falling: it has nothing to climb, so any motion is enough.");
+    else if (verdict == DOM_OK)
+        answer_say(a, "The train keeps falling: to push the next domino over%s%s, it %s.",
+                   *losses ? " in spite of " : "", losses, energy_words(b->kinetic / b->barrier).text);
     else
-        answer_say(a, "The train %s: to push the next domino over%s%s, it %s.",
-                   verdict == DOM_OK ? "keeps falling" : "stops", *losses ? " in spite of " : "", losses,
-                   energy_words(b->kinetic / b->barrier).text);
+        answer_say(a, "The train stops: it %s to push the next domino over%s%s.",
+                   energy_words(b->kinetic / b->barrier).text, *losses ? " in spite of " : "", losses);
 }
 
 /* Prints advice without symbols: how much the dominoes may grow, or what to change if the train stops. */
