@@ -98,8 +98,8 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
             most = stops[k] > stops[most] ? k : most;
         answer_say(a, "%s, with 95 %% confidence.", study_words(&s).text);
         if (others > 0)
-            answer_say(a, "The other rows stop most often at domino %zu (%.3g %% of them).", most + 1,
-                       100 * (double)stops[most] / (double)others);
+            answer_say(a, "The %srows stop most often at domino %zu (%.3g %% of them).",
+                       others < s.rows ? "other " : "", most + 1, 100 * (double)stops[most] / (double)others);
         answer_row(a,
                    ROW(cell_real((domq_real)t.placement.error[DOM_ERROR_gap].size),
                        cell_real((domq_real)t.placement.error[DOM_ERROR_height].size),
@@ -188,8 +188,8 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
     if (status == DOM_STOPS)
         return problem_no_answer(
             problem,
-            "even without %s%s, fewer rows fall than P asks for; enter a smaller P, make "
-            "the other errors smaller or, if there are none, try 'mend'",
+            "even without %s%s, fewer rows fall than P asks for; if 'verdict' says that the row stops, try "
+            "'mend'; otherwise enter a smaller P, or make the other errors smaller",
             of < DOM_ERROR_COUNT ? "an error in the " : "any error", of < DOM_ERROR_COUNT ? kind->name : "");
     if (!good || status != DOM_OK)
         return good && row_status(query, problem, status);
