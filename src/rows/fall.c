@@ -453,8 +453,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
                    floor->on ? cell_flag(slips_hit) : cell_real(DOMQ_NAN)),
                isfinite(f.motion) && isfinite(f.hit) ? NULL : foot_lifted);
     if (!floor->on)
-        answer_say(a, "'set floor 0.5' sets the friction of the floor to 0.5; 'fall' then shows whether "
-                      "any foot slips.");
+        answer_say(a, "'set floor 0.5; slip' says whether feet slip on a floor with a friction of 0.5.");
     else
         answer_say(
             a,
