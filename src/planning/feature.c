@@ -91,8 +91,8 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     if (interrupted)
         answer_say(a, "Interrupted; this is the best row so far.");
     if (i->changed > 0)
-        answer_say(a, "Before, %s; now %s, with 95 %% confidence.", study_words(&study[0]).text,
-                   study_words(&study[1]).text);
+        answer_say(a, "Without the changes, %s; with them, %s, with 95 %% confidence.",
+                   study_words(&study[0]).text, study_words(&study[1]).text);
     else
         answer_say(a, "%s For the present row, %s, with 95 %% confidence.%s",
                    study[0].fall == study[0].rows ? "There is nothing to improve."
