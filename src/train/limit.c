@@ -181,7 +181,7 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
                           cell_limit(cell_uncertain(best.r_max, best.r_uncertainty))),
                       status == DOM_OK
                           ? NULL
-                          : "no growth possible: dominoes this thick do not topple larger ones at any s");
+                          : "no growth possible: these dominoes do not topple larger ones, whatever the gap");
 }
 
 /* ---- count ---- */
@@ -286,7 +286,7 @@ static void growth_say(const struct query *query, struct answer *a, const struct
     if (t->falls && !(n < t->count.dominoes) && isfinite(t->count.dominoes))
         return;
     if (t->limit.ends == DOM_END_NONE)
-        answer_say(a, "With these gaps not even equal dominoes keep falling.");
+        answer_say(a, "With these gaps not even equal dominoes keep falling; 'why' says more.");
     else if (isnan(t->growth.r_max) && !t->start.engine)
         answer_say(a, "With these gaps no row of such dominoes starts %s.", start_words(query).text);
     else if (isfinite(n) && n > 0)
