@@ -169,11 +169,13 @@ static void needs_add(struct needs *n, domq_real needs, size_t domino, size_t he
     }
 }
 
-static void needs_say(struct answer *a, const struct needs *n, const char *when, domq_real floor)
+static void needs_say(struct answer *a, const struct needs *n, bool in_motion, domq_real floor)
 {
-    char slips[80] = "no foot slips";
+    const char *when = in_motion ? "While dominoes fall" : "When dominoes are hit";
+    char slips[120] = "no foot slips";
     if (n->first > 0)
-        snprintf(slips, sizeof slips, "the foot of domino %zu slips first", n->first);
+        snprintf(slips, sizeof slips, "the foot of domino %zu slips first, when domino %zu %s", n->first,
+                 n->head, in_motion ? "falls" : "is hit");
     if (isinf(n->most))
         answer_say(a, "%s, the foot of domino %zu is lifted off the floor, and no friction can prevent this.",
                    when, n->domino);
@@ -205,8 +207,8 @@ struct falling {
 
 static void feet_say(struct answer *a, const struct falling *f)
 {
-    needs_say(a, &f->motion, "While dominoes fall", f->mu);
-    needs_say(a, &f->hit, "When dominoes are hit", f->mu);
+    needs_say(a, &f->motion, true, f->mu);
+    needs_say(a, &f->hit, false, f->mu);
     /* While the last domino falls, a slip does not matter. */
     const bool in_motion = f->motion.head > 0 && f->motion.head < f->run.scene.row.count;
     if (!in_motion && f->hit.first == 0)
