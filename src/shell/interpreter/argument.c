@@ -31,9 +31,10 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
         return problem_no_answer(problem,
                                  "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
-                                 "%.17g]; 'thetac' gives theta_c%s",
+                                 "%.17g] %s; 'thetac' gives theta_c%s",
                                  a->name, quad_text(style_angle(style, theta), 10), style_angle_unit(style),
-                                 a->name, (double)style_angle(style, angles.theta_c), degrees);
+                                 a->name, (double)style_angle(style, angles.theta_c), style_angle_unit(style),
+                                 degrees);
     *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs turns -0 into 0. */
     return true;
 }
