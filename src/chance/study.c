@@ -136,7 +136,8 @@ static enum dom_status budget_say(struct answer *a, const struct trials *t, enum
     struct dom_placement at = t->placement;
     struct dom_study study;
     const domq_real size = round_digits((domq_real)sigma * (1 + (domq_real)1e-12), 2, false);
-    const bool all = kind == DOM_ERROR_COUNT;
+    const bool all = kind == DOM_ERROR_COUNT,
+               is_added = kind == DOM_ERROR_friction || kind == DOM_ERROR_floor;
     const char *unit = error_kinds[kind].unit;
     for (int k = 0; k < DOM_ERROR_COUNT; k++)
         if (all)
@@ -151,7 +152,7 @@ static enum dom_status budget_say(struct answer *a, const struct trials *t, enum
                    measured(size, "", 2).text, study_words(&study).text);
     else
         answer_say(a, "The error of the %s may be %s (%s): then %s, with 95 %% confidence.",
-                   error_kinds[kind].name, measured(size, *unit ? unit : "share", 2).text,
+                   error_kinds[kind].name, measured(size, *unit || is_added ? unit : "share", 2).text,
                    at.error[kind].uniform ? "limits of uniform errors" : "one standard deviation",
                    study_words(&study).text);
     return DOM_OK;

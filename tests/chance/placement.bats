@@ -29,6 +29,7 @@ load ../shell/common
     [ -n "$(json 'effect row 12; set r 1.2; effect friction 0.2; budget 0.9' | values sigma)" ]
     said=$("$DOMINO" -e 'effect row 13; budget 0.95 300')
     grep -qE '^The error of the gap may be 1\.9 mm \(one standard deviation\): then [0-9]+ of 300 rows fall \(92\.[0-9] % to 97\.[0-9] %\), with 95 % confidence\.$' <<<"$said"
+    says 'effect row 13; budget 0.9 200 friction' 'The error of the friction may be 0.12 (one standard deviation)'
     same 'no effect is on' off "$(json 'effect row 13; budget 0.95 50; show placement' | tail -n 1 | values value)"
     # The interval agrees with a study of placement with this sigma.
     answer=$(json 'effect row 13; effect placement 1.9 mm; placement 300')
