@@ -71,7 +71,7 @@ effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 de
     same swept "$(json "$scene; effect placement 2 mm; effect error_friction 0.1; placement 40" | values fall)" \
         "$(json "$scene; effect placement 2 mm; sweep error_friction 0.05, 0.1 : placement 40" | values fall | tail -n 1)"
     wrong 'effect error_mass 0.1; placement' 'there is no row'
-    wrong 'effect row 4; effect error_radius 0.1' "needs the effect edges; first enter 'set edges RADIUS'"
+    wrong 'effect row 4; effect error_radius 0.1' "needs the effect edges; first enter 'set edges on'"
     wrong 'effect row 4; effect error_floor 0.1' 'feet'
     wrong 'effect row 4; effect error_push 0.1' 'push'
     wrong 'effect edges 0.01; effect row 4; effect error_lean 0.1 deg; placement 5' 'cannot be combined with rounded edges'

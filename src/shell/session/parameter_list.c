@@ -177,9 +177,8 @@ bool effect_check_needs(const struct scene *scene, int effect, struct problem *p
 {
     for (int k = 0; k < effect_count; k++)
         if (effect_needs(effect, k) && !scene->effect[k].on)
-            return problem_error(problem, "'set %s' needs the effect %s; first enter 'set %s %s'",
-                                 effect_at(effect)->name, effect_at(k)->name, effect_at(k)->name,
-                                 effect_at(k)->argument[0].name);
+            return problem_error(problem, "'set %s' needs the effect %s; first enter 'set %s on'",
+                                 effect_at(effect)->name, effect_at(k)->name, effect_at(k)->name);
     return effect >= DOM_DYNAMICS_COUNT || effect_at(effect)->cancels ||
            scene->train.fuel != DOM_FUEL_PAPER ||
            problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
