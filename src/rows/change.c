@@ -248,6 +248,8 @@ static bool change_say(const struct query *query, struct answer *a, const struct
         answer_say(a, "domino %zu: %s %s to %s %s%s", first + 1, name,
                    quad_text(measure_number(unit, from), 6), quad_text(measure_number(unit, to), 6),
                    unit.unit, others);
+    if (measure == MEASURE_RADIUS && !query->next->scene.effect[DOM_EFFECT_edges].on)
+        answer_say(a, "Radii have no effect until you enter 'set edges on'.");
     a->progress.wrote_text = true;
     free(after.domino);
     return true;

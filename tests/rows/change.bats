@@ -52,6 +52,7 @@ END
 
 # bats test_tags=sweeps,save
 @test "change: 'save' and 'row' save it, undo takes it back, and sweeps use it" {
+    says 'effect row 5; change 2 radius 1 mm' "Radii have no effect until you enter 'set edges on'."
     scene="set mass 1; effect row 5; change 2-4 thickness +10 %; change 2 mass 130 %; change 3 lean = -1 mm; change 5 gap 25 %
         change 4 radius 1 mm"
     "$DOMINO" -e "$scene; save scene.dom; row > saved.csv; change 2 height 7 cm; undo > /dev/null; row > undone.csv" >/dev/null
