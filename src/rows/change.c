@@ -146,7 +146,7 @@ static domq_real measure_now(const struct scene *scene, const struct domq_domino
 {
     struct domq_domino d = *domino;
     return measure == MEASURE_LEAN                      ? lean_offset(&d)
-           : measure == MEASURE_RADIUS && d.radius == 0 ? scene->train.rho * d.height
+           : measure == MEASURE_RADIUS && d.radius == 0 ? scene_edges(scene) * d.height
                                                         : *row_measure_at(&d, measure);
 }
 

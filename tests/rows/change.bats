@@ -52,6 +52,8 @@ END
 
 # bats test_tags=sweeps,save
 @test "change: 'save' and 'row' save it, undo takes it back, and sweeps use it" {
+    same 'a length is the radius of the first domino' 'radius 1.41667 to 2 cm' \
+        "$("$DOMINO" -e "effect row $root/examples/record.csv; set edges 1 cm; change 2 radius 2 cm" | sed 's/.*: //')"
     says 'effect row 5; change 2 radius 1 mm' "Radii have no effect until you enter 'set edges on'."
     scene="set mass 1; effect row 5; change 2-4 thickness +10 %; change 2 mass 130 %; change 3 lean = -1 mm; change 5 gap 25 %
         change 4 radius 1 mm"

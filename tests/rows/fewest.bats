@@ -102,7 +102,7 @@ END
 20|count 112 m fewest 3|'3' is one argument too many; usage: fewest H
 15|count 112 m 2 fewest|'fewest' is one argument too many; usage: count H .R.
 7|count 2 kg fewest|H is a length, not a mass
-7|print fewest(2 m)|'fewest' has no value: its answer is a table
+7|print fewest(2 m)|'fewest' has no value
 0|set slope 20 deg; count 112 m fewest|no domino can stand upright on a slope of 20 deg
 0|set air 1; count 112 m fewest|needs the mass of the dominoes
 END

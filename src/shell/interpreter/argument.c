@@ -50,10 +50,12 @@ static bool unit_check(const struct query *query, const struct argument *a, cons
                                                        .angle = a->kind == ARGUMENT_TILT ||
                                                                 a->kind == ARGUMENT_PLACE};
     /* Parameters with the unit "h", such as s and d, are fractions of the height. If the user enters a length
-     * instead, this length is divided by the height of domino 1. */
-    const bool is_share = strcmp(of, "h") == 0;
+     * instead, this length is divided by the height of domino 1. In a row from a file, only the radius of the
+     * edges is such a fraction. */
+    const bool is_share = strcmp(of, "h") == 0, is_edges = p && p->share == SHARE_edges;
     if (is_share && quantity_alike(*q, length))
-        *q = (struct quantity){.value = q->value / query->scene->scale.h};
+        *q = (struct quantity){
+            .value = q->value / (is_edges ? scene_first_height(query->scene) : query->scene->scale.h)};
     /* The push may be entered as the speed of the first domino's upper edge. */
     const bool is_push = p && p->share == SHARE_push;
     if (is_push && quantity_alike(*q, speed))

@@ -48,11 +48,12 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     /* These failures do not depend on the parameters, so a sweep must not continue. */
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return problem_error(problem, "%s", dom_status_text(status));
-    if ((status == DOM_NO_ROUND || status == DOM_NO_STAND) && t->rho > t->d / 2)
+    const domq_real rho = scene_edges(scene);
+    if ((status == DOM_NO_ROUND || status == DOM_NO_STAND) && rho > t->d / 2)
         return problem_no_answer(problem,
                                  "edges with a radius of %s h do not fit: the radius can be at most half of "
                                  "the thickness, %.6g h; enter, for example, 'set edges %.2g'",
-                                 quad_text(t->rho, 10), (double)(t->d / 2), (double)(t->d / 4));
+                                 quad_text(rho, 6), (double)(t->d / 2), (double)(t->d / 4));
     if (status == DOM_NO_STAND) {
         domq_real lean[2];
         domq_lean_limits(&(struct domq_domino){.height = 1, .thickness = t->d}, 0, t->rho, lean);
@@ -202,6 +203,7 @@ bool row_prepare(const struct scene *scene, bool has_masses, struct scene_row *m
 #undef VALUE
     };
     row->walls = scene_walls(scene);
+    row->rho = scene_edges(scene);
     row->air = has_masses ? effect_value(scene, DOM_EFFECT_air, 0) : row->air;
     made->compute = scene->compute;
     if (scene_walls_fit(scene, made, problem) && row_stands(scene, row, problem) &&
@@ -233,6 +235,12 @@ domq_real scene_push(const struct scene *scene, domq_real height)
     const domq_real speed = scene->length[SHARE_push].m;
     const bool is_released = scene->effect[DOM_EFFECT_release].on;
     return !push->on ? (is_released ? 0 : DOMQ_NAN) : speed > 0 ? speed / height : push->value[0];
+}
+
+domq_real scene_edges(const struct scene *scene)
+{
+    const domq_real radius = scene->length[SHARE_edges].m;
+    return scene->train.rho > 0 && radius > 0 ? radius / scene_first_height(scene) : scene->train.rho;
 }
 
 domq_real scene_release(const struct scene *scene)

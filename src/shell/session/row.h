@@ -81,5 +81,9 @@ domq_real scene_first_height(const struct scene *scene);
  * domino that is released at a tilt has a push of 0. */
 domq_real scene_push(const struct scene *scene, domq_real height);
 
+/* Returns the radius of the edges in a row, divided by the height, or 0. A radius that was typed as a length
+ * is that of the first domino of the row. */
+domq_real scene_edges(const struct scene *scene);
+
 /* Returns the tilt in rad at which the first domino is released, as in struct domq_row. */
 domq_real scene_release(const struct scene *scene);
