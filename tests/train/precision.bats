@@ -96,6 +96,7 @@ quad() { # COMMANDS KEY DIGITS
             same "$command in $precision" "$double" "$same"
             same "note of '$command' in $precision" "$note" "$(json "set precision $precision; $command" | values note)"
         done
+        [[ $("$DOMINO" -e "set precision $precision; set row 5; slip") == *'not about the row'* ]]
         same "details in $precision" "($note)" "$("$DOMINO" -e "$scene; set precision $precision; placement 100 details" | tail -n 1)"
         same "note in $precision" "$note" "$(json "$scene; set precision $precision; rowmax" | values note)"
         same "sweep in $precision" "$(json "$scene; set tol $tol; sweep s 0.3, 0.4 : placement 50" | values probability low)" \

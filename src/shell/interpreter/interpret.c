@@ -38,18 +38,18 @@ static void answer_keep(struct session *session, const struct command *c, const 
     }
 }
 
-/* Says what is special about the numbers of an answer: they are in double, or about the endless train and not
- * about the row, or some have no error. If the answer is a picture in a file, the note about the train goes
- * to standard error. */
+/* Says what is special about the numbers of an answer: they are in double, they are about the endless train
+ * and not about the row, or some have no error. If the answer is a picture in a file, the note about the
+ * train goes to standard error. */
 static void notes_say(const struct command *c, const char *in_double, struct answer *answer)
 {
     if (in_double)
         (answer->details.rest ? answer_detail : answer_say)(answer, "(%s)", in_double);
-    else if (answer->note && answer_for_people(answer) && answer->path &&
-             extension_of(answer->path)->kind == EXTENSION_SHEET)
-        fprintf(stderr, "(%s)\n", answer->note);
-    else if (answer->note && answer_for_people(answer))
-        answer_say(answer, "(%s)", answer->note);
+    const char *note = answer->note != in_double && answer_for_people(answer) ? answer->note : NULL;
+    if (note && answer->path && extension_of(answer->path)->kind == EXTENSION_SHEET)
+        fprintf(stderr, "(%s)\n", note);
+    else if (note)
+        answer_say(answer, "(%s)", note);
     if (answer->errors.has_no_room)
         answer_say(answer, "Where a column has no room for errors, 'set output csv' shows them.");
     else if (answer->errors.has_unknown)
