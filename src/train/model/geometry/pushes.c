@@ -98,7 +98,8 @@ KERNEL_SHARED bool contact_pushes(const struct link *a, const struct link *b, in
         return false;
     struct link middle = *a;
     middle.tilt = tilt_make(x / size, y / size);
-    middle.theta = (a->theta + b->theta) / 2;
+    if (a->geometry->rolls)
+        middle.theta = (a->theta + b->theta) / 2;
     link_touch(&middle);
     return contact_pushes(&middle, b, halvings - 1) && contact_pushes(a, &middle, halvings - 1);
 }
