@@ -47,16 +47,10 @@ struct words dominoes_words(domq_real q, const char *noun)
     return words;
 }
 
-int digits_within(const struct answer *a, int digits)
-{
-    const int justified = style_tol_digits(&a->style);
-    return justified < digits ? justified : digits;
-}
-
 struct words limit_words(const struct answer *a, domq_real limit, int most)
 {
     struct words words;
-    int digits = digits_within(a, most);
+    int digits = style_tol_digits(&a->style, most);
     while (limit > 1 && strcmp(quad_limit(limit, digits), "1") == 0 && digits < WIDE_DIGITS)
         digits++;
     snprintf(words.text, sizeof words.text, "%s", quad_limit(limit, digits));

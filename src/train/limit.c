@@ -151,11 +151,11 @@ static struct words best_gap_words(const struct query *query, const struct answe
                                    const struct words *growth)
 {
     struct words words;
-    for (int digits = digits_within(a, 4);; digits++) {
+    for (int digits = style_tol_digits(&a->style, 4);; digits++) {
         const domq_real unit = (domq_real)pow(10, floor(log10((double)s)) + 1 - digits),
                         nearest = quad_read(quad_text(s, digits), NULL),
                         other = nearest < s ? nearest + unit : nearest - unit;
-        const bool is_last = !answer_for_people(a) || digits_within(a, digits + 1) == digits;
+        const bool is_last = !answer_for_people(a) || style_tol_digits(&a->style, digits + 1) == digits;
         for (int k = 0; k < 2; k++) {
             snprintf(words.text, sizeof words.text, "%s", quad_text(k == 0 ? nearest : other, digits));
             if (is_last || allows_growth(query, quad_read(words.text, NULL), quad_read(growth->text, NULL)))

@@ -87,11 +87,9 @@ struct words energy_words(domq_real share);
 /* Returns "solid dominoes" for q = 4 and the noun "dominoes", or "dominoes with q = 3.5". */
 struct words dominoes_words(domq_real q, const char *noun);
 
-/* Returns the smaller of `digits` and the number of digits that the tolerance justifies. */
-int digits_within(const struct answer *a, int digits);
-
-/* Returns a limit as text with at most `most` digits that the tolerance justifies, rounded down, so that what
- * it allows is possible. A growth above 1 that would be rounded to 1 gets more digits. */
+/* Returns a limit as text with the digits that the tolerance justifies, but no more than `most`. It is
+ * rounded down, so that the printed value is still possible. A growth above 1 that would be rounded to 1 gets
+ * more digits. */
 struct words limit_words(const struct answer *a, domq_real limit, int most);
 
 /* Returns where a first domino is released: "at 20 deg", "against the second" or, if it starts upright, "".

@@ -115,7 +115,7 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
         answer_say(a,
                    "With gaps of %s times the height, each domino can be %s times as large as the one "
                    "before%s%s%s.",
-                   quad_text(best.s, digits_within(a, 4)), limit_words(a, best.r_max, 4).text,
+                   quad_text(best.s, style_tol_digits(&a->style, 4)), limit_words(a, best.r_max, 4).text,
                    limit->ends == DOM_END_NONE ? "" : "; with the present gaps, ",
                    limit->ends == DOM_END_NONE ? "" : limit_words(a, limit->r_max, 4).text,
                    limit->ends == DOM_END_NONE ? "" : " times");

@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-int style_tol_digits(const struct answer_style *style)
+int style_tol_digits(const struct answer_style *style, int most)
 {
-    return (int)fmax(floor(-log10(style->tol) + 1e-6), 1);
+    return (int)fmin(fmax(floor(-log10(style->tol) + 1e-6), 1), most);
 }
 
 domq_real style_angle(const struct answer_style *style, domq_real radians)

@@ -255,8 +255,8 @@ char *rest_end(struct rest *rest);
 /* Stores the answer to a yes-or-no question, such as whether a row falls, for 'assert' and 'solve'. */
 void answer_set_verdict(struct answer *answer, bool yes);
 
-/* Returns the number of digits, at least 1, that the tolerance guarantees. */
-int style_tol_digits(const struct answer_style *style);
+/* Returns the number of digits, from 1 to `most`, that the tolerance justifies. */
+int style_tol_digits(const struct answer_style *style, int most);
 
 /* Converts an angle to the unit that the user has chosen, and returns the name of this unit. */
 domq_real style_angle(const struct answer_style *style, domq_real radians);

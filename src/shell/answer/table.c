@@ -51,8 +51,8 @@ static const char *table_text(const struct answer *a, struct measure measure, st
 {
     bool has_error = a->style.errors && isfinite(cell.error);
     int most = (int)a->style.digits;
-    if (cell.computed && most > style_tol_digits(&a->style))
-        most = style_tol_digits(&a->style);
+    if (cell.computed)
+        most = style_tol_digits(&a->style, most);
     if (cell.kind == CELL_REAL && measure.power != 0) {
         cell.number = measure_number(measure, cell.number);
         cell.error = isfinite(cell.error) ? measure_number(measure, cell.error) : cell.error;
