@@ -70,7 +70,8 @@ endif
 $(foreach f,$(call lacks,$(FEATURES)),$(error there is no feature '$f'; the features are $(filter-out $(JOINT) train,$(EVERY))))
 BUILT    := $(call once,train $(call with_needs,$(FEATURES)))
 BUILT    += $(foreach f,$(JOINT),$(if $(filter-out $(BUILT),$(NEEDS_$f)),,$f))
-# The headers in include/ declare the functions of these, which have a model, even where a folder is gone.
+# Missing features that have a folder `model`. The headers in include/ declare their functions even if a whole feature
+# is deleted.
 PART     := $(filter-out $(BUILT),$(sort $(patsubst src/%/model,%,$(wildcard src/*/model)) chance explain pictures planning proof rows))
 FOLDERS  := $(subst _,/,$(BUILT))
 
@@ -134,8 +135,8 @@ $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)): | $(HEADERS
 # temporary file has a name of its own.
 IF_CHANGED = > $@.$$$$ && { cmp -s $@.$$$$ $@ && rm $@.$$$$ || mv $@.$$$$ $@; }
 
-# The list of features, for src/features.c, and the names of what others have, which the output of 'help features' in
-# domino(1) lists. What two features do together belongs to the one that is not built.
+# The features of this build, for src/features.c, and the names that belong to missing features, from the output of 'help
+# features' in domino(1). What two features do together belongs to the missing one of the two.
 $(P)/features.o: src/features.c $(P)/feature_list.h
 	$(Q)$(CC) -I$(P) $(C_FLAGS) -c $< -o $@
 $(P)/feature_list.h: FORCE
@@ -183,11 +184,11 @@ LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstrin
 $(LIB_OBJ): C_FLAGS += $(LIB_FLAGS)
 $(call OBJ,$(TRAIN)/precision/float.c): C_FLAGS += -DDOMF
 $(call OBJ,$(TRAIN)/precision/quad.c): C_FLAGS += -DDOMQ
-# Studies of rows run the models in float and double many times, in these sources. FAST_x are those of feature x.
+# The sources that studies of rows run many times: the models in float and double, and FAST_x of each feature x.
 FAST  := $(filter-out %/quad.c,$(filter $(TRAIN)/%,$(MODEL))) $(foreach f,$(BUILT),$(FAST_$f:%=src/$f/model/%))
-# With -O1, compiling takes at most two thirds of the time. Code that waits for these models is as fast with -O1. The
-# model in quad is as fast, too, because it waits for library functions that multiply and add. The models in float and
-# double need the same options, because 'cost' compares their times.
+# With -O1, compiling takes at most two thirds of the time. Code that calls these models is no slower with -O1, since the
+# models take most of its time. Neither is the model in quad, in which library functions that multiply and add take most
+# of the time. The models in float and double have the same options, because 'cost' compares their times.
 WAITS := $(TRAIN)/precision/quad.c $(filter-out src/shell/commands/% src/shell/prompt/%,$(filter src/shell/%,$(SHELL_C)))
 $(call OBJ,$(WAITS)): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 # With -Og, compiling takes even less time. Code that runs once per command executes as many instructions as with -O1.

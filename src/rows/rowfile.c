@@ -117,8 +117,8 @@ struct first {
     struct csv_place at;
 };
 
-/* Returns false if domino 1 has a gap or a pitch, and this row has another one: the numbers may be those from
- * each domino to the next one. */
+/* Returns false if domino 1 has a gap or a pitch and this line has a different one. The numbers may then be
+ * measured from each domino to the next, instead of from the domino before. */
 static bool first_check(struct csv_table *csv, const struct first *first, int k)
 {
     const char *name = columns[k].name;

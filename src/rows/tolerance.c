@@ -22,9 +22,8 @@ const struct column tolerance_columns[] = {
      "the largest height at which all dominoes fall; the search ends at 4 times the present height", 11},
     {"thickness", "m", "thickness of the domino", 8},
     {"thickness_low", "m",
-     "the smallest thickness at which all dominoes fall; the search ends at 1/100 of the present thickness, "
-     "or "
-     "where the domino cannot stand",
+     "the smallest thickness at which all dominoes fall; the search ends at 1/100 of the present "
+     "thickness, or where the domino cannot stand",
      10},
     {"thickness_high", "m",
      "the largest thickness at which all dominoes fall; the search ends at 4 times the present thickness",
@@ -272,7 +271,7 @@ const struct column mend_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* How much more than the weakest push that tips the first domino over is a firm push. */
+/* A firm push, divided by the weakest push that tips the first domino over. */
 #define PUSH_FIRM 1.2
 
 void progress_count(size_t part, size_t of, void *context)

@@ -32,11 +32,12 @@ enum { CLEAR_TILTS = 6 };
 
 /*
  * Returns an upper bound on the further rise of H while a head moves from one tilt to another, at most to
- * theta_u. All of its followers must only lose height. As the head turns, they become steeper, and their
- * slopes theta_i' decrease. So they lose at least steepest `falls` per radian, with the tilts of the
- * beginning and the slopes of the end. Let phi be the angle from a tilt of the head to theta_u. Up to a
- * constant, the energy of the head is steepest cos phi. So H rises to at most the maximum of steepest (cos
- * phi + falls phi), where sin phi = falls. The code takes sin phi in the place of phi, which changes more.
+ * theta_u. Its followers must lose height all the time. As the head turns, they become steeper, and their
+ * slopes theta_i' decrease. So they lose at least the energy `steepest` times `falls` per radian, where
+ * `falls` is found from the tilts of the beginning and the slopes of the end. Let phi be the angle from a
+ * tilt of the head to theta_u. Up to a constant, the energy of the head is steepest cos phi. So H rises to at
+ * most the maximum of steepest (cos phi + falls phi), where sin phi = falls. The code takes the change of sin
+ * phi in the place of that of phi, which is larger: the bound holds all the more.
  */
 static real most_rise(const struct geometry *head, struct tilt from, struct tilt to)
 {

@@ -182,7 +182,7 @@ struct feature {
     const struct first_line *first;      /* the last place is 0 */
     const struct plot *const *plots;     /* tables of charts for 'plot'; the last one is NULL */
     const struct engine_driver *engine;  /* a rigid-body engine */
-    const char *row_note;                /* what an answer about a train says while a row is set */
+    const char *row_note;                /* the note of answers about a train while a row is set */
     const struct method *method;         /* what 'cost' compares with */
     const struct aggregates *aggregates; /* functions of the columns of tables (interpreter/question.h) */
     void (*progress)(bool begins);       /* shows the progress of a command (io/terminal.h) */

@@ -20,15 +20,14 @@ static const char q_help[] =
 static const char width_help[] =
     "The width is the size of a domino across the row. In a train, and in a row without a file, every "
     "domino has the same width relative to its height. A length, as in 'set width 24 mm', is the width of "
-    "the "
-    "first domino or, in a row from a file, of all dominoes for which the file gives none. The width counts "
-    "in masses that follow from a density, in the boxes of 'set walls', and in boards. 'w' is short for "
-    "width.";
+    "the first domino or, in a row from a file, of all dominoes for which the file gives none. The width "
+    "counts in masses that follow from a density, in the boxes of 'set walls', and in boards. 'w' is short "
+    "for width.";
 static const char tol_help[] =
-    "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
-    "than it justifies. Rounding errors can exceed it. The smallest tolerance is "
-    "1e-6 in float, 1e-15 in double and 1e-33 in quad precision. If you have not set tol, 'set precision' "
-    "also sets tol. 'cost rmax' shows how much time each digit costs.";
+    "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more "
+    "digits than it justifies. Rounding errors can exceed it. The smallest tolerance is 1e-6 in float, "
+    "1e-15 in double and 1e-33 in quad precision. If you have not set tol, 'set precision' also sets tol. "
+    "'cost rmax' shows how much time each digit costs.";
 static const char precision_help[] =
     "The equations are solved in float, double or quad arithmetic. Parameters keep all their digits, and are "
     "rounded when they are used: in quad, 7/48 has 34 digits. 'set digits 33' shows all digits that quad "

@@ -37,14 +37,15 @@ struct engine_driver {
 /* The engine of this build, or NULL. */
 extern const struct engine_driver *row_engine;
 
-/* What an answer about a train says while a row is set, or NULL. */
+/* The note of answers about a train while a row is set, or NULL if this build has no rows. */
 extern const char *row_note;
 
 /* Returns why the rigid-body engine, rather than the model, runs the row of the scene, or NULL if the model
  * runs it. */
 const char *scene_engine(const struct scene *scene);
 
-/* Returns what an answer about a train says about a scene whose row it does not answer, or NULL. */
+/* Returns the note which tells the user that an answer about the train is not about the row, or about hinged
+ * dominoes. Returns NULL if the scene needs no such note. */
 const char *scene_train_note(const struct scene *scene);
 
 /* Makes the row of the train that 'set row N' asks for, without what the slot of the scene says, and prepares

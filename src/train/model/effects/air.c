@@ -51,9 +51,8 @@ const struct dom_effect dom_effect_air = {
             "1,200 kg loses about a tenth of the energy that a cycle releases. Solid wood loses less than 1 "
             "% of it at any size. A row needs masses: 'set mass', 'set density', or a file. An endless train "
             "must be solid ('set q solid'), because other trains are not self-similar in air; ask about a "
-            "row instead. Drag and inertia are estimates for a plate in still air: "
-            "they leave out buoyancy and the flow between dominoes. 'set drag' changes the drag coefficient "
-            "C of 1.2.",
+            "row instead. Drag and inertia are estimates for a plate in still air: they leave out buoyancy "
+            "and the flow between dominoes. 'set drag' changes the drag coefficient C of 1.2.",
     .source = "quasi-steady drag and added mass of a slender plate, strip by strip; textbook fluid mechanics",
     .dissipates = "the drag of the air",
     .equations = (const char *const[]){"B = sum r^(-(q+1) i) S_i (theta_i'' + k theta_i'^2)",

@@ -29,11 +29,10 @@ const struct dom_effect dom_effect_edges = {
     .help =
         "The radius of the edges is RADIUS times the height; a length is the radius of domino 1. In a row "
         "from a file, each domino can have its own radius. The radius is at most half of the thickness. "
-        "Edges rounded by 1 % of the "
-        "height, like those of shop-bought dominoes, raise r_max by 4 to 8 % at separations from 0.2 to "
-        "0.4. The foot rolls on the floor without slipping, and the round upper edge of a follower "
-        "slides down the flat back of its leader. The moment of inertia i is taken about the line of "
-        "contact with the floor.",
+        "Edges rounded by 1 % of the height, like those of shop-bought dominoes, raise r_max by 4 to 8 % "
+        "at separations from 0.2 to 0.4. The foot rolls on the floor without slipping, and the round upper "
+        "edge of a follower slides down the flat back of its leader. The moment of inertia i is taken "
+        "about the line of contact with the floor.",
     .source = "rigid bodies that roll and slide, after J. M. J. van Leeuwen, Domino Magnification",
     .equations =
         (const char *const[]){"l = 1 - 2 rho", "h(theta) = 2 rho + l cos theta + (d - 2 rho) sin theta",
